@@ -1,0 +1,36 @@
+!> Errors are values: made where the cause is known, printed by `main` only.
+module plydyn_base_error
+   implicit none
+   private
+
+   public :: fail
+
+   !> Exit codes of the program
+   integer, parameter, public :: exit_normal = 0, exit_usage = 1, exit_input = 2, &
+      & exit_run = 3, exit_stopped = 4, exit_output = 5
+
+   !> What went wrong, and what would be right
+   type, public :: error_type
+      !> Text for the user, with the place in the deck when there is one
+      character(:), allocatable :: message
+      !> Exit code of the program
+      integer :: code = exit_run
+   end type error_type
+
+contains
+
+   !> Make an error
+   subroutine fail(error, code, message)
+      !> The error made
+      type(error_type), allocatable, intent(out) :: error
+      !> Exit code of the program
+      integer, intent(in) :: code
+      !> Text for the user
+      character(*), intent(in) :: message
+
+      allocate (error)
+      error%message = message
+      error%code = code
+   end subroutine fail
+
+end module plydyn_base_error

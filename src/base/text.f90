@@ -1,0 +1,79 @@
+!> Numbers as text, and text without case.
+module plydyn_base_text
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: text, lower_case, upper_case
+
+   !> Shortest reading text of a number
+   interface text
+      module procedure :: text_of_integer
+      module procedure :: text_of_real
+   end interface text
+
+   !> Distance between the cases in ASCII
+   integer, parameter :: case_shift = iachar("a") - iachar("A")
+
+contains
+
+   !> Text of an integer
+   pure function text_of_integer(number) result(string)
+      !> Number to write
+      integer, intent(in) :: number
+      character(:), allocatable :: string
+      character(20) :: buffer
+
+      write (buffer, "(i0)") number
+      string = trim(buffer)
+   end function text_of_integer
+
+   !> Text of a real, with as many digits as a reader wants (default 6)
+   pure function text_of_real(number, digits) result(string)
+      !> Number to write
+      real(wp), intent(in) :: number
+      !> Significant digits
+      integer, intent(in), optional :: digits
+      character(:), allocatable :: string
+      character(40) :: buffer
+      character(12) :: form
+      integer :: significant
+
+      significant = 6
+      if (present(digits)) significant = digits
+      write (form, "(a,i0,a)") "(g0.", significant, ")"
+      write (buffer, form) number
+      string = trim(adjustl(buffer))
+   end function text_of_real
+
+   !> The same text in lower case
+   pure function lower_case(string) result(lowered)
+      !> Any text
+      character(*), intent(in) :: string
+      character(len(string)) :: lowered
+      integer :: i
+
+      lowered = string
+      do i = 1, len(string)
+         if (string(i:i) >= "A" .and. string(i:i) <= "Z") then
+            lowered(i:i) = achar(iachar(string(i:i)) + case_shift)
+         end if
+      end do
+   end function lower_case
+
+   !> The same text in upper case
+   pure function upper_case(string) result(raised)
+      !> Any text
+      character(*), intent(in) :: string
+      character(len(string)) :: raised
+      integer :: i
+
+      raised = string
+      do i = 1, len(string)
+         if (string(i:i) >= "a" .and. string(i:i) <= "z") then
+            raised(i:i) = achar(iachar(string(i:i)) - case_shift)
+         end if
+      end do
+   end function upper_case
+
+end module plydyn_base_text

@@ -1,0 +1,75 @@
+!> How to run, and what to write.
+module plydyn_model_control
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> Strain measures, numbered as on the card
+   integer, parameter, public :: linear_strain = 0, total_lagrangian = 1
+
+   !> Names of the user's units, for print only
+   type, public :: units_type
+      !> Names of length, time, mass, force, stress and energy
+      character(8) :: length = "mm", time = "s", mass = "t", force = "N", stress = "MPa", &
+         & energy = "mJ"
+   end type units_type
+
+   !> Time, step, kinematics, damping, limits
+   type, public :: control_type
+      !> Last time
+      real(wp) :: end_time = 0.0_wp
+      !> Last cycle; 0 for none
+      integer :: end_cycle = 0
+      !> Check the deck, build the domain and stop
+      logical :: check_only = .false.
+      !> Share of the stable step that is taken
+      real(wp) :: step_factor = 0.9_wp
+      !> First step; 0 for the stable one
+      real(wp) :: first_step = 0.0_wp
+      !> Index into `model%curves` of a bound on the step over time; 0 for none
+      integer :: step_curve = 0
+      !> The run stops when the step falls below this; 0 for none
+      real(wp) :: smallest_step = 0.0_wp
+      !> `linear_strain` or `total_lagrangian`
+      integer :: kinematics = total_lagrangian
+      !> Force per mass and velocity that brakes every point, 1/time
+      real(wp) :: damping = 0.0_wp
+      !> The run stops when the energy balance is off by more than this share
+      real(wp) :: energy_limit = 0.05_wp
+      !> Names of units
+      type(units_type) :: units
+   end type control_type
+
+   !> Stress through the thickness at a place of the plane
+   type, public :: profile_type
+      !> The user's number
+      integer :: id = 0
+      !> Place in the plane
+      real(wp) :: position(2) = 0.0_wp
+      !> Points in each numerical layer, both faces included
+      integer :: points = 5
+      !> Time between two profiles
+      real(wp) :: interval = 0.0_wp
+   end type profile_type
+
+   !> What to write, and how often; an interval of 0 means every step
+   type, public :: request_type
+      !> Time between two field states; 0 for twenty in all
+      real(wp) :: field_interval = 0.0_wp
+      !> Names of the point fields to write
+      character(16), allocatable :: fields(:)
+      !> Time between two lines of the energy history
+      real(wp) :: energy_interval = 0.0_wp
+      !> Time between two lines of the impactor histories
+      real(wp) :: impactor_interval = 0.0_wp
+      !> Time between two lines of the node histories
+      real(wp) :: node_interval = 0.0_wp
+      !> Nodes with a history, indices into `mesh%node_id`
+      integer, allocatable :: nodes(:)
+      !> Time between two lines of the support forces; negative for none
+      real(wp) :: support_interval = -1.0_wp
+      !> Profiles through the thickness
+      type(profile_type), allocatable :: profiles(:)
+   end type request_type
+
+end module plydyn_model_control

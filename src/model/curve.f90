@@ -1,0 +1,43 @@
+!> Curves over time, linear between their points.
+module plydyn_model_curve
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> A curve
+   type, public :: curve_type
+      !> The user's number; 0 is the constant 1
+      integer :: id = 0
+      !> Abscissa, increasing
+      real(wp), allocatable :: x(:)
+      !> Ordinate
+      real(wp), allocatable :: y(:)
+   contains
+      procedure :: at
+   end type curve_type
+
+contains
+
+   !> Ordinate at an abscissa; held constant before the first point and after the last
+   pure real(wp) function at(self, x) result(y)
+      class(curve_type), intent(in) :: self
+      !> Abscissa
+      real(wp), intent(in) :: x
+
+      real(wp) :: part
+      integer :: right
+
+      right = 1
+      do while (right < size(self%x))
+         if (self%x(right) >= x) exit
+         right = right + 1
+      end do
+      if (right == 1 .or. x >= self%x(right)) then
+         y = self%y(right)
+      else
+         part = (x - self%x(right - 1))/(self%x(right) - self%x(right - 1))
+         y = self%y(right - 1) + part*(self%y(right) - self%y(right - 1))
+      end if
+   end function at
+
+end module plydyn_model_curve

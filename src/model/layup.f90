@@ -1,0 +1,44 @@
+!> Parts: stacks of plies, from the bottom up.
+module plydyn_model_layup
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> How the faces of two plies meet, where no interface material lies between them
+   integer, parameter, public :: faces_tied = 0, faces_apart = -1
+
+   !> One ply
+   type, public :: ply_type
+      !> The user's number; its place in the stack if none was given
+      integer :: id = 0
+      !> Index into `model%materials`
+      integer :: material = 0
+      !> Length
+      real(wp) :: thickness = 0.0_wp
+      !> Fibre direction, degrees from the x axis (the material's own axis included)
+      real(wp) :: angle = 0.0_wp
+      !> Order of the Lagrange expansion in each numerical layer, 1 to 4
+      integer :: order = 1
+      !> Numerical layers in this ply
+      integer :: layers = 1
+   end type ply_type
+
+   !> A laminate
+   type, public :: part_type
+      !> The user's number
+      integer :: id = 0
+      !> Title, empty without one
+      character(:), allocatable :: title
+      !> Plies from the bottom up
+      type(ply_type), allocatable :: plies(:)
+      !> What joins ply k to ply k + 1: `faces_tied`, `faces_apart`, or an index into
+      !> `model%interface_materials`; (plies - 1)
+      integer, allocatable :: joint(:)
+      !> Height of the bottom face above the plane of the nodes, in thicknesses of the laminate:
+      !> -1/2 when the nodes lie in the mid-plane
+      real(wp) :: bottom_offset = -0.5_wp
+      !> Thickness nodes at Gauss-Lobatto points instead of equal spacing
+      logical :: lobatto = .false.
+   end type part_type
+
+end module plydyn_model_layup

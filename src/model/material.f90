@@ -1,0 +1,39 @@
+!> Materials of plies and of interfaces.
+module plydyn_model_material
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> Elastic constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
+   type, public :: material_type
+      !> The user's number
+      integer :: id = 0
+      !> Keyword that defined it
+      character(:), allocatable :: keyword
+      !> Title, empty without one
+      character(:), allocatable :: title
+      !> Mass per volume
+      real(wp) :: density = 0.0_wp
+      !> E1, E2, E3
+      real(wp) :: young(3) = 0.0_wp
+      !> nu12, nu13, nu23: strain in the second direction from stress along the first
+      real(wp) :: poisson(3) = 0.0_wp
+      !> G12, G13, G23
+      real(wp) :: shear(3) = 0.0_wp
+      !> Direction from which ply angles are measured, degrees from the x axis
+      real(wp) :: axis_angle = 0.0_wp
+   end type material_type
+
+   !> Springs between the faces of two plies
+   type, public :: interface_material_type
+      !> The user's number
+      integer :: id = 0
+      !> Title, empty without one
+      character(:), allocatable :: title
+      !> Traction per opening, stress per length
+      real(wp) :: normal_stiffness = 0.0_wp
+      !> Traction per sliding, stress per length
+      real(wp) :: shear_stiffness = 0.0_wp
+   end type interface_material_type
+
+end module plydyn_model_material

@@ -1,0 +1,52 @@
+!> The model: what the deck says, in an engineer's words and with the user's numbers.
+module plydyn_model_model
+   use plydyn_model_control, only : control_type, request_type
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_layup, only : part_type
+   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_material, only : interface_material_type, material_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_support, only : hold_type, initial_velocity_type, motion_type
+   implicit none
+   private
+
+   !> Everything of one deck; immutable once read and checked
+   type, public :: model_type
+      !> Title of the run
+      character(:), allocatable :: title
+      !> Nodes and quads
+      type(mesh_type) :: mesh
+      !> Laminates
+      type(part_type), allocatable :: parts(:)
+      !> Ply materials
+      type(material_type), allocatable :: materials(:)
+      !> Interface materials
+      type(interface_material_type), allocatable :: interface_materials(:)
+      !> Curves over time
+      type(curve_type), allocatable :: curves(:)
+      !> Supports
+      type(hold_type), allocatable :: holds(:)
+      !> Prescribed motions
+      type(motion_type), allocatable :: motions(:)
+      !> Velocities at time zero; a later one overrides an earlier one
+      type(initial_velocity_type), allocatable :: initial_velocities(:)
+      !> Forces at nodes
+      type(point_load_type), allocatable :: point_loads(:)
+      !> Forces along lines
+      type(line_load_type), allocatable :: line_loads(:)
+      !> Pressures
+      type(pressure_type), allocatable :: pressures(:)
+      !> Accelerations of the frame
+      type(body_load_type), allocatable :: body_loads(:)
+      !> Rigid impactors
+      type(impactor_type), allocatable :: impactors(:)
+      !> Contacts between an impactor and a part
+      type(contact_type), allocatable :: contacts(:)
+      !> Time, step, kinematics
+      type(control_type) :: control
+      !> What to write
+      type(request_type) :: request
+   end type model_type
+
+end module plydyn_model_model

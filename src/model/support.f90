@@ -1,0 +1,52 @@
+!> What holds or moves the plate, and how it starts.
+module plydyn_model_support
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> Thickness points that a support or load acts on
+   integer, parameter, public :: bottom_face = -1, one_plane = 0, top_face = 1, all_planes = 2
+
+   !> What a prescribed motion prescribes, numbered as on the card
+   integer, parameter, public :: prescribes_velocity = 0, prescribes_acceleration = 1, &
+      & prescribes_displacement = 2
+
+   !> Points that do not move in some directions
+   type, public :: hold_type
+      !> Nodes, indices into `mesh%node_id`
+      integer, allocatable :: nodes(:)
+      !> Held in x, y, z
+      logical :: direction(3) = .false.
+      !> Which thickness points
+      integer :: face = all_planes
+      !> Height of the plane above the nodes, length; for `one_plane`
+      real(wp) :: height = 0.0_wp
+   end type hold_type
+
+   !> Points that move as told
+   type, public :: motion_type
+      !> Nodes, indices into `mesh%node_id`
+      integer, allocatable :: nodes(:)
+      !> 1, 2, 3 for x, y, z
+      integer :: direction = 0
+      !> `prescribes_velocity`, `prescribes_acceleration` or `prescribes_displacement`
+      integer :: quantity = prescribes_velocity
+      !> Index into `model%curves`
+      integer :: curve = 0
+      !> Factor on the curve
+      real(wp) :: scale = 1.0_wp
+      !> Time at which it begins and ends to act
+      real(wp) :: birth = 0.0_wp, death = huge(1.0_wp)
+      !> Which thickness points
+      integer :: face = all_planes
+   end type motion_type
+
+   !> Velocity at time zero
+   type, public :: initial_velocity_type
+      !> Nodes, indices into `mesh%node_id`
+      integer, allocatable :: nodes(:)
+      !> Length per time
+      real(wp) :: velocity(3) = 0.0_wp
+   end type initial_velocity_type
+
+end module plydyn_model_support
