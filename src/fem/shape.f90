@@ -1,0 +1,104 @@
+!> Plane shape functions of quads, N(xi, eta): bilinear with 4 nodes, biquadratic with 9.
+!>
+!> Nodes in the order of the deck: corners counter-clockwise, mid-sides 12 23 34 41, centre.
+module plydyn_fem_shape
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: shape_functions, shape_second_derivatives, local_nodes
+
+   !> Numbers of nodes that a quad can have
+   integer, parameter, public :: bilinear_nodes = 4, biquadratic_nodes = 9
+
+   !> Place of each node along xi and along eta: -1, 0, 1
+   integer, parameter :: place(2, biquadratic_nodes) = reshape( &
+      & [-1, -1, 1, -1, 1, 1, -1, 1, 0, -1, 1, 0, 0, 1, -1, 0, 0, 0], [2, biquadratic_nodes])
+
+contains
+
+   !> Shape functions and their first derivatives at a point of the quad
+   pure subroutine shape_functions(nodes, xi, eta, n, dn)
+      !> Nodes of the quad, 4 or 9
+      integer, intent(in) :: nodes
+      !> Place in the quad, each from -1 to 1
+      real(wp), intent(in) :: xi, eta
+      !> Value of each shape function
+      real(wp), intent(out) :: n(nodes)
+      !> Derivatives of each along xi and along eta
+      real(wp), intent(out) :: dn(2, nodes)
+
+      real(wp) :: a(-1:1), da(-1:1), b(-1:1), db(-1:1)
+      integer :: i
+
+      call line_functions(nodes, xi, a, da)
+      call line_functions(nodes, eta, b, db)
+      do i = 1, nodes
+         n(i) = a(place(1, i))*b(place(2, i))
+         dn(1, i) = da(place(1, i))*b(place(2, i))
+         dn(2, i) = a(place(1, i))*db(place(2, i))
+      end do
+   end subroutine shape_functions
+
+   !> Second derivatives of the shape functions at a point of the quad
+   pure subroutine shape_second_derivatives(nodes, xi, eta, ddn)
+      !> Nodes of the quad, 4 or 9
+      integer, intent(in) :: nodes
+      !> Place in the quad, each from -1 to 1
+      real(wp), intent(in) :: xi, eta
+      !> Derivatives of each along xi xi, eta eta and xi eta
+      real(wp), intent(out) :: ddn(3, nodes)
+
+      real(wp) :: a(-1:1), da(-1:1), b(-1:1), db(-1:1), bend(-1:1)
+      integer :: i
+
+      call line_functions(nodes, xi, a, da)
+      call line_functions(nodes, eta, b, db)
+      bend(:) = line_bend(nodes)
+      do i = 1, nodes
+         ddn(1, i) = bend(place(1, i))*b(place(2, i))
+         ddn(2, i) = a(place(1, i))*bend(place(2, i))
+         ddn(3, i) = da(place(1, i))*db(place(2, i))
+      end do
+   end subroutine shape_second_derivatives
+
+   !> Local coordinates of the nodes, (2, nodes)
+   pure function local_nodes(nodes) result(coordinates)
+      !> Nodes of the quad, 4 or 9
+      integer, intent(in) :: nodes
+      real(wp) :: coordinates(2, nodes)
+
+      coordinates(:, :) = real(place(:, :nodes), wp)
+   end function local_nodes
+
+   !> Lagrange polynomials along a line and their slopes, by place of the node: -1, 0, 1
+   pure subroutine line_functions(nodes, x, value, slope)
+      !> Nodes of the quad, 4 or 9
+      integer, intent(in) :: nodes
+      !> Place on the line, from -1 to 1
+      real(wp), intent(in) :: x
+      !> Values; zero at place 0 of a line of two nodes
+      real(wp), intent(out) :: value(-1:1)
+      !> Derivatives
+      real(wp), intent(out) :: slope(-1:1)
+
+      if (nodes == bilinear_nodes) then
+         value(:) = [0.5_wp*(1.0_wp - x), 0.0_wp, 0.5_wp*(1.0_wp + x)]
+         slope(:) = [-0.5_wp, 0.0_wp, 0.5_wp]
+      else
+         value(:) = [0.5_wp*x*(x - 1.0_wp), (1.0_wp - x)*(1.0_wp + x), 0.5_wp*x*(x + 1.0_wp)]
+         slope(:) = [x - 0.5_wp, -2.0_wp*x, x + 0.5_wp]
+      end if
+   end subroutine line_functions
+
+   !> Second derivatives of the Lagrange polynomials along a line, by place of the node
+   pure function line_bend(nodes) result(bend)
+      !> Nodes of the quad, 4 or 9
+      integer, intent(in) :: nodes
+      real(wp) :: bend(-1:1)
+
+      bend(:) = 0.0_wp
+      if (nodes == biquadratic_nodes) bend(:) = [1.0_wp, -2.0_wp, 1.0_wp]
+   end function line_bend
+
+end module plydyn_fem_shape
