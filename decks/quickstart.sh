@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# From a fresh clone to the pictures of an impact: install, build, run and report.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+# shellcheck source=decks/setup.sh
+source decks/setup.sh
+
+recipe=decks/elastic_impact/le2.toml
+results=results/elastic_impact
+job=le2
+
+install_system_packages build
+make_venv build
+build release || give_up "the solver could not be built"
+
+mkdir -p "$results"
+say "making $results/$job.k from $recipe"
+.venv/bin/plydyn-pre deck "$recipe" -o "$results/$job.k"
+say "running it"
+build/release/plydyn run "$results/$job.k" -j "$job" -o "$results"
+say "drawing the report"
+.venv/bin/plydyn-post report "$results/$job.vtkhdf"
+
+say "done"
+printf '\n%s\n' \
+  "recipe    $recipe" \
+  "deck      $results/$job.k" \
+  "listing   $results/$job.out" \
+  "histories $results/$job.*.csv" \
+  "fields    $results/$job.vtkhdf (opens in ParaView)" \
+  "pictures  $(find "$results" -name '*.png' -printf '%h\n' | sort -u | paste -sd' ')"
