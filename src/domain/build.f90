@@ -1,0 +1,166 @@
+!> From the model to the domain.
+module plydyn_domain_build
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : new_columns
+   use plydyn_domain_domain, only : domain_type, load_type
+   use plydyn_domain_layers, only : check_same_structure, new_layers
+   use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, new_pressure_load
+   use plydyn_domain_masses, only : add_masses
+   use plydyn_domain_plates, only : new_interface, new_plate
+   use plydyn_domain_step_limit, only : find_step_limit
+   use plydyn_domain_supports, only : held_freedoms, new_prescribed
+   use plydyn_domain_surfaces, only : new_surface
+   use plydyn_element_interface, only : interface_type
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_layup, only : faces_tied
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: build_domain
+
+contains
+
+   !> Flat arrays of everything that the loop needs
+   subroutine build_domain(model, domain, error)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(out) :: domain
+      !> What the model asks for and the domain cannot be
+      type(error_type), allocatable, intent(out) :: error
+
+      domain%control = model%control
+      domain%curves = model%curves
+      domain%position = model%mesh%position
+      call check_same_structure(model%parts, error)
+      if (allocated(error)) return
+      domain%layers = new_layers(model%parts(1))
+      domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
+      call build_plates(model, domain, error)
+      if (allocated(error)) return
+      call build_joints(model, domain, error)
+      if (allocated(error)) return
+      call build_supports(model, domain, error)
+      if (allocated(error)) return
+      call build_loads(model, domain)
+      call build_surfaces(model, domain)
+      domain%limit = find_step_limit(model, domain)
+   end subroutine build_domain
+
+   !> Plates and the masses of their points
+   subroutine build_plates(model, domain, error)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      type(error_type), allocatable, intent(out) :: error
+      integer :: p
+
+      allocate (domain%plates(size(model%parts)), domain%mass(domain%columns%masses))
+      domain%mass(:) = 0.0_wp
+      do p = 1, size(model%parts)
+         call new_plate(model, p, domain%columns, domain%plates(p), error)
+         if (allocated(error)) return
+         call add_masses(model, p, domain%plates(p), new_layers(model%parts(p)), domain%columns, &
+            & domain%mass, error)
+         if (allocated(error)) return
+      end do
+      allocate (domain%inverse_mass(domain%columns%masses))
+      where (domain%mass > 0.0_wp)
+         domain%inverse_mass(:) = 1.0_wp/domain%mass
+      elsewhere
+         domain%inverse_mass(:) = 0.0_wp
+      end where
+   end subroutine build_plates
+
+   !> Ties and interfaces between layers
+   subroutine build_joints(model, domain, error)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      type(error_type), allocatable, intent(out) :: error
+      integer :: k, p
+
+      associate (joint => domain%layers%joint)
+         domain%ties = reshape(pack([(k, k + 1, k=1, size(joint))], &
+            & [(spread(joint(k) == faces_tied, 1, 2), k=1, size(joint))]), &
+            & [2, count(joint == faces_tied)])
+         allocate (domain%interfaces(0))
+         if (model%control%kinematics == total_lagrangian .and. any(joint > 0)) then
+            call fail(error, exit_input, "elastic interfaces work with linear strain only: " &
+               & //"*CONTROL_LAYERWISE with KINEM 0, or tie the plies")
+            return
+         end if
+         do k = 1, size(joint)
+            if (joint(k) <= 0) cycle
+            do p = 1, size(domain%plates)
+               domain%interfaces = [domain%interfaces, new_interface(model, domain%plates(p), &
+                  & domain%columns, k, joint(k))]
+            end do
+         end do
+      end associate
+   end subroutine build_joints
+
+   !> Held places and prescribed motions
+   subroutine build_supports(model, domain, error)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      call held_freedoms(model%holds, domain%layers, domain%columns, domain%held, error)
+      if (allocated(error)) return
+      allocate (domain%motions(size(model%motions)))
+      do i = 1, size(model%motions)
+         domain%motions(i) = new_prescribed(model%motions(i), domain%layers, domain%columns)
+      end do
+   end subroutine build_supports
+
+   !> Forces on points
+   subroutine build_loads(model, domain)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      integer :: i, k
+
+      allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
+         & + size(model%pressures) + size(model%body_loads)))
+      k = 0
+      associate (layers => domain%layers, columns => domain%columns)
+         do i = 1, size(model%point_loads)
+            k = k + 1
+            domain%loads(k) = new_point_load(model%point_loads(i), layers, columns, domain%mass)
+         end do
+         do i = 1, size(model%line_loads)
+            k = k + 1
+            domain%loads(k) = new_line_load(model%line_loads(i), model%mesh, layers, columns)
+         end do
+         do i = 1, size(model%pressures)
+            k = k + 1
+            domain%loads(k) = new_pressure_load(model%pressures(i), model%mesh, layers, columns)
+         end do
+         do i = 1, size(model%body_loads)
+            k = k + 1
+            domain%loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%mass)
+         end do
+      end associate
+   end subroutine build_loads
+
+   !> Faces that impactors may touch
+   subroutine build_surfaces(model, domain)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      logical :: held(domain%columns%freedoms)
+      integer :: i
+
+      held(:) = .false.
+      held(domain%held) = .true.
+      do i = 1, size(domain%motions)
+         held(domain%motions(i)%freedom) = .true.
+      end do
+      allocate (domain%surfaces(size(model%contacts)))
+      do i = 1, size(model%contacts)
+         domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers, &
+            & domain%columns, domain%inverse_mass, held)
+      end do
+   end subroutine build_surfaces
+
+end module plydyn_domain_build

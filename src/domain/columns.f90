@@ -1,0 +1,122 @@
+!> Where the points lie in the arrays of motion.
+!>
+!> Above every node of the plane stands a column of points. Every numerical layer owns all of its
+!> points, also those on its faces: two layers that are tied meet in two points with one motion.
+!> So tied faces, open faces and interfaces share one layout. Layers of one order form a family;
+!> its points are stored as (lanes, blocks, levels, 3, nodes), the layers side by side.
+module plydyn_domain_columns
+   use plydyn_base_precision, only : lanes
+   implicit none
+   private
+
+   public :: new_columns
+
+   !> Layers of one order
+   type, public :: family_type
+      !> Order of the expansion
+      integer :: order = 0
+      !> Batches of layers
+      integer :: blocks = 0
+      !> First point in the arrays of motion, first mass in the array of masses
+      integer :: first = 0, first_mass = 0
+      !> Layer in each lane, 0 where there is none, (lanes, blocks)
+      integer, allocatable :: layer(:, :)
+   end type family_type
+
+   !> All columns; every node has the same
+   type, public :: columns_type
+      !> Nodes of the plane
+      integer :: nodes = 0
+      !> Length of the arrays of motion and of masses
+      integer :: freedoms = 0, masses = 0
+      !> Layers by their order
+      type(family_type), allocatable :: families(:)
+      !> Family, block and lane of each layer, (3, layers)
+      integer, allocatable :: home(:, :)
+   contains
+      procedure :: freedom
+      procedure :: mass_of
+      procedure :: levels
+   end type columns_type
+
+contains
+
+   !> Arrange the layers of a stack
+   pure function new_columns(nodes, order) result(self)
+      !> Nodes of the plane
+      integer, intent(in) :: nodes
+      !> Order of each layer, from the bottom up
+      integer, intent(in) :: order(:)
+      type(columns_type) :: self
+
+      integer :: f, i, k, p
+
+      self%nodes = nodes
+      self%freedoms = 0
+      self%masses = 0
+      allocate (self%home(3, size(order)))
+      allocate (self%families(count([(any(order == p), p=1, maxval(order))])))
+      f = 0
+      do p = 1, maxval(order)
+         if (.not. any(order == p)) cycle
+         f = f + 1
+         associate (family => self%families(f))
+            family%order = p
+            family%blocks = (count(order == p) + lanes - 1)/lanes
+            family%first = self%freedoms + 1
+            family%first_mass = self%masses + 1
+            allocate (family%layer(lanes, family%blocks))
+            family%layer(:, :) = 0
+            i = 0
+            do k = 1, size(order)
+               if (order(k) /= p) cycle
+               self%home(:, k) = [f, 1 + i/lanes, 1 + mod(i, lanes)]
+               family%layer(1 + mod(i, lanes), 1 + i/lanes) = k
+               i = i + 1
+            end do
+            self%masses = self%masses + lanes*family%blocks*(p + 1)*nodes
+            self%freedoms = 3*self%masses
+         end associate
+      end do
+   end function new_columns
+
+   !> Place of a point's displacement in the arrays of motion
+   elemental integer function freedom(self, layer, level, direction, node)
+      class(columns_type), intent(in) :: self
+      !> Layer and thickness node in it, both from the bottom up
+      integer, intent(in) :: layer, level
+      !> 1, 2, 3 for x, y, z
+      integer, intent(in) :: direction
+      !> Node of the plane
+      integer, intent(in) :: node
+
+      associate (f => self%families(self%home(1, layer)))
+         freedom = f%first + (self%home(3, layer) - 1) + lanes*((self%home(2, layer) - 1) &
+            & + f%blocks*((level - 1) + (f%order + 1)*((direction - 1) + 3*(node - 1))))
+      end associate
+   end function freedom
+
+   !> Place of a point's mass in the array of masses
+   elemental integer function mass_of(self, layer, level, node)
+      class(columns_type), intent(in) :: self
+      !> Layer and thickness node in it, both from the bottom up
+      integer, intent(in) :: layer, level
+      !> Node of the plane
+      integer, intent(in) :: node
+
+      associate (f => self%families(self%home(1, layer)))
+         mass_of = f%first_mass + (self%home(3, layer) - 1) + lanes*((self%home(2, layer) - 1) &
+            & + f%blocks*((level - 1) + (f%order + 1)*(node - 1)))
+      end associate
+   end function mass_of
+
+   !> Thickness nodes of a layer
+   elemental integer function levels(self, layer)
+      class(columns_type), intent(in) :: self
+      !> Layer from the bottom up
+      integer, intent(in) :: layer
+
+      levels = self%families(self%home(1, layer))%order + 1
+   end function levels
+
+end module plydyn_domain_columns

@@ -1,0 +1,90 @@
+!> The domain: the model as flat arrays, immutable once built.
+module plydyn_domain_domain
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_layers, only : layers_type
+   use plydyn_element_interface, only : interface_type
+   use plydyn_element_plate, only : plate_type
+   use plydyn_model_control, only : control_type
+   use plydyn_model_curve, only : curve_type
+   implicit none
+   private
+
+   !> Forces on points that vary together over time
+   type, public :: load_type
+      !> Places in the arrays of motion
+      integer, allocatable :: freedom(:)
+      !> Force at a curve value of 1
+      real(wp), allocatable :: force(:)
+      !> Index into `curves`
+      integer :: curve = 0
+   end type load_type
+
+   !> Points whose motion is prescribed together
+   type, public :: prescribed_type
+      !> Places in the arrays of motion, and of the masses
+      integer, allocatable :: freedom(:), mass(:)
+      !> As in `motion_type`
+      integer :: quantity = 0, curve = 0
+      real(wp) :: scale = 1.0_wp, birth = 0.0_wp, death = huge(1.0_wp)
+   end type prescribed_type
+
+   !> The points of a face of the plate that an impactor may touch
+   type, public :: surface_type
+      !> Places in the arrays of motion, (3, points)
+      integer, allocatable :: freedom(:, :)
+      !> Position at time zero, (3, points)
+      real(wp), allocatable :: position(:, :)
+      !> Inverse mass, zero in directions that are held, (3, points)
+      real(wp), allocatable :: inverse_mass(:, :)
+      !> Points of each facet in the order of the deck, (4 or 9, facets)
+      integer, allocatable :: facet(:, :)
+   end type surface_type
+
+   !> Where the time step comes from
+   type, public :: step_limit_type
+      !> Stable step of central differences
+      real(wp) :: step = huge(1.0_wp)
+      !> The user's numbers of the quad and the ply with the largest eigenvalue
+      integer :: quad = 0, ply = 0
+      !> Largest eigenvalue of the plies and that of the interfaces, 1/time squared
+      real(wp) :: ply_rate = 0.0_wp, interface_rate = 0.0_wp
+      !> Stable step of each quad, its weakest ply; (quads of the mesh)
+      real(wp), allocatable :: quad_step(:)
+      !> That ply of each quad, the user's number
+      integer, allocatable :: quad_ply(:)
+   end type step_limit_type
+
+   !> Everything the loop reads
+   type, public :: domain_type
+      !> How to run
+      type(control_type) :: control
+      !> Curves over time
+      type(curve_type), allocatable :: curves(:)
+      !> Positions of the nodes of the plane, (3, nodes)
+      real(wp), allocatable :: position(:, :)
+      !> Layers, the same above every node
+      type(layers_type) :: layers
+      !> Where the points lie
+      type(columns_type) :: columns
+      !> One plate for each part
+      type(plate_type), allocatable :: plates(:)
+      !> Springs between layers
+      type(interface_type), allocatable :: interfaces(:)
+      !> Mass of each point and its inverse; zero where there is no point
+      real(wp), allocatable :: mass(:), inverse_mass(:)
+      !> Faces that move as one: the layers below and above, (2, ties)
+      integer, allocatable :: ties(:, :)
+      !> Places in the arrays of motion that do not move
+      integer, allocatable :: held(:)
+      !> Prescribed motions
+      type(prescribed_type), allocatable :: motions(:)
+      !> Forces
+      type(load_type), allocatable :: loads(:)
+      !> The face that each contact is on
+      type(surface_type), allocatable :: surfaces(:)
+      !> Where the time step comes from
+      type(step_limit_type) :: limit
+   end type domain_type
+
+end module plydyn_domain_domain

@@ -1,0 +1,194 @@
+!> Loads as forces on points.
+module plydyn_domain_loads
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_domain, only : load_type
+   use plydyn_domain_layers, only : layers_type
+   use plydyn_domain_supports, only : face_point
+   use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
+   use plydyn_fem_quadrature, only : gauss_points, gauss_weights
+   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_support, only : all_planes, top_face
+   implicit none
+   private
+
+   public :: new_body_load, new_line_load, new_point_load, new_pressure_load
+
+   !> Corners and mid-side of each side of a quad, in the order of the deck
+   integer, parameter :: side_nodes(3, 4) = reshape([1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 1], [3, 4])
+
+contains
+
+   !> Forces at nodes: on a face, or shared by the column in proportion to its masses
+   pure function new_point_load(load, layers, columns, mass) result(self)
+      !> As the deck says
+      type(point_load_type), intent(in) :: load
+      !> Layers of the laminate
+      type(layers_type), intent(in) :: layers
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of each point
+      real(wp), intent(in) :: mass(:)
+      type(load_type) :: self
+
+      real(wp), allocatable :: share(:)
+      integer :: i, k, point(2), t
+
+      self%curve = load%curve
+      if (load%face /= all_planes) then
+         point(:) = face_point(layers, load%face)
+         self%freedom = columns%freedom(point(1), point(2), load%direction, load%nodes)
+         self%force = spread(load%scale, 1, size(load%nodes))
+         return
+      end if
+      allocate (self%freedom(0), self%force(0))
+      do i = 1, size(load%nodes)
+         allocate (share(0))
+         do k = 1, size(layers%order)
+            do t = 1, layers%order(k) + 1
+               self%freedom = [self%freedom, &
+                  & columns%freedom(k, t, load%direction, load%nodes(i))]
+               share = [share, mass(columns%mass_of(k, t, load%nodes(i)))]
+            end do
+         end do
+         self%force = [self%force, load%scale*share/sum(share)]
+         deallocate (share)
+      end do
+   end function new_point_load
+
+   !> Force along every quad side that lies in the line, each once
+   pure function new_line_load(load, mesh, layers, columns) result(self)
+      !> As the deck says
+      type(line_load_type), intent(in) :: load
+      !> Nodes and quads
+      type(mesh_type), intent(in) :: mesh
+      !> Layers of the laminate
+      type(layers_type), intent(in) :: layers
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      type(load_type) :: self
+
+      real(wp) :: force(size(mesh%node_id))
+      logical :: in_line(size(mesh%node_id))
+      integer, allocatable :: done(:, :), line(:)
+      integer :: e, i, nodes, point(2), s
+
+      nodes = merge(3, 2, size(mesh%quad_node, 1) == 9)
+      in_line(:) = .false.
+      in_line(load%nodes) = .true.
+      force(:) = 0.0_wp
+      allocate (done(2, 0))
+      do e = 1, size(mesh%quad_id)
+         do s = 1, 4
+            line = mesh%quad_node(pack(side_nodes(:, s), [.true., nodes == 3, .true.]), e)
+            if (.not. all(in_line(line))) cycle
+            if (any(done(1, :) == line(nodes) .and. done(2, :) == line(1))) cycle
+            done = reshape([done, line(1), line(nodes)], [2, size(done, 2) + 1])
+            force(line) = force(line) + line_shares(mesh%position(:, line))
+         end do
+      end do
+      point(:) = face_point(layers, load%face)
+      self%curve = load%curve
+      self%freedom = columns%freedom(point(1), point(2), load%direction, &
+         & pack([(i, i=1, size(force))], in_line))
+      self%force = load%scale*pack(force, in_line)
+   end function new_line_load
+
+   !> Integral of each shape function over a line of 2 or 3 nodes
+   pure function line_shares(position) result(share)
+      real(wp), intent(in) :: position(:, :)
+      real(wp) :: share(size(position, 2))
+
+      real(wp) :: gauss(3), slope(2, 9), tangent(3), value(9), w(3)
+      integer :: k, n
+
+      n = size(position, 2)
+      gauss(:) = gauss_points(3)
+      w(:) = gauss_weights(3)
+      share(:) = 0.0_wp
+      do k = 1, 3
+         ! the side eta = -1 of a quad: its shape functions are those of the line
+         call plane_table(n, gauss(k), -1.0_wp, value(:n*n), slope(:, :n*n))
+         tangent(:) = matmul(position, slope(1, :n))
+         share(:) = share + w(k)*norm2(tangent)*value(:n)
+      end do
+   end function line_shares
+
+   !> Pressure on a face as consistent forces at its points
+   pure function new_pressure_load(load, mesh, layers, columns) result(self)
+      !> As the deck says
+      type(pressure_type), intent(in) :: load
+      !> Nodes and quads
+      type(mesh_type), intent(in) :: mesh
+      !> Layers of the laminate
+      type(layers_type), intent(in) :: layers
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      type(load_type) :: self
+
+      real(wp) :: force(size(mesh%node_id))
+      integer :: e, i, point(2), side
+
+      side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
+      force(:) = 0.0_wp
+      do e = 1, size(load%quads)
+         associate (node => mesh%quad_node(tensor_order(side), load%quads(e)))
+            force(node) = force(node) + area_shares(side, mesh%position(1:2, node))
+         end associate
+      end do
+      point(:) = face_point(layers, load%face)
+      self%curve = load%curve
+      self%freedom = columns%freedom(point(1), point(2), 3, &
+         & pack([(i, i=1, size(force))], abs(force) > 0.0_wp))
+      self%force = load%scale*pack(force, abs(force) > 0.0_wp)
+      if (load%face == top_face) self%force = -self%force
+   end function new_pressure_load
+
+   !> Integral of each shape function over a quad
+   pure function area_shares(side, xy) result(share)
+      integer, intent(in) :: side
+      real(wp), intent(in) :: xy(:, :)
+      real(wp) :: share(side*side)
+
+      real(wp) :: gauss(side), metric(5, side*side), slope(2, side*side), value(side*side)
+      integer :: i, j
+
+      gauss(:) = gauss_points(side)
+      metric(:, :) = quad_metric(side, xy)
+      share(:) = 0.0_wp
+      do j = 1, side
+         do i = 1, side
+            call plane_table(side, gauss(i), gauss(j), value, slope)
+            share(:) = share + metric(5, i + side*(j - 1))*value
+         end do
+      end do
+   end function area_shares
+
+   !> Inertia forces of an accelerated frame on all points
+   pure function new_body_load(load, layers, columns, mass) result(self)
+      !> As the deck says
+      type(body_load_type), intent(in) :: load
+      !> Layers of the laminate
+      type(layers_type), intent(in) :: layers
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of each point
+      real(wp), intent(in) :: mass(:)
+      type(load_type) :: self
+
+      integer :: i, k, t
+
+      self%curve = load%curve
+      allocate (self%freedom(0), self%force(0))
+      do k = 1, size(layers%order)
+         do t = 1, layers%order(k) + 1
+            self%freedom = [self%freedom, &
+               & columns%freedom(k, t, load%direction, [(i, i=1, columns%nodes)])]
+            self%force = [self%force, &
+               & -load%scale*mass(columns%mass_of(k, t, [(i, i=1, columns%nodes)]))]
+         end do
+      end do
+   end function new_body_load
+
+end module plydyn_domain_loads

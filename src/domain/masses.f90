@@ -1,0 +1,100 @@
+!> Lumped masses: the mass of each layer shared among its points.
+module plydyn_domain_masses
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_layers, only : layers_type
+   use plydyn_element_plate, only : plate_type
+   use plydyn_element_quad, only : quad_node_area
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: add_masses, surface_density
+
+contains
+
+   !> Mass per area of the layers in a batch, (lanes, blocks)
+   pure function surface_density(model, p, layers, layer) result(density)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      !> Layers of the part
+      type(layers_type), intent(in) :: layers
+      !> Layer in each lane, 0 for none
+      integer, intent(in) :: layer(:, :)
+      real(wp) :: density(size(layer, 1), size(layer, 2))
+
+      integer :: b, k, l
+
+      density(:, :) = 0.0_wp
+      do b = 1, size(layer, 2)
+         do l = 1, lanes
+            k = layer(l, b)
+            if (k == 0) cycle
+            associate (ply => model%parts(p)%plies(layers%ply(k)))
+               density(l, b) = model%materials(ply%material)%density &
+                  & *(layers%top(k) - layers%bottom(k))
+            end associate
+         end do
+      end do
+   end function surface_density
+
+   !> Add the masses of a part to those of the points
+   subroutine add_masses(model, p, plate, layers, columns, mass, error)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      !> Its plate
+      type(plate_type), intent(in) :: plate
+      !> Its layers
+      type(layers_type), intent(in) :: layers
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of each point
+      real(wp), intent(inout) :: mass(:)
+      !> A quad so distorted that a node gets no mass
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: area(plate%side**2)
+      real(wp), allocatable :: density(:, :)
+      integer :: e, f, i
+
+      do f = 1, size(plate%batches)
+         density = surface_density(model, p, layers, columns%families(f)%layer)
+         do e = 1, size(plate%quad)
+            area(:) = quad_node_area(plate%side, model%mesh%position(1:2, plate%node(:, e)))
+            if (any(area <= 0.0_wp)) then
+               call fail(error, exit_input, "quad "//text(model%mesh%quad_id(plate%quad(e))) &
+                  & //" is too distorted: the Jacobian at one of its nodes is not positive")
+               return
+            end if
+            do i = 1, size(area)
+               call add_column(plate%node(i, e), area(i))
+            end do
+         end do
+      end do
+   contains
+      !> Share the mass above a piece of the plane among the points of a column
+      subroutine add_column(node, area)
+         integer, intent(in) :: node
+         real(wp), intent(in) :: area
+
+         integer :: first, levels, t
+
+         associate (family => columns%families(f), share => plate%batches(f)%expansion%mass_share)
+            levels = family%order + 1
+            do t = 1, levels
+               first = family%first_mass + lanes*family%blocks*((t - 1) + levels*(node - 1))
+               mass(first:first + lanes*family%blocks - 1) = &
+                  & mass(first:first + lanes*family%blocks - 1) &
+                  & + area*share(t)*reshape(density, [size(density)])
+            end do
+         end associate
+      end subroutine add_column
+   end subroutine add_masses
+
+end module plydyn_domain_masses

@@ -1,0 +1,142 @@
+!> Plates and interfaces as flat arrays.
+module plydyn_domain_plates
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_columns, only : columns_type, family_type
+   use plydyn_domain_layers, only : layers_type, new_layers
+   use plydyn_element_interface, only : interface_type
+   use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
+   use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
+   use plydyn_fem_expansion, only : new_expansion
+   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_model_layup, only : part_type
+   use plydyn_model_material, only : material_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: new_interface, new_plate
+
+contains
+
+   !> The quads and layers of one part
+   subroutine new_plate(model, p, columns, plate, error)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The plate
+      type(plate_type), intent(out) :: plate
+      !> A quad that is folded
+      type(error_type), allocatable, intent(out) :: error
+
+      type(layers_type) :: layers
+      integer :: e, f, i, plane
+
+      plane = size(model%mesh%quad_node, 1)
+      plate%side = nint(sqrt(real(plane, wp)))
+      plate%quad = pack([(i, i=1, size(model%mesh%quad_id))], model%mesh%quad_part == p)
+      allocate (plate%node(plane, size(plate%quad)), plate%metric(5, plane, size(plate%quad)))
+      do e = 1, size(plate%quad)
+         plate%node(:, e) = model%mesh%quad_node(tensor_order(plate%side), plate%quad(e))
+         plate%metric(:, :, e) = quad_metric(plate%side, model%mesh%position(1:2, plate%node(:, e)))
+         if (all(plate%metric(5, :, e) > 0.0_wp)) cycle
+         call fail(error, exit_input, "quad "//text(model%mesh%quad_id(plate%quad(e))) &
+            & //" is folded: its Jacobian is not positive at every Gauss point")
+         return
+      end do
+      layers = new_layers(model%parts(p))
+      allocate (plate%batches(size(columns%families)))
+      do f = 1, size(columns%families)
+         plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))
+      end do
+   end subroutine new_plate
+
+   !> Layers of one order with their constants
+   function new_batch(model, part, layers, family) result(batch)
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+      type(layers_type), intent(in) :: layers
+      type(family_type), intent(in) :: family
+      type(layer_batch_type) :: batch
+
+      real(wp) :: half
+      integer :: b, k, l
+
+      batch%blocks = family%blocks
+      batch%first = family%first
+      batch%expansion = new_expansion(family%order, layers%lobatto)
+      allocate (batch%layer(lanes, family%blocks))
+      batch%layer(:, :) = family%layer
+      allocate (batch%stiffness(lanes, 13, family%blocks), batch%slant(lanes, family%blocks))
+      batch%stiffness(:, :, :) = 0.0_wp
+      batch%slant(:, :) = 0.0_wp
+      do b = 1, family%blocks
+         do l = 1, lanes
+            k = family%layer(l, b)
+            if (k == 0) cycle
+            half = 0.5_wp*(layers%top(k) - layers%bottom(k))
+            batch%slant(l, b) = 1.0_wp/half
+            associate (ply => part%plies(layers%ply(k)))
+               batch%stiffness(l, :, b) = half*batch_stiffness(plate_stiffness( &
+                  & model%materials(ply%material), ply%angle))
+            end associate
+         end do
+      end do
+   end function new_batch
+
+   !> Stiffness of a ply in the axes of the plate
+   pure function plate_stiffness(material, angle) result(stiffness)
+      type(material_type), intent(in) :: material
+      real(wp), intent(in) :: angle
+      real(wp) :: stiffness(6, 6)
+
+      real(wp) :: rotation(6, 6)
+
+      rotation(:, :) = strain_rotation(angle)
+      stiffness(:, :) = matmul(transpose(rotation), matmul( &
+         & ply_stiffness(material%young, material%poisson, material%shear), rotation))
+   end function plate_stiffness
+
+   !> Springs above a layer of a plate
+   pure function new_interface(model, plate, columns, lower, material) result(self)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Layer below
+      integer, intent(in) :: lower
+      !> Index of the interface material
+      integer, intent(in) :: material
+      type(interface_type) :: self
+
+      real(wp) :: gauss(plate%side), slope(2, plate%side**2), value(plate%side**2)
+      integer :: i, j, n
+
+      n = plate%side**2
+      self%lower = lower
+      self%upper = lower + 1
+      self%stiffness(1:2) = model%interface_materials(material)%shear_stiffness
+      self%stiffness(3) = model%interface_materials(material)%normal_stiffness
+      self%lower_point = columns%freedom(lower, columns%levels(lower), 1, plate%node)
+      self%upper_point = columns%freedom(lower + 1, 1, 1, plate%node)
+      self%lower_stride = columns%freedom(lower, 1, 2, 1) - columns%freedom(lower, 1, 1, 1)
+      self%upper_stride = columns%freedom(lower + 1, 1, 2, 1) - columns%freedom(lower + 1, 1, 1, 1)
+      self%area = plate%metric(5, :, :)
+      allocate (self%shape(n, n))
+      gauss(:) = gauss_points(plate%side)
+      do j = 1, plate%side
+         do i = 1, plate%side
+            call plane_table(plate%side, gauss(i), gauss(j), value, slope)
+            self%shape(i + plate%side*(j - 1), :) = value
+         end do
+      end do
+   end function new_interface
+
+end module plydyn_domain_plates

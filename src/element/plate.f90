@@ -1,0 +1,142 @@
+!> Layer-wise plates: the layers of a part over its quads, and the one way to their kernels.
+module plydyn_element_plate
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_plate_q4_le1, only : large_q4_le1 => add_large_forces, &
+      & linear_q4_le1 => add_linear_forces
+   use plydyn_element_plate_q4_le2, only : large_q4_le2 => add_large_forces, &
+      & linear_q4_le2 => add_linear_forces
+   use plydyn_element_plate_q4_le3, only : large_q4_le3 => add_large_forces, &
+      & linear_q4_le3 => add_linear_forces
+   use plydyn_element_plate_q4_le4, only : large_q4_le4 => add_large_forces, &
+      & linear_q4_le4 => add_linear_forces
+   use plydyn_element_plate_q9_le1, only : large_q9_le1 => add_large_forces, &
+      & linear_q9_le1 => add_linear_forces
+   use plydyn_element_plate_q9_le2, only : large_q9_le2 => add_large_forces, &
+      & linear_q9_le2 => add_linear_forces
+   use plydyn_element_plate_q9_le3, only : large_q9_le3 => add_large_forces, &
+      & linear_q9_le3 => add_linear_forces
+   use plydyn_element_plate_q9_le4, only : large_q9_le4 => add_large_forces, &
+      & linear_q9_le4 => add_linear_forces
+   use plydyn_fem_expansion, only : expansion_type
+   implicit none
+   private
+
+   public :: add_layer_forces, batch_stiffness
+
+   !> Layers of one order over all quads of a part, eight side by side
+   type, public :: layer_batch_type
+      !> Batches in a quad
+      integer :: blocks = 0
+      !> First of its points in the arrays of motion
+      integer :: first = 0
+      !> Layer in each lane, counted from the bottom of the part; 0 where there is none
+      integer, allocatable :: layer(:, :)
+      !> Tables of the expansion
+      type(expansion_type) :: expansion
+      !> Stiffness in the axes of the plate times half the thickness, (lanes, 13, blocks):
+      !> C11 C12 C13 C14 C22 C23 C24 C33 C34 C44 C55 C56 C66; zero in lanes without a layer
+      real(wp), allocatable :: stiffness(:, :, :)
+      !> 2 over the thickness, (lanes, blocks)
+      real(wp), allocatable :: slant(:, :)
+   end type layer_batch_type
+
+   !> A part: its quads and its layers
+   type, public :: plate_type
+      !> Nodes along a side of a quad
+      integer :: side = 0
+      !> Index of each quad in the mesh
+      integer, allocatable :: quad(:)
+      !> Nodes of each quad in tensor order, (side**2, quads)
+      integer, allocatable :: node(:, :)
+      !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
+      real(wp), allocatable :: metric(:, :, :)
+      !> Layers by their order
+      type(layer_batch_type), allocatable :: batches(:)
+   end type plate_type
+
+   !> The constants of a monoclinic stiffness that kernels use, by row and column
+   integer, parameter :: row(13) = [1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 5, 6]
+   integer, parameter :: column(13) = [1, 2, 3, 4, 2, 3, 4, 3, 4, 4, 5, 6, 6]
+
+contains
+
+   !> The constants of a stiffness in the order that kernels use
+   pure function batch_stiffness(stiffness) result(constants)
+      !> Stiffness in the axes of the plate; a plane of symmetry across z
+      real(wp), intent(in) :: stiffness(6, 6)
+      real(wp) :: constants(13)
+      integer :: i
+
+      constants(:) = [(stiffness(row(i), column(i)), i=1, 13)]
+   end function batch_stiffness
+
+   !> Subtract the internal forces of some quads of a batch of layers
+   pure subroutine add_layer_forces(batch, side, node, metric, large, displacement, force)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Nodes of each quad in tensor order, (side**2, quads)
+      integer, intent(in), contiguous :: node(:, :)
+      !> Geometry of each quad
+      real(wp), intent(in), contiguous :: metric(:, :, :)
+      !> Large displacement (total Lagrangian) instead of linear strain
+      logical, intent(in) :: large
+      !> Displacement of the points of this batch, (lanes, blocks, levels, 3, nodes)
+      real(wp), intent(in) :: displacement(*)
+      !> Force on them
+      real(wp), intent(inout) :: force(*)
+
+      if (large) then
+         call add_large(batch, side, size(node, 2), node, metric, displacement, force)
+      else
+         call add_linear(batch, side, size(node, 2), node, metric, displacement, force)
+      end if
+   end subroutine add_layer_forces
+
+   !> To the kernel of linear strain for this side and order
+   pure subroutine add_linear(batch, side, quads, node, metric, u, f)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side, quads, node(side*side, quads)
+      real(wp), intent(in) :: metric(5, side*side, quads), u(*)
+      real(wp), intent(inout) :: f(*)
+
+      associate (b => batch%blocks, c => batch%stiffness, h => batch%slant, &
+         & to => batch%expansion%to_mode, d => batch%expansion%mode_slope)
+         select case (10*side + batch%expansion%order)
+         case (21); call linear_q4_le1(quads, node, b, metric, c, h, to, d, u, f)
+         case (22); call linear_q4_le2(quads, node, b, metric, c, h, to, d, u, f)
+         case (23); call linear_q4_le3(quads, node, b, metric, c, h, to, d, u, f)
+         case (24); call linear_q4_le4(quads, node, b, metric, c, h, to, d, u, f)
+         case (31); call linear_q9_le1(quads, node, b, metric, c, h, to, d, u, f)
+         case (32); call linear_q9_le2(quads, node, b, metric, c, h, to, d, u, f)
+         case (33); call linear_q9_le3(quads, node, b, metric, c, h, to, d, u, f)
+         case (34); call linear_q9_le4(quads, node, b, metric, c, h, to, d, u, f)
+         end select
+      end associate
+   end subroutine add_linear
+
+   !> To the kernel of large displacement for this side and order
+   pure subroutine add_large(batch, side, quads, node, metric, u, f)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side, quads, node(side*side, quads)
+      real(wp), intent(in) :: metric(5, side*side, quads), u(*)
+      real(wp), intent(inout) :: f(*)
+
+      associate (b => batch%blocks, c => batch%stiffness, h => batch%slant, &
+         & w => batch%expansion%weight, to => batch%expansion%to_gauss, &
+         & d => batch%expansion%gauss_slope)
+         select case (10*side + batch%expansion%order)
+         case (21); call large_q4_le1(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (22); call large_q4_le2(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (23); call large_q4_le3(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (24); call large_q4_le4(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (31); call large_q9_le1(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (32); call large_q9_le2(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (33); call large_q9_le3(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (34); call large_q9_le4(quads, node, b, metric, c, h, w, to, d, u, f)
+         end select
+      end associate
+   end subroutine add_large
+
+end module plydyn_element_plate

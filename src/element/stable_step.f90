@@ -1,0 +1,231 @@
+!> Largest eigenvalue of each layer of each quad, K x = lambda M x, which bounds that of the mesh:
+!> the stable step of central differences is 2/sqrt(lambda).
+!>
+!> Power iteration finds it from below; a Cholesky factorisation of lambda M - K then proves from
+!> above that no eigenvalue is larger, so the step is never a guess. Quads of the same shape and
+!> layers of the same constants are solved once.
+module plydyn_element_stable_step
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_plate, only : add_layer_forces, layer_batch_type
+   use plydyn_element_quad, only : quad_metric, quad_node_area
+   implicit none
+   private
+
+   public :: largest_eigenvalues, certified_bound, power_iteration
+
+   !> LAPACK: Cholesky factorisation
+   interface
+      subroutine dpotrf(uplo, n, a, lda, info)
+         import :: wp
+         character(1), intent(in) :: uplo
+         integer, intent(in) :: n, lda
+         real(wp), intent(inout) :: a(lda, *)
+         integer, intent(out) :: info
+      end subroutine dpotrf
+   end interface
+
+   !> Iterations, and the share by which a bound is raised until it is proved
+   integer, parameter :: iterations = 40
+   real(wp), parameter :: first_margin = 1.002_wp, next_margin = 1.01_wp
+   !> Shapes that are remembered, and the relative difference below which two are the same
+   integer, parameter :: remembered = 64
+   real(wp), parameter :: same_shape = 1.0e-9_wp
+
+contains
+
+   !> Bound of each layer of a batch over some quads
+   subroutine largest_eigenvalues(batch, surface_density, side, corner, lambda)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Mass per area of each layer, (lanes, blocks); 0 in lanes without a layer
+      real(wp), intent(in) :: surface_density(:, :)
+      !> Nodes along a side of the quads
+      integer, intent(in) :: side
+      !> Positions of the nodes of each quad in tensor order, (2, side**2, quads)
+      real(wp), intent(in) :: corner(:, :, :)
+      !> Bound of each layer, 1/time squared, (lanes, blocks, quads); 0 in lanes without a layer
+      real(wp), intent(out) :: lambda(:, :, :)
+
+      real(wp) :: metric(5, side*side), shape_metric(5, side*side, remembered)
+      integer :: known, known_quad(remembered), q, s
+
+      known = 0
+      quads: do q = 1, size(corner, 3)
+         metric(:, :) = quad_metric(side, corner(:, :, q))
+         do s = 1, min(known, remembered)
+            if (is_same(metric, shape_metric(:, :, s))) then
+               lambda(:, :, q) = lambda(:, :, known_quad(s))
+               cycle quads
+            end if
+         end do
+         call solve_quad(batch, surface_density, side, corner(:, :, q), metric, lambda(:, :, q))
+         s = 1 + mod(known, remembered)
+         known = known + 1
+         shape_metric(:, :, s) = metric
+         known_quad(s) = q
+      end do quads
+   end subroutine largest_eigenvalues
+
+   !> Whether two quads differ by a translation only
+   pure logical function is_same(metric, other)
+      real(wp), intent(in) :: metric(:, :), other(:, :)
+
+      is_same = all(abs(metric(1:4, :) - other(1:4, :)) <= same_shape*maxval(abs(metric(1:4, :)))) &
+         & .and. all(abs(metric(5, :) - other(5, :)) <= same_shape*maxval(metric(5, :)))
+   end function is_same
+
+   !> Bounds of all layers over one quad
+   subroutine solve_quad(batch, surface_density, side, corner, metric, lambda)
+      type(layer_batch_type), intent(in) :: batch
+      real(wp), intent(in) :: surface_density(:, :), corner(:, :), metric(:, :)
+      integer, intent(in) :: side
+      real(wp), intent(out) :: lambda(:, :)
+
+      real(wp), allocatable :: k(:, :, :, :), root(:)
+      integer :: b, l, twin(2)
+
+      k = dense_stiffness(batch, side, metric)
+      root = sqrt(node_mass(batch, side, corner))
+      do b = 1, batch%blocks
+         do l = 1, lanes
+            lambda(l, b) = 0.0_wp
+            if (batch%layer(l, b) == 0) cycle
+            twin(:) = find_twin(batch, surface_density, l, b)
+            if (any(twin /= [l, b])) then
+               lambda(l, b) = lambda(twin(1), twin(2))
+            else
+               call scale(k(:, :, l, b), root*sqrt(surface_density(l, b)))
+               lambda(l, b) = certified_bound(k(:, :, l, b), power_iteration(k(:, :, l, b)))
+            end if
+         end do
+      end do
+   end subroutine solve_quad
+
+   !> The first layer with the same constants
+   pure function find_twin(batch, surface_density, l, b) result(twin)
+      type(layer_batch_type), intent(in) :: batch
+      real(wp), intent(in) :: surface_density(:, :)
+      integer, intent(in) :: l, b
+      integer :: twin(2)
+
+      integer :: i, j
+
+      search: do j = 1, b
+         do i = 1, lanes
+            if (same_layer(i, j)) exit search
+         end do
+      end do search
+      twin(:) = [i, j]
+   contains
+      !> Whether lane i of block j has the same constants
+      pure logical function same_layer(i, j)
+         integer, intent(in) :: i, j
+
+         same_layer = batch%layer(i, j) > 0 &
+            & .and. maxval(abs(batch%stiffness(i, :, j) - batch%stiffness(l, :, b))) <= 0.0_wp &
+            & .and. abs(batch%slant(i, j) - batch%slant(l, b)) <= 0.0_wp &
+            & .and. abs(surface_density(i, j) - surface_density(l, b)) <= 0.0_wp
+      end function same_layer
+   end function find_twin
+
+   !> Stiffness matrix of every layer, column by column through the kernel itself,
+   !> (freedoms, freedoms, lanes, blocks); freedoms run over levels, directions, nodes
+   function dense_stiffness(batch, side, metric) result(k)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side
+      real(wp), intent(in) :: metric(:, :)
+      real(wp), allocatable :: k(:, :, :, :)
+
+      real(wp), allocatable :: force(:, :, :), motion(:, :, :), one_metric(:, :, :)
+      integer :: freedoms, i, j, node(side*side, 1)
+
+      freedoms = (batch%expansion%order + 1)*3*side*side
+      node(:, 1) = [(i, i=1, side*side)]
+      one_metric = reshape(metric, [5, side*side, 1])
+      allocate (k(freedoms, freedoms, lanes, batch%blocks))
+      allocate (force(lanes, batch%blocks, freedoms), motion(lanes, batch%blocks, freedoms))
+      do j = 1, freedoms
+         motion(:, :, :) = 0.0_wp
+         motion(:, :, j) = 1.0_wp
+         force(:, :, :) = 0.0_wp
+         call add_layer_forces(batch, side, node, one_metric, .false., motion, force)
+         do i = 1, freedoms
+            k(i, j, :, :) = -force(:, :, i)
+         end do
+      end do
+   end function dense_stiffness
+
+   !> Mass of each freedom of a layer of unit mass per area
+   function node_mass(batch, side, corner) result(mass)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side
+      real(wp), intent(in) :: corner(:, :)
+      real(wp), allocatable :: mass(:)
+
+      real(wp) :: area(side*side)
+      integer :: c, n
+
+      area(:) = quad_node_area(side, corner)
+      allocate (mass(0))
+      do n = 1, side*side
+         do c = 1, 3
+            mass = [mass, area(n)*batch%expansion%mass_share]
+         end do
+      end do
+   end function node_mass
+
+   !> Divide rows and columns by the roots of the masses
+   pure subroutine scale(k, root)
+      !> Stiffness
+      real(wp), intent(inout) :: k(:, :)
+      !> Root of the mass of each freedom
+      real(wp), intent(in) :: root(:)
+      integer :: j
+
+      do j = 1, size(root)
+         k(:, j) = 0.5_wp*(k(:, j) + k(j, :))/(root*root(j))
+         k(j, :) = k(:, j)
+      end do
+   end subroutine scale
+
+   !> Largest eigenvalue of a symmetric matrix from below
+   pure real(wp) function power_iteration(matrix) result(lambda)
+      !> Symmetric, positive semi-definite
+      real(wp), intent(in) :: matrix(:, :)
+
+      real(wp) :: x(size(matrix, 1)), y(size(matrix, 1))
+      integer :: i, pass
+
+      ! a start without symmetry, the same in every run
+      x(:) = [(1.0_wp + sin(real(7*i*i, wp)), i=1, size(x))]
+      do pass = 1, iterations
+         y(:) = matmul(matrix, x)
+         x(:) = y/norm2(y)
+      end do
+      lambda = dot_product(x, matmul(matrix, x))
+   end function power_iteration
+
+   !> A bound on all eigenvalues, proved by Cholesky factorisation of bound - matrix
+   real(wp) function certified_bound(matrix, estimate) result(bound)
+      !> Symmetric, positive semi-definite
+      real(wp), intent(in) :: matrix(:, :)
+      !> An eigenvalue, the largest if all went well
+      real(wp), intent(in) :: estimate
+
+      real(wp), allocatable :: factor(:, :)
+      integer :: i, info, n
+
+      n = size(matrix, 1)
+      bound = first_margin*estimate
+      do
+         factor = -matrix
+         do i = 1, n
+            factor(i, i) = factor(i, i) + bound
+         end do
+         call dpotrf("U", n, factor, n, info)
+         if (info == 0) exit
+         bound = next_margin*bound
+      end do
+   end function certified_bound
+
+end module plydyn_element_stable_step

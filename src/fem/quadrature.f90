@@ -1,0 +1,92 @@
+!> Gauss-Legendre and Gauss-Lobatto points of the interval -1 to 1.
+module plydyn_fem_quadrature
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: gauss_points, gauss_weights, lobatto_points, legendre
+
+contains
+
+   !> Legendre polynomial and its derivative (Bonnet's recursion)
+   pure subroutine legendre(degree, x, value, slope)
+      !> Degree, 0 or more
+      integer, intent(in) :: degree
+      !> Abscissa
+      real(wp), intent(in) :: x
+      !> P(x) and dP/dx
+      real(wp), intent(out) :: value, slope
+
+      real(wp) :: before, next
+      integer :: k
+
+      before = 0.0_wp
+      value = 1.0_wp
+      slope = 0.0_wp
+      do k = 1, degree
+         slope = x*slope + real(k, wp)*value
+         next = (real(2*k - 1, wp)*x*value - real(k - 1, wp)*before)/real(k, wp)
+         before = value
+         value = next
+      end do
+   end subroutine legendre
+
+   !> Points that integrate polynomials of degree 2n - 1, from left to right, by Newton's method
+   pure function gauss_points(n) result(x)
+      !> How many
+      integer, intent(in) :: n
+      real(wp) :: x(n)
+
+      real(wp), parameter :: pi = acos(-1.0_wp)
+      real(wp) :: slope, value
+      integer :: i, pass
+
+      do i = 1, n
+         x(i) = -cos(pi*(real(i, wp) - 0.25_wp)/(real(n, wp) + 0.5_wp))
+         do pass = 1, 10
+            call legendre(n, x(i), value, slope)
+            x(i) = x(i) - value/slope
+         end do
+      end do
+      x(:) = 0.5_wp*(x - x(n:1:-1))
+   end function gauss_points
+
+   !> Weights of the Gauss points; their sum is 2
+   pure function gauss_weights(n) result(w)
+      !> How many
+      integer, intent(in) :: n
+      real(wp) :: w(n)
+
+      real(wp) :: slope, value, x(n)
+      integer :: i
+
+      x(:) = gauss_points(n)
+      do i = 1, n
+         call legendre(n, x(i), value, slope)
+         w(i) = 2.0_wp/((1.0_wp - x(i)**2)*slope**2)
+      end do
+   end function gauss_weights
+
+   !> The ends and the extrema of the Legendre polynomial between them, from left to right
+   pure function lobatto_points(n) result(x)
+      !> How many, 2 or more
+      integer, intent(in) :: n
+      real(wp) :: x(n)
+
+      real(wp), parameter :: pi = acos(-1.0_wp)
+      real(wp) :: curvature, slope, value
+      integer :: i, pass
+
+      do i = 1, n
+         x(i) = -cos(pi*real(i - 1, wp)/real(n - 1, wp))
+         if (i == 1 .or. i == n) cycle
+         do pass = 1, 10
+            call legendre(n - 1, x(i), value, slope)
+            curvature = (2.0_wp*x(i)*slope - real(n*(n - 1), wp)*value)/(1.0_wp - x(i)**2)
+            x(i) = x(i) - slope/curvature
+         end do
+      end do
+      x(:) = 0.5_wp*(x - x(n:1:-1))
+   end function lobatto_points
+
+end module plydyn_fem_quadrature

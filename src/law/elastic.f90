@@ -1,0 +1,96 @@
+!> Elastic plies: stiffness in ply axes and in the axes of the plate.
+!> Order of stress and strain: xx, yy, zz, xy, xz, yz, with engineering shear.
+module plydyn_law_elastic
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: is_stable, ply_stiffness, strain_rotation
+
+contains
+
+   !> Stiffness of an orthotropic material in its own axes, from the inverse of its compliance
+   pure function ply_stiffness(young, poisson, shear) result(stiffness)
+      !> E1, E2, E3
+      real(wp), intent(in) :: young(3)
+      !> nu12, nu13, nu23: strain in the second direction from stress along the first
+      real(wp), intent(in) :: poisson(3)
+      !> G12, G13, G23
+      real(wp), intent(in) :: shear(3)
+      real(wp) :: stiffness(6, 6)
+
+      real(wp) :: nu21, nu31, nu32, part
+      integer :: i
+
+      associate (nu12 => poisson(1), nu13 => poisson(2), nu23 => poisson(3))
+         nu21 = nu12*young(2)/young(1)
+         nu31 = nu13*young(3)/young(1)
+         nu32 = nu23*young(3)/young(2)
+         part = 1.0_wp/determinant(young, poisson)
+         stiffness(:, :) = 0.0_wp
+         stiffness(1, 1) = young(1)*(1.0_wp - nu23*nu32)*part
+         stiffness(2, 2) = young(2)*(1.0_wp - nu13*nu31)*part
+         stiffness(3, 3) = young(3)*(1.0_wp - nu12*nu21)*part
+         stiffness(1, 2) = young(1)*(nu21 + nu31*nu23)*part
+         stiffness(1, 3) = young(1)*(nu31 + nu21*nu32)*part
+         stiffness(2, 3) = young(2)*(nu32 + nu12*nu31)*part
+      end associate
+      stiffness(2, 1) = stiffness(1, 2)
+      stiffness(3, 1) = stiffness(1, 3)
+      stiffness(3, 2) = stiffness(2, 3)
+      do i = 1, 3
+         stiffness(3 + i, 3 + i) = shear(i)
+      end do
+   end function ply_stiffness
+
+   !> Whether every strain costs energy (the compliance is positive definite)
+   pure logical function is_stable(young, poisson, shear)
+      !> E1, E2, E3
+      real(wp), intent(in) :: young(3)
+      !> nu12, nu13, nu23
+      real(wp), intent(in) :: poisson(3)
+      !> G12, G13, G23
+      real(wp), intent(in) :: shear(3)
+
+      is_stable = .false.
+      if (any(young <= 0.0_wp) .or. any(shear <= 0.0_wp)) return
+      is_stable = poisson(1)**2*young(2)/young(1) < 1.0_wp &
+         & .and. poisson(2)**2*young(3)/young(1) < 1.0_wp &
+         & .and. poisson(3)**2*young(3)/young(2) < 1.0_wp &
+         & .and. determinant(young, poisson) > 0.0_wp
+   end function is_stable
+
+   !> Determinant of the normal compliance, times E1 E2 E3
+   pure real(wp) function determinant(young, poisson)
+      !> E1, E2, E3
+      real(wp), intent(in) :: young(3)
+      !> nu12, nu13, nu23
+      real(wp), intent(in) :: poisson(3)
+
+      associate (nu12 => poisson(1), nu13 => poisson(2), nu23 => poisson(3))
+         determinant = 1.0_wp - nu12**2*young(2)/young(1) - nu13**2*young(3)/young(1) &
+            & - nu23**2*young(3)/young(2) - 2.0_wp*nu12*nu23*nu13*young(3)/young(1)
+      end associate
+   end function determinant
+
+   !> Strain in ply axes from strain in the axes of the plate; its transpose turns stress back
+   pure function strain_rotation(angle) result(rotation)
+      !> Fibre direction, degrees from the x axis
+      real(wp), intent(in) :: angle
+      real(wp) :: rotation(6, 6)
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+      real(wp) :: c, s
+
+      c = cos(angle*degree)
+      s = sin(angle*degree)
+      rotation(:, :) = 0.0_wp
+      rotation(1, [1, 2, 4]) = [c*c, s*s, c*s]
+      rotation(2, [1, 2, 4]) = [s*s, c*c, -c*s]
+      rotation(3, 3) = 1.0_wp
+      rotation(4, [1, 2, 4]) = [-2.0_wp*c*s, 2.0_wp*c*s, c*c - s*s]
+      rotation(5, [5, 6]) = [c, s]
+      rotation(6, [5, 6]) = [-s, c]
+   end function strain_rotation
+
+end module plydyn_law_elastic
