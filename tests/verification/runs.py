@@ -1,0 +1,79 @@
+"""Run the solver on a deck and read what it wrote."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from decks import Deck
+from elasticity import Array
+
+ROOT = Path(__file__).resolve().parents[2]
+SOLVER = Path(os.environ.get("PLYDYN", ROOT / "build" / "release" / "plydyn"))
+
+
+@dataclass(frozen=True)
+class Table:
+    """A CSV file: columns by the words of their headers, units left out."""
+
+    names: list[str]
+    values: Array  # (rows, columns)
+
+    def __getitem__(self, name: str) -> Array:
+        """Column of a name."""
+        if name not in self.names:
+            raise KeyError(f"no column {name!r} among {', '.join(self.names)}")
+        return self.values[:, self.names.index(name)]
+
+    def has(self, name: str) -> bool:
+        """Whether there is a column of this name."""
+        return name in self.names
+
+
+@dataclass(frozen=True)
+class Results:
+    """The files of one job."""
+
+    folder: Path
+    job: str
+
+    def table(self, name: str) -> Table:
+        """Table of a history such as "energy" or "impactor_1"."""
+        path = self.folder / f"{self.job}.{name}.csv"
+        with path.open() as file:
+            names = [head.split("[")[0].strip() for head in file.readline().split(",")]
+            values = np.loadtxt(file, delimiter=",", ndmin=2)
+        return Table(names, values)
+
+    def profile(self, number: int) -> Table:
+        """The last profile through the thickness at a place."""
+        table = self.table(f"profile_{number}")
+        return Table(table.names, table.values[table["time"] == table["time"][-1]])
+
+    def field(self, name: str) -> Array:
+        """A point field of the last state, (points, components)."""
+        with h5py.File(self.folder / f"{self.job}.vtkhdf") as file:
+            grid = file["VTKHDF"]
+            points = int(grid["NumberOfPoints"][-1])
+            return np.array(grid["PointData"][name][-points:])
+
+    def listing(self) -> str:
+        """The listing."""
+        return (self.folder / f"{self.job}.out").read_text()
+
+
+def run(deck: Deck, folder: Path, job: str = "job") -> Results:
+    """Write a deck into a folder, run it and expect it to end well."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = deck.write(folder / f"{job}.k")
+    command = [SOLVER, "run", path, "-j", job, "-o", folder]
+    ended = subprocess.run(command, capture_output=True, text=True, check=False)
+    if ended.returncode != 0:
+        said = (ended.stdout + ended.stderr)[-3000:]
+        raise AssertionError(f"{path} ended with code {ended.returncode}:\n{said}")
+    return Results(folder, job)
