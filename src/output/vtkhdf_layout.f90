@@ -1,0 +1,186 @@
+!> Where things lie in a VTKHDF file: the groups, the grid, and the lists of states.
+module plydyn_output_vtkhdf_layout
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_output_h5, only : h5_file_type, store_byte, store_double, store_long
+   implicit none
+   private
+
+   public :: make_groups, write_grid, make_steps, make_offsets, add_state
+
+   !> Groups of the fields, and the one of our own
+   character(*), parameter, public :: point_data = "VTKHDF/PointData/", &
+      & cell_data = "VTKHDF/CellData/", own_group = "plydyn"
+   !> Lists of where the fields of each state start
+   character(*), parameter, public :: point_data_offsets = "PointDataOffsets/", &
+      & cell_data_offsets = "CellDataOffsets/"
+
+   !> Version of the format
+   integer, parameter :: format_version(2) = [2, 0]
+   !> States whose times lie together in the file
+   integer, parameter :: states_per_chunk = 256
+   !> Group of the states
+   character(*), parameter :: steps = "VTKHDF/Steps/"
+   !> Lists that are 0 in every state, as the grid stands still, and tables of one column that are
+   character(*), parameter :: still_lists(2) = [character(12) :: "PartOffsets", "PointOffsets"]
+   character(*), parameter :: still_tables(2) = &
+      & [character(21) :: "CellOffsets", "ConnectivityIdOffsets"]
+
+contains
+
+   !> Make all groups
+   subroutine make_groups(file, error)
+      !> The file, new
+      type(h5_file_type), intent(in) :: file
+      !> Why they could not be made
+      type(error_type), allocatable, intent(out) :: error
+
+      character(*), parameter :: groups(7) = [character(29) :: "VTKHDF", "VTKHDF/PointData", &
+         & "VTKHDF/CellData", "VTKHDF/Steps", "VTKHDF/Steps/PointDataOffsets", &
+         & "VTKHDF/Steps/CellDataOffsets", own_group]
+      integer :: i
+
+      do i = 1, size(groups)
+         call file%make_group(trim(groups(i)), error)
+         if (allocated(error)) return
+      end do
+      call file%write_number("VTKHDF", "Version", format_version, error)
+      if (allocated(error)) return
+      call file%write_text("VTKHDF", "Type", "UnstructuredGrid", error)
+   end subroutine make_groups
+
+   !> Write the grid, in one part
+   subroutine write_grid(file, points, connectivity, offsets, types, error)
+      !> The file
+      type(h5_file_type), intent(in) :: file
+      !> Places, (3, points)
+      real(wp), intent(in), contiguous :: points(:, :)
+      !> Points of all cells, counted from 0
+      integer, intent(in), contiguous :: connectivity(:)
+      !> Where each cell starts in `connectivity`, and where the last one ends
+      integer, intent(in), contiguous :: offsets(:)
+      !> VTK's cell types
+      integer, intent(in), contiguous :: types(:)
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      character(*), parameter :: names(3) = [character(23) :: "NumberOfPoints", &
+         & "NumberOfCells", "NumberOfConnectivityIds"]
+      integer :: sizes(3), i
+
+      sizes(:) = [size(points, 2), size(types), size(connectivity)]
+      do i = 1, size(names)
+         call file%write_values("VTKHDF/"//trim(names(i)), sizes(i:i), store_long, error)
+         if (allocated(error)) return
+      end do
+      call file%write_values("VTKHDF/Points", points, store_double, error)
+      if (allocated(error)) return
+      call file%write_values("VTKHDF/Connectivity", connectivity, store_long, error)
+      if (allocated(error)) return
+      call file%write_values("VTKHDF/Offsets", offsets, store_long, error)
+      if (allocated(error)) return
+      call file%write_values("VTKHDF/Types", types, store_byte, error)
+   end subroutine write_grid
+
+   !> Make the lists of states, all empty
+   subroutine make_steps(file, error)
+      !> The file
+      type(h5_file_type), intent(in) :: file
+      !> Why they could not be made
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      call count_states(file, 0, error)
+      if (allocated(error)) return
+      call file%make_series(steps//"Values", 0, states_per_chunk, store_double, error)
+      if (allocated(error)) return
+      call make_offsets(file, "NumberOfParts", error)
+      if (allocated(error)) return
+      do i = 1, size(still_lists)
+         call make_offsets(file, trim(still_lists(i)), error)
+         if (allocated(error)) return
+         call file%make_series(steps//trim(still_tables(i)), 1, states_per_chunk, store_long, &
+            & error)
+         if (allocated(error)) return
+      end do
+   end subroutine make_steps
+
+   !> Make a list with one number per state
+   subroutine make_offsets(file, name, error)
+      !> The file
+      type(h5_file_type), intent(in) :: file
+      !> Name of the list in the group of the states
+      character(*), intent(in) :: name
+      !> Why it could not be made
+      type(error_type), allocatable, intent(out) :: error
+
+      call file%make_series(steps//name, 0, states_per_chunk, store_long, error)
+   end subroutine make_offsets
+
+   !> Add a state whose data are written: its place, its time, and last its count, so that a
+   !> process killed at any moment leaves a file with all states before
+   subroutine add_state(file, state, time, moving, start, still, error)
+      !> The file
+      type(h5_file_type), intent(in) :: file
+      !> Number of the state, from 1
+      integer, intent(in) :: state
+      !> Time of the state
+      real(wp), intent(in) :: time
+      !> Lists of the fields that are written anew with each state
+      character(*), intent(in) :: moving(:)
+      !> Row at which these fields start for this state, from 0
+      integer(int64), intent(in) :: start
+      !> Lists of the fields that are written once
+      character(*), intent(in) :: still(:)
+      !> Why it could not be added
+      type(error_type), allocatable, intent(out) :: error
+
+      call add_number(file, ["NumberOfParts"], 1_int64, error)
+      if (allocated(error)) return
+      call add_number(file, still_lists, 0_int64, error)
+      if (allocated(error)) return
+      call add_number(file, still_tables, 0_int64, error)
+      if (allocated(error)) return
+      call add_number(file, still, 0_int64, error)
+      if (allocated(error)) return
+      call add_number(file, moving, start, error)
+      if (allocated(error)) return
+      call file%append(steps//"Values", [time], error)
+      if (allocated(error)) return
+      call file%flush(error)
+      if (allocated(error)) return
+      call count_states(file, state, error)
+      if (allocated(error)) return
+      call file%flush(error)
+   end subroutine add_state
+
+   !> Add the same number to several lists
+   subroutine add_number(file, names, number, error)
+      type(h5_file_type), intent(in) :: file
+      !> Names of the lists in the group of the states
+      character(*), intent(in) :: names(:)
+      !> What to add
+      integer(int64), intent(in) :: number
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      do i = 1, size(names)
+         call file%append(steps//trim(names(i)), [number], error)
+         if (allocated(error)) return
+      end do
+   end subroutine add_number
+
+   !> Tell how many states there are
+   subroutine count_states(file, states, error)
+      type(h5_file_type), intent(in) :: file
+      !> States that are complete
+      integer, intent(in) :: states
+      type(error_type), allocatable, intent(out) :: error
+
+      call file%write_number("VTKHDF/Steps", "NSteps", states, error)
+   end subroutine count_states
+
+end module plydyn_output_vtkhdf_layout
