@@ -1,0 +1,217 @@
+!> Contact of a rigid sphere with a face of the plate, by forward increment Lagrange multipliers.
+!>
+!> The paper's eqs 12 to 18: the solver moves plate and impactor without contact; where the trial
+!> positions penetrate, multipliers push both apart until the gaps are closed; none ever pulls.
+!> The gaps are linearised at the trial positions, once per step. There is no friction.
+!>
+!> Two discretisations. Contact nodes on the impactor against the facets of the plate, as in the
+!> paper; or the points of the plate against the exact sphere. In both the plate is nothing but
+!> surface points with inverse masses: contact knows no layers.
+module plydyn_contact_contact
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_constraint, only : constraints_type, new_constraints, opening
+   use plydyn_contact_multiplier, only : active_set_type, new_active_set
+   use plydyn_contact_near, only : near_type, new_near
+   use plydyn_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_separate, only : is_separate, solve_separate
+   use plydyn_contact_sphere, only : sphere_gap
+   use plydyn_contact_surface, only : new_surface, surface_type
+   implicit none
+   private
+
+   public :: new_contact
+
+   !> What touches what, and how
+   type, public :: contact_setup_type
+      !> Radius of the sphere, length
+      real(wp) :: radius = 0.0_wp
+      !> Mass of the impactor
+      real(wp) :: mass = 0.0_wp
+      !> The impactor moves along z only
+      logical :: guided = .false.
+      !> 1 for the top face of the plate, -1 for the bottom face
+      integer :: side = 1
+      !> Points of the plate against the exact sphere, in place of contact nodes on the impactor
+      logical :: exact_sphere = .false.
+      !> Distance between contact nodes, length; 0 for one made from the mesh
+      real(wp) :: spacing = 0.0_wp
+   end type contact_setup_type
+
+   !> What contact did in a step
+   type, public :: contact_result_type
+      !> Force on the impactor; the guide takes what acts across it
+      real(wp) :: force(3) = 0.0_wp
+      !> Contact nodes, or points of the plate, that press
+      integer :: active = 0
+      !> Largest penetration left by the linearised gaps, length
+      real(wp) :: penetration = 0.0_wp
+   end type contact_result_type
+
+   !> An impactor against a face
+   type, public :: contact_pair_type
+      private
+      type(contact_setup_type) :: setup
+      !> Inverse mass of the impactor along x, y, z, zero where held
+      real(wp) :: impactor_inverse(3) = 0.0_wp
+      type(surface_type) :: surface
+      !> None for the exact sphere
+      type(node_set_type) :: nodes
+      type(near_type) :: near
+      type(constraints_type) :: rows
+      type(active_set_type) :: active_set
+   contains
+      procedure :: enforce
+      procedure :: initial_gap
+   end type contact_pair_type
+
+contains
+
+   !> Build a contact pair
+   subroutine new_contact(self, setup, facet, position, centre, error)
+      !> The pair
+      type(contact_pair_type), intent(out) :: self
+      !> What touches what
+      type(contact_setup_type), intent(in) :: setup
+      !> Surface points of each facet, (4 or 9, facets), counter-clockwise from above
+      integer, intent(in) :: facet(:, :)
+      !> Surface points at the start, (3, points), length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+      !> Set when the spacing makes too many nodes
+      type(error_type), allocatable, intent(out) :: error
+
+      self%setup = setup
+      self%impactor_inverse(:) = 1.0_wp/setup%mass
+      if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
+      call new_surface(self%surface, facet, position, setup%side)
+      call new_near(self%near, self%surface, setup%radius)
+      call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
+      call new_active_set(self%active_set, size(position, 2))
+      if (.not. setup%exact_sphere) then
+         call new_nodes(self%nodes, self%surface, position, centre, setup%radius, setup%spacing, &
+            & error)
+      end if
+   end subroutine new_contact
+
+   !> Gap between impactor and plate, negative when they penetrate, huge when nothing is under it
+   pure real(wp) function initial_gap(self, position, centre)
+      !> The pair
+      class(contact_pair_type), intent(in) :: self
+      !> Surface points, (3, points), length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: i
+      real(wp) :: gap, normal(3)
+
+      initial_gap = huge(1.0_wp)
+      if (self%setup%exact_sphere) then
+         do i = 1, size(position, 2)
+            call sphere_gap(position(:, i), centre, self%setup%radius, self%setup%side, gap, normal)
+            initial_gap = min(initial_gap, gap)
+         end do
+      else
+         initial_gap = self%nodes%least_gap(self%surface, position, centre)
+      end if
+   end function initial_gap
+
+   !> Push impactor and plate apart where their trial positions penetrate
+   pure subroutine enforce(self, position, inverse_mass, dt, centre, correction, &
+      & centre_correction, result)
+      !> The pair
+      class(contact_pair_type), intent(inout) :: self
+      !> Trial positions of the surface points, (3, points), length
+      real(wp), intent(in) :: position(:, :)
+      !> Of the surface points along x, y, z, (3, points), zero where held
+      real(wp), intent(in) :: inverse_mass(:, :)
+      !> Time step
+      real(wp), intent(in) :: dt
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+      !> To add to the surface points, (3, points), length
+      real(wp), intent(out) :: correction(:, :)
+      !> To add to the centre, length
+      real(wp), intent(out) :: centre_correction(3)
+      !> Force and more
+      type(contact_result_type), intent(out) :: result
+
+      logical :: rebuilt
+
+      correction(:, :) = 0.0_wp
+      centre_correction(:) = 0.0_wp
+      self%rows%count = 0
+      call self%near%update(self%surface, position, centre, rebuilt)
+      if (self%setup%exact_sphere) then
+         call collect_points(self, position, centre)
+      else
+         if (rebuilt) call self%nodes%forget()
+         call self%nodes%collect(self%surface, self%near, position, centre, self%rows)
+      end if
+      if (self%rows%count == 0) return
+
+      if (is_separate(self%rows, inverse_mass, self%impactor_inverse)) then
+         call solve_separate(self%rows, inverse_mass, self%impactor_inverse, correction, &
+            & centre_correction)
+      else
+         call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
+            & correction, centre_correction)
+      end if
+      if (.not. self%setup%exact_sphere) then
+         self%nodes%push(self%rows%source(:self%rows%count)) = self%rows%push(:self%rows%count)
+      end if
+      call report(self%rows, dt, correction, centre_correction, result)
+   end subroutine enforce
+
+   !> Make a row of every point of the plate inside the sphere
+   pure subroutine collect_points(self, position, centre)
+      !> The pair
+      class(contact_pair_type), intent(inout) :: self
+      !> Trial positions of the surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: i, k
+      real(wp) :: arm(3)
+
+      do i = 1, size(self%near%point)
+         k = self%near%point(i)
+         arm(:) = position(:, k) - centre
+         if (arm(1)**2 + arm(2)**2 + arm(3)**2 >= self%setup%radius**2) cycle
+         call self%rows%add(k, 0.0_wp)
+         associate (rows => self%rows, row => self%rows%count)
+            rows%point(1, row) = k
+            rows%weight(1, row) = 1.0_wp
+            call sphere_gap(position(:, k), centre, self%setup%radius, self%setup%side, &
+               & rows%gap(row), rows%normal(:, row))
+         end associate
+      end do
+   end subroutine collect_points
+
+   !> What contact did
+   pure subroutine report(rows, dt, correction, centre_correction, result)
+      !> The constraints with their pushes
+      type(constraints_type), intent(in) :: rows
+      !> Time step
+      real(wp), intent(in) :: dt
+      !> Of the surface points, length
+      real(wp), intent(in) :: correction(:, :)
+      !> Of the centre, length
+      real(wp), intent(in) :: centre_correction(3)
+      !> Force and more
+      type(contact_result_type), intent(out) :: result
+
+      integer :: row
+
+      do row = 1, rows%count
+         if (rows%push(row) > 0.0_wp) result%active = result%active + 1
+         result%force(:) = result%force + rows%push(row)/dt**2*rows%normal(:, row)
+         result%penetration = max(result%penetration, -rows%gap(row) &
+            & - opening(rows, row, correction, centre_correction))
+      end do
+   end subroutine report
+
+end module plydyn_contact_contact

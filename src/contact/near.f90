@@ -1,0 +1,165 @@
+!> The part of the surface near the sphere, and how far both have moved towards each other.
+!>
+!> Detection is exact and cheap: a pass over one point per facet at every step (a thousandth of the
+!> step) keeps a list with every facet within `reach` of the sphere; the list is rebuilt, with twice
+!> that reach, only when a facet outside comes within. `travel` grows at every step by more than
+!> the gap of any contact node to the listed facets can have changed. So a node whose gap is g need
+!> not be looked at again before the travel has grown by g, and that is what makes it cheap.
+module plydyn_contact_near
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_surface, only : surface_type
+   implicit none
+   private
+
+   public :: new_near
+
+   !> Reach as a share of the sphere's radius
+   real(wp), parameter :: reach_share = 0.125_wp
+
+   !> A facet is never larger than this many times its size at the start
+   real(wp), parameter :: largest_stretch = 2.0_wp
+
+   !> A point of a facet moves at most this much more than the farthest moving of its nodes: sum of
+   !> the magnitudes of the biquadratic shape functions, 1.25 along either direction
+   real(wp), parameter :: largest_share = 1.5625_wp
+
+   !> Facets near the sphere
+   type, public :: near_type
+      !> Every facet at most this far from the sphere is listed, length
+      real(wp) :: reach = 0.0_wp
+      !> Listed facets
+      integer, allocatable :: facet(:)
+      !> Points of the listed facets, each once
+      integer, allocatable :: point(:)
+      !> Bound on the approach of sphere and listed facets since the start, length
+      real(wp) :: travel = 0.0_wp
+      !> Radius of the sphere, length
+      real(wp), private :: radius = 0.0_wp
+      !> Which facets are listed
+      logical, allocatable, private :: listed(:)
+      !> Squared distance from centre to facet within which a facet must be listed
+      real(wp), allocatable, private :: bound(:)
+      !> Listed points relative to the centre at the last step, (3, points), length
+      real(wp), allocatable, private :: seen(:, :)
+   contains
+      procedure :: update
+   end type near_type
+
+contains
+
+   !> Start with an empty list
+   pure subroutine new_near(self, surface, radius)
+      !> The list
+      type(near_type), intent(out) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Radius of the sphere, length
+      real(wp), intent(in) :: radius
+
+      integer :: facets
+
+      facets = size(surface%facet, 2)
+      self%radius = radius
+      self%reach = reach_share*radius
+      allocate (self%facet(0), self%point(0), self%seen(3, 0))
+      allocate (self%listed(facets), source=.false.)
+      allocate (self%bound(facets))
+      self%bound(:) = (radius + largest_stretch*surface%radius + self%reach)**2
+   end subroutine new_near
+
+   !> Follow the motion by a step
+   pure subroutine update(self, surface, position, centre, rebuilt)
+      !> The list
+      class(near_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points, (3, points), length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the sphere, length
+      real(wp), intent(in) :: centre(3)
+      !> The list is new: what was known of gaps is void
+      logical, intent(out) :: rebuilt
+
+      rebuilt = .not. is_complete(self, surface, position, centre)
+      if (rebuilt) then
+         call rebuild(self, surface, position, centre)
+      else
+         call add_travel(self, position, centre)
+      end if
+   end subroutine update
+
+   !> Whether every facet within reach is listed
+   pure logical function is_complete(self, surface, position, centre)
+      !> The list
+      type(near_type), intent(in) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the sphere, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: f
+      real(wp) :: arm(3)
+
+      is_complete = .false.
+      do f = 1, size(self%bound)
+         arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
+         if (arm(1)**2 + arm(2)**2 + arm(3)**2 < self%bound(f) .and. .not. self%listed(f)) return
+      end do
+      is_complete = .true.
+   end function is_complete
+
+   !> List every facet within twice the reach
+   pure subroutine rebuild(self, surface, position, centre)
+      !> The list
+      type(near_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the sphere, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: f, i
+      logical :: used(size(position, 2))
+      real(wp) :: arm(3)
+
+      used(:) = .false.
+      do f = 1, size(self%bound)
+         arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
+         self%listed(f) = norm2(arm) < sqrt(self%bound(f)) + self%reach
+         if (self%listed(f)) used(surface%facet(:, f)) = .true.
+      end do
+      self%facet = pack([(f, f=1, size(self%bound))], self%listed)
+      self%point = pack([(i, i=1, size(position, 2))], used)
+      deallocate (self%seen)
+      allocate (self%seen(3, size(self%point)))
+      do i = 1, size(self%point)
+         self%seen(:, i) = position(:, self%point(i)) - centre
+      end do
+   end subroutine rebuild
+
+   !> Add the largest move of a listed point relative to the sphere since the last step
+   pure subroutine add_travel(self, position, centre)
+      !> The list
+      type(near_type), intent(inout) :: self
+      !> Surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the sphere, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: i
+      real(wp) :: arm(3), farthest
+
+      farthest = 0.0_wp
+      do i = 1, size(self%point)
+         arm(:) = position(:, self%point(i)) - centre
+         farthest = max(farthest, (arm(1) - self%seen(1, i))**2 + (arm(2) - self%seen(2, i))**2 &
+            & + (arm(3) - self%seen(3, i))**2)
+         self%seen(:, i) = arm
+      end do
+      self%travel = self%travel + largest_share*sqrt(farthest)
+   end subroutine add_travel
+
+end module plydyn_contact_near

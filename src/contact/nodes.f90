@@ -1,0 +1,239 @@
+!> Contact nodes on the impactor: where they are, which facet is under each, and when to look again.
+module plydyn_contact_nodes
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_contact_constraint, only : constraints_type
+   use plydyn_contact_near, only : near_type
+   use plydyn_contact_neighbours, only : sides
+   use plydyn_contact_sphere, only : sphere_nodes
+   use plydyn_contact_surface, only : foot_type, surface_type
+   use plydyn_fem_shape, only : bilinear_nodes, shape_functions
+   implicit none
+   private
+
+   public :: new_nodes
+
+   !> Spacing made from the mesh, as a share of the distance between points of the plate
+   real(wp), parameter :: spacing_share = 0.5_wp
+
+   !> Facets within this share of the radius from the axis give the distance between points
+   real(wp), parameter :: zone_share = 0.5_wp
+
+   !> Most contact nodes on an impactor
+   integer, parameter :: most_nodes = 1000000
+
+   !> Contact nodes, and what is remembered of them from step to step
+   type, public :: node_set_type
+      !> Positions relative to the centre, (3, nodes), ring after ring from the pole, length
+      real(wp), allocatable :: position(:, :)
+      !> Multiplier times the step squared, mass times length
+      real(wp), allocatable :: push(:)
+      !> First node of each ring, and one more at the end
+      integer, allocatable, private :: ring(:)
+      !> Facet under each node, 0 when unknown
+      integer, allocatable, private :: facet(:)
+      !> Place in that facet, (2, nodes)
+      real(wp), allocatable, private :: place(:, :)
+      !> Travel from which a node is looked at again, length
+      real(wp), allocatable, private :: wake(:)
+      !> The least of these in each ring, length
+      real(wp), allocatable, private :: ring_wake(:)
+   contains
+      procedure :: collect
+      procedure :: forget
+      procedure :: least_gap
+   end type node_set_type
+
+contains
+
+   !> Place the contact nodes
+   subroutine new_nodes(self, surface, position, centre, radius, spacing, error)
+      !> The nodes
+      type(node_set_type), intent(out) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points at the start, (3, points), length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+      !> Radius of the sphere, length
+      real(wp), intent(in) :: radius
+      !> Distance between nodes, length; 0 for one made from the mesh
+      real(wp), intent(in) :: spacing
+      !> Set when there would be too many nodes
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: used
+      integer :: nodes
+
+      used = spacing
+      if (used <= 0.0_wp) used = spacing_share*point_distance(surface, position, centre, radius)
+      ! half a sphere has 2 pi r^2 of surface, each node takes a square of the spacing
+      if (8.0_wp*(radius/used)**2 > most_nodes) then
+         call fail(error, exit_input, "contact nodes "//text(used)//" apart are too many for a " &
+            & //"sphere of radius "//text(radius)//"; give a larger spacing, or use method 2")
+         return
+      end if
+      call sphere_nodes(radius, used, nint(surface%side), self%position, self%ring)
+      nodes = size(self%position, 2)
+      allocate (self%facet(nodes), source=0)
+      allocate (self%place(2, nodes), source=0.0_wp)
+      allocate (self%push(nodes), self%wake(nodes), source=0.0_wp)
+      allocate (self%ring_wake(size(self%ring) - 1), source=0.0_wp)
+   end subroutine new_nodes
+
+   !> Least distance between points along the sides of the facets under the impactor, length
+   pure real(wp) function point_distance(surface, position, centre, radius)
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points at the start, length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+      !> Radius of the sphere, length
+      real(wp), intent(in) :: radius
+
+      real(wp) :: away(size(surface%facet, 2))
+      integer :: f, s
+
+      do f = 1, size(away)
+         away(f) = norm2(position(:2, surface%facet(surface%nodes, f)) - centre(:2))
+      end do
+      point_distance = huge(1.0_wp)
+      do f = 1, size(away)
+         if (away(f) > max(zone_share*radius, minval(away))) cycle
+         do s = 1, sides
+            point_distance = min(point_distance, norm2(position(:, surface%facet(s, f)) &
+               & - position(:, surface%facet(modulo(s, sides) + 1, f))))
+         end do
+      end do
+      if (surface%nodes > bilinear_nodes) point_distance = 0.5_wp*point_distance
+   end function point_distance
+
+   !> Least gap of any contact node over the surface, negative when one penetrates
+   pure real(wp) function least_gap(self, surface, position, centre)
+      !> The nodes
+      class(node_set_type), intent(in) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: f, s
+      real(wp) :: point(3)
+      type(foot_type) :: foot
+
+      least_gap = huge(1.0_wp)
+      foot%beside = .true.
+      do s = 1, size(self%position, 2)
+         point(:) = centre + self%position(:, s)
+         if (foot%beside) then
+            foot = surface%start_near(position, point, [(f, f=1, size(surface%facet, 2))])
+         end if
+         call surface%project(position, point, foot)
+         if (.not. foot%beside) least_gap = min(least_gap, foot%gap)
+      end do
+   end function least_gap
+
+   !> Forget where the nodes were
+   pure subroutine forget(self)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+
+      self%facet(:) = 0
+      self%wake(:) = 0.0_wp
+      self%ring_wake(:) = 0.0_wp
+   end subroutine forget
+
+   !> Make a row of every node below the surface, looking only at those that can be
+   pure subroutine collect(self, surface, near, position, centre, rows)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Facets near the sphere
+      type(near_type), intent(in) :: near
+      !> Trial positions of the surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+      !> The constraints
+      type(constraints_type), intent(inout) :: rows
+
+      integer :: r, s
+      type(foot_type) :: foot
+
+      if (size(near%facet) == 0) return
+      do r = 1, size(self%ring_wake)
+         if (self%ring_wake(r) > near%travel) cycle
+         do s = self%ring(r), self%ring(r + 1) - 1
+            if (self%wake(s) > near%travel) cycle
+            call look(self, surface, near, position, centre + self%position(:, s), s, foot)
+            if (.not. foot%beside .and. foot%gap < 0.0_wp) then
+               call add_row(surface, foot, s, self%push(s), rows)
+            end if
+         end do
+         self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
+      end do
+   end subroutine collect
+
+   !> Look where a node is; above the surface it then sleeps
+   pure subroutine look(self, surface, near, position, point, node, foot)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Facets near the sphere
+      type(near_type), intent(in) :: near
+      !> Trial positions of the surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Trial position of the node, length
+      real(wp), intent(in) :: point(3)
+      !> Its number
+      integer, intent(in) :: node
+      !> Its foot on the surface
+      type(foot_type), intent(out) :: foot
+
+      if (self%facet(node) == 0) then
+         foot = surface%start_near(position, point, near%facet)
+      else
+         foot%facet = self%facet(node)
+         foot%place(:) = self%place(:, node)
+      end if
+      call surface%project(position, point, foot)
+      self%facet(node) = merge(0, foot%facet, foot%beside)
+      self%place(:, node) = foot%place
+      if (foot%beside .or. foot%gap >= 0.0_wp) then
+         self%wake(node) = near%travel + norm2(foot%gap_vector)
+         self%push(node) = 0.0_wp
+      end if
+   end subroutine look
+
+   !> Make a row of a node below the surface
+   pure subroutine add_row(surface, foot, node, push, rows)
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Foot of the node
+      type(foot_type), intent(in) :: foot
+      !> Its number
+      integer, intent(in) :: node
+      !> Guess of its push
+      real(wp), intent(in) :: push
+      !> The constraints
+      type(constraints_type), intent(inout) :: rows
+
+      real(wp) :: slope(2, surface%nodes)
+      integer :: row
+
+      call rows%add(node, push)
+      row = rows%count
+      rows%point(:, row) = surface%facet(:, foot%facet)
+      rows%normal(:, row) = foot%normal
+      rows%gap(row) = foot%gap
+      call shape_functions(surface%nodes, foot%place(1), foot%place(2), rows%weight(:, row), slope)
+   end subroutine add_row
+
+end module plydyn_contact_nodes
