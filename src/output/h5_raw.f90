@@ -1,8 +1,8 @@
 !> Calls of HDF5, bundled: the only module that uses the library's interface.
 !>
-!> Each procedure makes one thing in a file and says whether every call went well; `plydyn_output_h5`
-!> turns that into errors. Numbers come as an address, the kind of number that lies there, and how
-!> it is stored. Extents are in Fortran's order.
+!> Each procedure makes one thing in a file and says whether every call went well; the module
+!> `plydyn_output_h5` turns that into errors. Numbers come as an address, the kind of number that
+!> lies there, and how it is stored. Extents are in Fortran's order.
 module plydyn_output_h5_raw
    use, intrinsic :: iso_c_binding, only : c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only : int64

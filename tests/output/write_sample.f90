@@ -1,7 +1,7 @@
-!> Writes a small VTKHDF file for `test_reads_back.py`: write_sample PATH STATES [PAUSE]
+!> Writes a small VTKHDF file for `test_reads_back.py`: write_sample PATH STATES [HELD]
 !>
 !> A 27-node and an 8-node hexahedron side by side, a scalar, a vector and a tensor whose values
-!> tell state, point and component. With PAUSE the program says `pause` in the midst of that state,
+!> tell state, point and component. With HELD the program says `pause` in the midst of that state,
 !> where nothing of it is counted yet, and waits for a line. An error is printed; the exit is 5.
 program write_sample
    use plydyn_base_error, only : error_type, exit_output
@@ -19,14 +19,14 @@ program write_sample
    type(vtkhdf_type) :: file
    type(error_type), allocatable :: error
    character(256) :: path, word
-   integer :: states, pause, k
+   integer :: states, held, k
 
    call get_command_argument(1, path)
    call get_command_argument(2, word)
    read (word, *) states
-   pause = 0
+   held = 0
    call get_command_argument(3, word)
-   if (len_trim(word) > 0) read (word, *) pause
+   if (len_trim(word) > 0) read (word, *) held
 
    call start()
    call leave_on_error()
@@ -87,7 +87,7 @@ contains
       if (allocated(error)) return
       call file%write_point_data("displacement", vectors, error)
       if (allocated(error)) return
-      if (state == pause) then
+      if (state == held) then
          write (*, "(a)") "pause"
          flush (6)
          read (*, *)

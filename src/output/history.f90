@@ -1,0 +1,252 @@
+!> Histories: columns of numbers over time, as comma-separated values with one line of heads.
+!>
+!> A number has ten significant digits; a whole number of up to ten digits is written as such. The
+!> same run writes the same bytes. Lines reach the disk about once a second and on closing.
+module plydyn_output_history
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_output_text_file, only : close_text, create_text, secure_text
+   implicit none
+   private
+
+   public :: number_text
+
+   !> Longest text of a number
+   integer, parameter, public :: number_length = 18
+   !> Share of an interval by which an instant may come too early
+   real(wp), parameter :: slack = 1.0e-6_wp
+   !> Whole numbers below this are written without exponent
+   real(wp), parameter :: whole_limit = 1.0e10_wp
+   !> Numbers below and from here on have exponents of three digits, by rounding perhaps
+   real(wp), parameter :: short_from = 1.0e-99_wp, short_to = 9.999999999e99_wp
+   !> Seconds between two visits to the disk
+   real(wp), parameter :: seconds_in_memory = 1.0_wp
+
+   !> Instants at equal intervals: the first call, then the first one at or after each multiple
+   type, public :: schedule_type
+      !> Time between two instants; 0 for every call
+      real(wp) :: interval = 0.0_wp
+      !> Multiple of the interval that comes next; negative before the first call
+      integer(int64), private :: next = -1_int64
+   contains
+      procedure :: due => schedule_due
+      procedure :: advance
+   end type schedule_type
+
+   !> A file of histories being written
+   type, public :: history_type
+      private
+      !> Path of the file
+      character(:), allocatable :: path
+      !> Its unit
+      integer :: unit = -1
+      !> Instants of the lines
+      type(schedule_type) :: schedule
+      !> Numbers in a line
+      integer :: columns = 0
+      !> Line in the making
+      character(:), allocatable :: line
+      !> Clock at the last visit to the disk
+      integer(int64) :: secured = 0_int64
+      !> True between `open` and `close`
+      logical :: opened = .false.
+   contains
+      procedure :: open => open_history
+      procedure :: is_open
+      procedure :: due
+      procedure :: record
+      procedure :: flush => flush_history
+      procedure :: close => close_history
+   end type history_type
+
+contains
+
+   !> True when an instant has come
+   elemental logical function schedule_due(this, time)
+      !> The instants
+      class(schedule_type), intent(in) :: this
+      !> Time now
+      real(wp), intent(in) :: time
+
+      schedule_due = this%interval <= 0.0_wp .or. this%next < 0 &
+         & .or. time >= (this%next - slack)*this%interval
+   end function schedule_due
+
+   !> Note that the instant was used: the next one is later than this time
+   elemental subroutine advance(this, time)
+      !> The instants
+      class(schedule_type), intent(inout) :: this
+      !> Time now
+      real(wp), intent(in) :: time
+
+      if (this%interval > 0.0_wp) this%next = floor(time/this%interval + slack, int64) + 1
+   end subroutine advance
+
+   !> Create the file and write the heads, such as `force [N]`
+   subroutine open_history(this, path, names, units, interval, error)
+      !> The history
+      class(history_type), intent(inout) :: this
+      !> Path of the file; a file that was there is replaced
+      character(*), intent(in) :: path
+      !> Names of the columns
+      character(*), intent(in) :: names(:)
+      !> Unit of each column; blank for none
+      character(*), intent(in) :: units(:)
+      !> Time between two lines; 0 for every step
+      real(wp), intent(in) :: interval
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      this%path = trim(path)
+      if (size(names) /= size(units) .or. size(names) == 0) then
+         call fail(error, exit_output, this%path//": each column must have a name and a unit")
+         return
+      end if
+      call create_text(this%path, this%unit, error)
+      if (allocated(error)) return
+      this%schedule = schedule_type(interval)
+      this%columns = size(names)
+      if (allocated(this%line)) deallocate (this%line)
+      allocate (character((number_length + 1)*this%columns) :: this%line)
+      do i = 1, this%columns
+         if (i > 1) write (this%unit, "(a)", advance="no") ","
+         write (this%unit, "(a)", advance="no") head(names(i), units(i))
+      end do
+      write (this%unit, "()")
+      this%opened = .true.
+      call this%flush(error)
+   end subroutine open_history
+
+   !> True between `open` and `close`
+   pure logical function is_open(this)
+      !> The history
+      class(history_type), intent(in) :: this
+
+      is_open = this%opened
+   end function is_open
+
+   !> True when a line should be recorded
+   pure logical function due(this, time)
+      !> The history
+      class(history_type), intent(in) :: this
+      !> Time now
+      real(wp), intent(in) :: time
+
+      due = this%opened .and. this%schedule%due(time)
+   end function due
+
+   !> Write a line, due or not; several lines may have the same time
+   subroutine record(this, time, values, error)
+      !> The history
+      class(history_type), intent(inout) :: this
+      !> Time now: what is due next counts from here
+      real(wp), intent(in) :: time
+      !> All columns, the time among them
+      real(wp), intent(in) :: values(:)
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: now, rate
+      integer :: i, length, status
+
+      if (size(values) /= this%columns) then
+         call fail(error, exit_output, this%path//": a line must have a value for each column")
+         return
+      end if
+      length = 0
+      do i = 1, this%columns
+         call add_number(values(i), this%line, length)
+      end do
+      ! the comma after the last number is left out
+      write (this%unit, "(a)", iostat=status) this%line(:length - 1)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot write to "//this%path//": its disk must have room")
+         return
+      end if
+      call this%schedule%advance(time)
+      call system_clock(now, rate)
+      if (now - this%secured > seconds_in_memory*rate) call this%flush(error)
+   end subroutine record
+
+   !> Put all lines on the disk
+   subroutine flush_history(this, error)
+      !> The history
+      class(history_type), intent(inout) :: this
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. this%opened) return
+      call secure_text(this%path, this%unit, error)
+      this%opened = .not. allocated(error)
+      call system_clock(this%secured)
+   end subroutine flush_history
+
+   !> Put all lines on the disk and close the file; nothing happens when it is not open
+   subroutine close_history(this, error)
+      !> The history
+      class(history_type), intent(inout) :: this
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. this%opened) return
+      this%opened = .false.
+      call close_text(this%path, this%unit, error)
+   end subroutine close_history
+
+   !> Head of a column
+   pure function head(name, unit)
+      !> Name of the column
+      character(*), intent(in) :: name
+      !> Its unit; blank for none
+      character(*), intent(in) :: unit
+      character(:), allocatable :: head
+
+      head = trim(name)
+      if (len_trim(unit) > 0) head = head//" ["//trim(unit)//"]"
+   end function head
+
+   !> Add a number and a comma to a line
+   pure subroutine add_number(value, line, length)
+      !> The number
+      real(wp), intent(in) :: value
+      !> The line, with room for the number
+      character(:), allocatable, intent(inout) :: line
+      !> Length of the text in the line
+      integer, intent(inout) :: length
+
+      character(number_length) :: word
+      integer :: first
+
+      word = number_text(value)
+      first = verify(word, " ")
+      line(length + 1:length + number_length - first + 2) = word(first:)//","
+      length = length + number_length - first + 2
+   end subroutine add_number
+
+   !> A number with ten significant digits, to the right
+   pure function number_text(value) result(word)
+      !> The number
+      real(wp), intent(in) :: value
+      character(number_length) :: word
+
+      real(wp) :: magnitude
+
+      if (.not. ieee_is_finite(value)) then
+         write (word, "(f18.0)") value
+         return
+      end if
+      magnitude = abs(value)
+      if (magnitude < whole_limit .and. value == anint(value)) then
+         write (word, "(i18)") int(value, int64)
+      else if (magnitude < short_from .or. magnitude >= short_to) then
+         write (word, "(es18.9e3)") value
+      else
+         write (word, "(es18.9)") value
+      end if
+   end function number_text
+
+end module plydyn_output_history
