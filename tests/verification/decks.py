@@ -193,3 +193,11 @@ def _fields(values: Sequence[object]) -> str:
 def _field(value: object) -> str:
     """All digits of a number."""
     return repr(float(value)) if isinstance(value, float | np.floating) else str(value)
+
+
+def ramp(until: float, steps: int = 20) -> list[tuple[float, float]]:
+    """A curve that rises from 0 to 1 along half a cosine and stays there."""
+    return [
+        (until * k / steps, 0.5 * (1.0 - float(np.cos(np.pi * k / steps))))
+        for k in range(steps + 1)
+    ]

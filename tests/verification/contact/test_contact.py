@@ -1,0 +1,114 @@
+"""Contact holds nothing that does not press, opens and closes, and never pulls."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from decks import BOTTOM, TOP, Deck, Ply, Sphere
+from elasticity import CARBON, STEEL
+from meshes import Mesh, regular
+from runs import run
+
+SIDE, THICKNESS, RADIUS = 10.0, 1.0, 5.0
+METHODS = pytest.mark.parametrize("method", [1, 2], ids=["nodes on sphere", "points of plate"])
+
+
+def plate(time: float, quads: int = 6) -> tuple[Deck, Mesh]:
+    """A square carbon plate whose edges are held, to be struck in its middle."""
+    mesh = regular(SIDE, SIDE, quads, quads, 9)
+    deck = Deck("contact", time)
+    deck.control()
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.5 * THICKNESS, 0.0), Ply(CARBON, 0.5 * THICKNESS, 90.0)], 1)
+    deck.hold(mesh.boundary(), "xyz")
+    deck.intervals(impactor=0.0, glstat=0.0)
+    return deck, mesh
+
+
+@METHODS
+@pytest.mark.parametrize("face", [TOP, BOTTOM])
+def test_sphere_at_rest_stays_at_rest(method: int, face: int, tmp_path: Path) -> None:
+    """A sphere that touches without weight or velocity makes no force and no motion.
+
+    Round-off of its place, 1e-15 mm, may count as a penetration once.
+    """
+    deck, _ = plate(1.0e-5)
+    centre = (0.5 * SIDE, 0.5 * SIDE, face * (RADIUS + 0.5 * THICKNESS))
+    deck.sphere(Sphere(RADIUS, 1.0e-6, centre, method=method, face=face))
+    results = run(deck, tmp_path)
+    history = results.table("impactor_1")
+    assert np.abs(history["displacement"]).max() < 1.0e-12
+    assert np.abs(history["velocity"]).max() < 1.0e-6
+    assert results.table("energy")["internal"].max() < 1.0e-15
+
+
+@METHODS
+def test_sphere_falls_freely(method: int, tmp_path: Path) -> None:
+    """Central differences are exact for a constant acceleration."""
+    deck, _ = plate(1.0e-5)
+    gravity = -1.0e9
+    centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 0.5 * THICKNESS + 0.1)
+    deck.sphere(Sphere(RADIUS, 1.0e-6, centre, gravity=gravity, method=method))
+    history = run(deck, tmp_path).table("impactor_1")
+    exact = 0.5 * gravity * history["time"] ** 2
+    assert history["displacement"] == pytest.approx(exact, rel=1e-10, abs=1e-15)
+    assert np.abs(history["force"]).max() == 0.0
+
+
+def spans(touching: np.ndarray) -> list[tuple[int, int]]:
+    """First and past-the-last index of every stretch of True."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], touching.astype(int), [0]])))
+    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+
+
+@METHODS
+def test_sphere_bounces(method: int, tmp_path: Path) -> None:
+    """Under a strong gravity a guided sphere comes back: free flight between the contacts.
+
+    The longest flight is a parabola, the force never pulls, and the balance of energy closes.
+    """
+    gravity = -2.0e8
+    deck, _ = plate(4.0e-4)
+    centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 0.5 * THICKNESS + 0.05)
+    sphere = Sphere(RADIUS, 2.0e-6, centre, guided=True, gravity=gravity, method=method)
+    deck.sphere(sphere)
+    results = run(deck, tmp_path)
+    history = results.table("impactor_1")
+    assert history["force"].min() >= 0.0
+    contacts = spans(history["force"] > 0.0)
+    assert len(contacts) >= 2
+    flights = [(a[1], b[0]) for a, b in pairwise(contacts)]
+    first, past = max(flights, key=lambda flight: flight[1] - flight[0])
+    flying = slice(first + 2, past - 2)
+    time, height = history["time"][flying], history["displacement"][flying]
+    parabola = np.polynomial.Polynomial.fit(time, height, 2)
+    assert np.abs(parabola(time) - height).max() < 1e-9
+    assert 2.0 * parabola.convert().coef[2] == pytest.approx(gravity, rel=1e-6)
+    assert np.abs(results.table("energy")["error"]).max() < 0.01
+
+
+@METHODS
+def test_two_free_bodies_keep_their_momentum(method: int, tmp_path: Path) -> None:
+    """A ball on a free block: momentum to round-off, restitution between none and full."""
+    mesh, thickness, mass, velocity = regular(8.0, 8.0, 6, 6, 9), 4.0, 2.0e-6, 2.0e3
+    deck = Deck("two free bodies", 4.0e-5)
+    deck.control()
+    deck.mesh(mesh)
+    deck.laminate([Ply(STEEL, thickness)], 2, 3)
+    deck.intervals(impactor=0.0, glstat=0.0)
+    centre = (4.0, 4.0, 0.5 * thickness + RADIUS)
+    sphere = Sphere(RADIUS, mass, centre, (0.0, 0.0, -velocity), method=method)
+    deck.sphere(sphere)
+    results = run(deck, tmp_path)
+    history, energy = results.table("impactor_1"), results.table("energy")
+    momentum = energy["momentum z"] + mass * history["velocity"]
+    assert momentum == pytest.approx(np.full(len(momentum), -mass * velocity), rel=1e-11)
+    assert history["force"][-1] == 0.0
+    block = STEEL.density * 8.0 * 8.0 * thickness
+    away = energy["momentum z"][-1] / block
+    restitution = (history["velocity"][-1] - away) / velocity
+    assert 0.0 < restitution < 1.0
