@@ -68,9 +68,13 @@ class Results:
 
 
 def run(deck: Deck, folder: Path, job: str = "job") -> Results:
-    """Write a deck into a folder, run it and expect it to end well."""
+    """Write a deck into a folder and run it there."""
     folder.mkdir(parents=True, exist_ok=True)
-    path = deck.write(folder / f"{job}.k")
+    return run_deck(deck.write(folder / f"{job}.k"), folder, job)
+
+
+def run_deck(path: Path, folder: Path, job: str) -> Results:
+    """Run a deck, with its results in a folder, and expect it to end well."""
     command = [SOLVER, "run", path, "-j", job, "-o", folder]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     if ended.returncode != 0:
