@@ -1,0 +1,291 @@
+!> The cards of one keyword of a deck: values by the names of their fields, each with its place.
+module plydyn_deck_cards
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
+      & text_field, usual_width, words_field
+   use plydyn_deck_report, only : place_type
+   use plydyn_deck_values, only : longest_word, split_words
+   implicit none
+   private
+
+   !> What a field holds; an absent field and a zero are different
+   integer, parameter, public :: is_absent = 0, is_given = 1, is_wrong = 2
+
+   !> One keyword of a deck with its cards
+   !>
+   !> `nth` in the questions below counts the sets of cards where the keyword holds many of them,
+   !> and the rows of its last card where that one is repeated.
+   type, public :: cards_type
+      !> Name as declared, empty for a keyword that is not read
+      character(:), allocatable :: name
+      !> What the keyword declares, its suffixes included
+      type(keyword_type) :: declaration
+      !> Every field takes 20 columns
+      logical :: long = .false.
+      !> Line of the keyword, an index into the lines of the source
+      integer :: line = 0
+      !> Line of each row
+      integer, allocatable :: row_line(:)
+      !> True for rows in free format
+      logical, allocatable :: row_free(:)
+      !> Numbers, (fields, rows); the default where a field is absent
+      real(wp), allocatable :: value(:, :)
+      !> `is_absent`, `is_given` or `is_wrong`, (fields, rows)
+      integer, allocatable :: state(:, :)
+      !> Words and texts, (fields, rows); no rows for a keyword without any
+      character(line_width), allocatable :: text(:, :)
+   contains
+      procedure :: sets
+      procedure :: has
+      procedure :: integer => integer_value
+      procedure :: real => real_value
+      procedure :: reals
+      procedure :: integers
+      procedure :: word
+      procedure :: words
+      procedure :: list
+      procedure :: head
+      procedure :: place
+      procedure :: column_width
+      procedure :: card_of_row
+      procedure, private :: find
+   end type cards_type
+
+contains
+
+   !> Number of sets of cards, or of rows of a last card that is repeated
+   pure integer function sets(self)
+      class(cards_type), intent(in) :: self
+
+      integer :: cards
+
+      cards = size(self%declaration%cards)
+      sets = size(self%row_line)
+      if (self%declaration%repeated) then
+         sets = sets/cards
+      else if (self%declaration%cards(cards)%repeated) then
+         sets = max(sets - cards + 1, 0)
+      else
+         sets = min(sets, 1)
+      end if
+   end function sets
+
+   !> A field is given and right
+   pure logical function has(self, name, nth)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: column, row
+
+      call self%find(name, nth, column, row)
+      has = row > 0
+      if (has) has = self%state(column, row) == is_given
+   end function has
+
+   !> Number in a field; its default when it is absent
+   pure real(wp) function real_value(self, name, nth) result(number)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: card, column, row
+
+      call self%find(name, nth, column, row)
+      if (row > 0) then
+         number = self%value(column, row)
+      else
+         call self%declaration%find_field(name, card, column)
+         number = self%declaration%cards(card)%fields(column)%default
+      end if
+   end function real_value
+
+   !> Integer in a field; its default when it is absent
+   pure integer function integer_value(self, name, nth) result(number)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      number = nint(self%real(name, nth))
+   end function integer_value
+
+   !> Numbers in some fields
+   pure function reals(self, names, nth) result(numbers)
+      class(cards_type), intent(in) :: self
+      !> Names of the fields
+      character(*), intent(in) :: names(:)
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+      real(wp) :: numbers(size(names))
+
+      integer :: i
+
+      do i = 1, size(names)
+         numbers(i) = self%real(names(i), nth)
+      end do
+   end function reals
+
+   !> Integers in some fields
+   pure function integers(self, names, nth) result(numbers)
+      class(cards_type), intent(in) :: self
+      !> Names of the fields
+      character(*), intent(in) :: names(:)
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+      integer :: numbers(size(names))
+
+      numbers(:) = nint(self%reals(names, nth))
+   end function integers
+
+   !> Word or text in a field; empty when it is absent
+   pure function word(self, name, nth)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+      character(:), allocatable :: word
+
+      integer :: column, row
+
+      word = ""
+      call self%find(name, nth, column, row)
+      if (row > 0) word = trim(self%text(column, row))
+   end function word
+
+   !> Words of all rows of a line of words
+   pure function words(self, name) result(all_words)
+      class(cards_type), intent(in) :: self
+      !> Name of the words
+      character(*), intent(in) :: name
+      character(longest_word), allocatable :: all_words(:)
+
+      integer :: nth
+
+      all_words = split_words("")
+      do nth = 1, self%sets()
+         all_words = [all_words, split_words(self%word(name, nth))]
+      end do
+   end function words
+
+   !> Where the members of a list are: field and row of each that is given
+   pure subroutine list(self, name, names, rows)
+      class(cards_type), intent(in) :: self
+      !> Name of the list, as declared with `add_list`
+      character(*), intent(in) :: name
+      !> Names of their fields
+      character(name_length), allocatable, intent(out) :: names(:)
+      !> Their `nth`
+      integer, allocatable, intent(out) :: rows(:)
+
+      integer :: card, column, i, nth, row
+
+      call self%declaration%find_field(name//"1", card, column)
+      associate (fields => self%declaration%cards(card)%fields)
+         allocate (names(self%sets()*size(fields)), rows(self%sets()*size(fields)))
+         i = 0
+         do nth = 1, self%sets()
+            call self%find(name//"1", nth, column, row)
+            do column = 1, size(fields)
+               if (self%state(column, row) /= is_given) cycle
+               i = i + 1
+               names(i) = fields(column)%name
+               rows(i) = nth
+            end do
+         end do
+      end associate
+      names = names(:i)
+      rows = rows(:i)
+   end subroutine list
+
+   !> Place of the keyword itself
+   pure type(place_type) function head(self)
+      class(cards_type), intent(in) :: self
+
+      head%line = self%line
+      head%keyword = "*"//self%declaration%name
+   end function head
+
+   !> Place of a field
+   pure type(place_type) function place(self, name, nth)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: column, row
+
+      place = self%head()
+      place%field = trim(name)
+      call self%find(name, nth, column, row)
+      if (row == 0) return
+      place%line = self%row_line(row)
+      place%card = self%card_of_row(row)
+      if (self%row_free(row)) place%comma = column
+      place%first = sum(self%column_width(place%card, column - 1)) + 1
+      place%last = sum(self%column_width(place%card, column))
+   end function place
+
+   !> Columns of the first fields of a card
+   pure function column_width(self, card, fields) result(width)
+      class(cards_type), intent(in) :: self
+      !> Number of the card
+      integer, intent(in) :: card
+      !> How many fields
+      integer, intent(in) :: fields
+      integer :: width(fields)
+
+      width(:) = self%declaration%cards(card)%fields(:fields)%width
+      if (self%long) width(:) = max(width, long_width)
+      if (.not. self%long) return
+      where (self%declaration%cards(card)%fields(:fields)%kind == text_field) width = line_width
+   end function column_width
+
+   !> Number of the card that a row is
+   pure integer function card_of_row(self, row) result(card)
+      class(cards_type), intent(in) :: self
+      !> Row of the keyword
+      integer, intent(in) :: row
+
+      integer :: cards
+
+      cards = size(self%declaration%cards)
+      card = min(row, cards)
+      if (self%declaration%repeated) card = modulo(row - 1, cards) + 1
+   end function card_of_row
+
+   !> Column and row of a field; row 0 when the deck has no such card
+   pure subroutine find(self, name, nth, column, row)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+      !> Place of the field on its card
+      integer, intent(out) :: column
+      !> Row of the keyword
+      integer, intent(out) :: row
+
+      integer :: card, n
+
+      n = 1
+      if (present(nth)) n = nth
+      call self%declaration%find_field(name, card, column)
+      row = card
+      if (card == 0) return
+      if (self%declaration%repeated) then
+         row = (n - 1)*size(self%declaration%cards) + card
+      else if (self%declaration%cards(card)%repeated) then
+         row = card + n - 1
+      end if
+      if (row > size(self%row_line)) row = 0
+   end subroutine find
+
+end module plydyn_deck_cards

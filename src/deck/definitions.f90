@@ -1,0 +1,227 @@
+!> *PARAMETER and *PARAMETER_EXPRESSION: from lines to parameters.
+module plydyn_deck_definitions
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : long_width, usual_width
+   use plydyn_deck_expression, only : evaluate
+   use plydyn_deck_layout, only : locate, span_type
+   use plydyn_deck_number, only : is_digit, read_real
+   use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
+   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_source, only : source_type
+   implicit none
+   private
+
+   public :: define_values, define_expressions
+
+   !> Names and values on a card of *PARAMETER
+   integer, parameter :: fields_on_card = 8
+
+contains
+
+   !> The cards of *PARAMETER: `R name` and a number, up to four pairs on a line
+   subroutine define_values(source, first, last, long, parameters, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> First and last line of the cards
+      integer, intent(in) :: first, last
+      !> Fields of 20 columns
+      logical, intent(in) :: long
+      !> Parameters
+      type(parameter_table_type), intent(inout) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(span_type) :: spans(fields_on_card)
+      integer :: behind, i, k, width(fields_on_card)
+
+      width = merge(long_width, usual_width, long)
+      do i = first, last
+         call locate(source%line(i), width, spans, behind)
+         do k = 1, fields_on_card, 2
+            if (spans(k)%last < spans(k)%first) cycle
+            call define_value(source%line(i), i, spans(k:k + 1), parameters, report)
+         end do
+         if (behind > 0) then
+            call report%refuse(spot(i, behind, "PARAMETER"), "nothing is read from here", &
+               & "four pairs of name and value on a line")
+         end if
+      end do
+   end subroutine define_values
+
+   !> One pair of *PARAMETER
+   subroutine define_value(line, i, spans, parameters, report)
+      !> The line
+      character(*), intent(in) :: line
+      !> Its index
+      integer, intent(in) :: i
+      !> Where name and value are
+      type(span_type), intent(in) :: spans(2)
+      !> Parameters
+      type(parameter_table_type), intent(inout) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(parameter_type) :: parameter
+      character(:), allocatable :: value
+      integer :: wrong_at
+
+      value = line(spans(2)%first:spans(2)%last)
+      if (len(value) == 0) then
+         call report%refuse(spot(i, spans(1)%last, "PARAMETER"), "the value is blank", &
+            & "name and value in fields of their own, or with a comma between: R name, 1.5")
+         return
+      end if
+      call read_real(value, parameter%value, wrong_at)
+      if (wrong_at > 0) then
+         call report%refuse(spot(i, spans(2)%first + wrong_at - 1, "PARAMETER"), &
+            & "'"//value//"' is not a number", "a number; *PARAMETER_EXPRESSION does arithmetic")
+         return
+      end if
+      call define(line(spans(1)%first:spans(1)%last), i, spans(1)%first, "PARAMETER", parameter, &
+         & parameters, report)
+   end subroutine define_value
+
+   !> The cards of *PARAMETER_EXPRESSION: `R name` and an expression, one on a line; a line whose
+   !> name is blank goes on with the expression
+   subroutine define_expressions(source, first, last, long, parameters, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> First and last line of the cards
+      integer, intent(in) :: first, last
+      !> Names of 20 columns
+      logical, intent(in) :: long
+      !> Parameters
+      type(parameter_table_type), intent(inout) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      character(:), allocatable :: line, more
+      integer :: begin, i, width
+
+      width = merge(long_width, usual_width, long)
+      i = first
+      do while (i <= last)
+         begin = i
+         line = source%line(i)
+         do i = begin + 1, last
+            more = source%line(i)
+            if (len(more) == 0 .or. verify(more, " ") <= width) exit
+            line = line//" "//more(width + 1:)
+         end do
+         if (len(line) > 0) then
+            call define_expression(line, begin, width, parameters, report)
+         end if
+      end do
+   end subroutine define_expressions
+
+   !> One parameter of *PARAMETER_EXPRESSION
+   subroutine define_expression(line, i, width, parameters, report)
+      !> The line, with those that go on with it
+      character(*), intent(in) :: line
+      !> Its index
+      integer, intent(in) :: i
+      !> Columns of the name
+      integer, intent(in) :: width
+      !> Parameters
+      type(parameter_table_type), intent(inout) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(parameter_type) :: parameter
+      character(:), allocatable :: right, wrong
+      character(*), parameter :: keyword = "PARAMETER_EXPRESSION"
+      integer :: begin, name_end, wrong_at
+
+      name_end = min(width, len(line))
+      begin = name_end + 1
+      if (index(line(:name_end), ",") > 0) then
+         name_end = index(line, ",") - 1
+         begin = name_end + 2
+      end if
+      call evaluate(line(begin:), parameters, parameter%value, wrong_at, wrong, right)
+      if (wrong_at > 0) then
+         call report%refuse(spot(i, begin + wrong_at - 1, keyword), wrong, right)
+      else
+         call define(line(:name_end), i, 1, keyword, parameter, parameters, report)
+      end if
+   end subroutine define_expression
+
+   !> Add a parameter whose value is known
+   subroutine define(head, i, column, keyword, parameter, parameters, report)
+      !> Letter and name
+      character(*), intent(in) :: head
+      !> Line
+      integer, intent(in) :: i
+      !> Column of the letter
+      integer, intent(in) :: column
+      !> Name of the keyword
+      character(*), intent(in) :: keyword
+      !> Its value
+      type(parameter_type), intent(inout) :: parameter
+      !> Parameters
+      type(parameter_table_type), intent(inout) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      character(:), allocatable :: letter, name
+      integer :: known
+
+      letter = head(1:1)
+      name = trim(adjustl(head(2:)))
+      known = parameters%find(name)
+      if (index("RrIi", letter) == 0) then
+         call report%refuse(spot(i, column, keyword), "'"//letter//"' is no kind of parameter", &
+            & "R for a real number, I for an integer, then the name")
+      else if (.not. is_name(name)) then
+         call report%refuse(spot(i, column + 1, keyword), "'"//name//"' is no name", &
+            & "a letter, then letters, digits and _, at most 32 in all")
+      else if (known > 0) then
+         call report%refuse(spot(i, column, keyword), "the parameter '"//name//"' is defined twice", &
+            & "a name of its own", parameters%list(known)%line)
+      else if (index("Ii", letter) > 0 .and. is_broken(parameter%value)) then
+         call report%refuse(spot(i, column, keyword), "the parameter '"//name &
+            & //"' is an integer (I) with a fraction", "a whole value, or R in place of I")
+      else
+         parameter%name = name
+         parameter%whole = index("Ii", letter) > 0
+         parameter%line = i
+         call parameters%add(parameter)
+      end if
+   end subroutine define
+
+   !> A number with a fraction
+   elemental logical function is_broken(value)
+      !> Any number
+      real(wp), intent(in) :: value
+
+      is_broken = abs(value - anint(value)) > 0.0_wp
+   end function is_broken
+
+   !> A name of a parameter
+   pure logical function is_name(name)
+      !> Any text
+      character(*), intent(in) :: name
+
+      character(*), parameter :: letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+
+      is_name = len(name) > 0 .and. len(name) <= parameter_length
+      if (is_name) is_name = scan(name(1:1), letters) > 0 &
+         & .and. verify(name, letters//"0123456789_") == 0
+   end function is_name
+
+   !> Place of a character
+   pure type(place_type) function spot(line, column, keyword)
+      !> Line
+      integer, intent(in) :: line
+      !> Column
+      integer, intent(in) :: column
+      !> Name of the keyword
+      character(*), intent(in) :: keyword
+
+      spot%line = line
+      spot%first = column
+      spot%last = column
+      spot%keyword = "*"//keyword
+   end function spot
+
+end module plydyn_deck_definitions

@@ -1,0 +1,396 @@
+!> Arithmetic of *PARAMETER_EXPRESSION.
+!>
+!> Numbers, earlier parameters (with or without &), pi, + - * / ** and parentheses, sqrt, sin, cos,
+!> tan (radians), abs, exp, log (natural), min and max. As in Fortran, ** binds to the right and
+!> before a sign: -2**2 is -4.
+module plydyn_deck_expression
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case
+   use plydyn_deck_number, only : is_digit, read_real
+   use plydyn_deck_parameter, only : parameter_table_type
+   implicit none
+   private
+
+   public :: evaluate
+
+   real(wp), parameter :: pi = acos(-1.0_wp)
+   !> Power of e that still fits
+   real(wp), parameter :: largest_power = log(huge(1.0_wp)) - 1.0_wp
+
+   !> An expression on its way to a number
+   type :: scan_type
+      !> The expression
+      character(:), allocatable :: text
+      !> Next character
+      integer :: at = 1
+      !> First wrong character; 0 when all is well
+      integer :: wrong_at = 0
+      !> What is wrong, and what would be right
+      character(:), allocatable :: wrong, right
+   end type scan_type
+
+contains
+
+   !> Value of an expression
+   subroutine evaluate(text, parameters, value, wrong_at, wrong, right)
+      !> The expression
+      character(*), intent(in) :: text
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Its value
+      real(wp), intent(out) :: value
+      !> First wrong character; 0 when all is well
+      integer, intent(out) :: wrong_at
+      !> What is wrong, and what would be right
+      character(:), allocatable, intent(out) :: wrong, right
+
+      type(scan_type) :: scan
+
+      scan%text = text
+      call read_sum(scan, parameters, value)
+      call pass_blanks(scan)
+      if (scan%at <= len(text)) then
+         call stop_at(scan, scan%at, "the expression does not go on like this", &
+            & "an operator + - * / **, or nothing")
+      end if
+      wrong_at = scan%wrong_at
+      if (wrong_at == 0) return
+      wrong = scan%wrong
+      right = scan%right
+   end subroutine evaluate
+
+   !> Terms with + and - between them
+   recursive subroutine read_sum(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Value of the sum
+      real(wp), intent(out) :: value
+
+      real(wp) :: term
+      character(1) :: operator
+
+      call read_product(scan, parameters, value)
+      do
+         operator = next_character(scan)
+         if (operator /= "+" .and. operator /= "-") return
+         scan%at = scan%at + 1
+         call read_product(scan, parameters, term)
+         if (scan%wrong_at > 0) return
+         if (max(exponent(value), exponent(term)) >= maxexponent(1.0_wp)) then
+            call stop_at(scan, scan%at, "the sum is too large", "numbers below 1e307")
+            return
+         end if
+         if (operator == "-") term = -term
+         value = value + term
+      end do
+   end subroutine read_sum
+
+   !> Factors with * and / between them
+   recursive subroutine read_product(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Value of the product
+      real(wp), intent(out) :: value
+
+      real(wp) :: factor
+      character(1) :: operator
+      integer :: begin
+
+      call read_factor(scan, parameters, value)
+      do
+         operator = next_character(scan)
+         if (operator /= "*" .and. operator /= "/") return
+         scan%at = scan%at + 1
+         begin = scan%at
+         call read_factor(scan, parameters, factor)
+         if (scan%wrong_at > 0) return
+         if (operator == "/") call invert(scan, begin, factor)
+         if (exponent(value) + exponent(factor) > maxexponent(1.0_wp)) then
+            call stop_at(scan, begin, "the product is too large", "numbers below 1e307")
+            return
+         end if
+         value = value*factor
+      end do
+   end subroutine read_product
+
+   !> One over a factor
+   subroutine invert(scan, begin, factor)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Where the factor begins
+      integer, intent(in) :: begin
+      !> The factor, and its inverse
+      real(wp), intent(inout) :: factor
+
+      if (abs(factor) < 2*tiny(1.0_wp)) then
+         call stop_at(scan, begin, "the divisor is zero", "a divisor other than zero")
+      else
+         factor = 1.0_wp/factor
+      end if
+   end subroutine invert
+
+   !> A sign and a factor, or a power
+   recursive subroutine read_factor(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Value of the factor
+      real(wp), intent(out) :: value
+
+      real(wp) :: power
+      character(1) :: sign
+      integer :: begin
+
+      sign = next_character(scan)
+      if (sign == "+" .or. sign == "-") then
+         scan%at = scan%at + 1
+         call read_factor(scan, parameters, value)
+         if (sign == "-") value = -value
+         return
+      end if
+      begin = scan%at
+      call read_primary(scan, parameters, value)
+      sign = next_character(scan)
+      if (scan%wrong_at > 0 .or. scan%at >= len(scan%text)) return
+      if (scan%text(scan%at:scan%at + 1) /= "**") return
+      scan%at = scan%at + 2
+      call read_factor(scan, parameters, power)
+      if (scan%wrong_at == 0) call raise(scan, begin, power, value)
+   end subroutine read_factor
+
+   !> A number to a power
+   subroutine raise(scan, begin, power, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Where the base begins
+      integer, intent(in) :: begin
+      !> The power
+      real(wp), intent(in) :: power
+      !> The base, and the result
+      real(wp), intent(inout) :: value
+
+      logical :: odd, whole
+
+      whole = abs(power - anint(power)) <= 0.0_wp
+      if (abs(value) <= 0.0_wp .and. power <= 0.0_wp) then
+         call stop_at(scan, begin, "zero has no such power", "a base other than zero")
+      else if (value < 0.0_wp .and. .not. whole) then
+         call stop_at(scan, begin, "a negative number has no such power", "a whole power")
+      else if (abs(value) <= 0.0_wp) then
+         value = 0.0_wp
+      else if (power*log(abs(value)) > largest_power) then
+         call stop_at(scan, begin, "the power is too large", "numbers below 1e307")
+      else
+         odd = whole .and. modulo(power, 2.0_wp) > 0.5_wp
+         value = merge(-1.0_wp, 1.0_wp, odd .and. value < 0.0_wp)*abs(value)**power
+      end if
+   end subroutine raise
+
+   !> A number, a name, a function or parentheses
+   recursive subroutine read_primary(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Its value
+      real(wp), intent(out) :: value
+
+      value = 0.0_wp
+      if (scan%wrong_at > 0) return
+      select case (next_character(scan))
+      case ("0":"9", ".")
+         call read_number(scan, value)
+      case ("(")
+         scan%at = scan%at + 1
+         call read_sum(scan, parameters, value)
+         call expect(scan, ")")
+      case ("a":"z", "A":"Z", "&")
+         call read_name(scan, parameters, value)
+      case default
+         call stop_at(scan, scan%at, "a number is missing here", &
+            & "a number, an earlier parameter, a function or parentheses")
+      end select
+   end subroutine read_primary
+
+   !> A number
+   subroutine read_number(scan, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Its value
+      real(wp), intent(out) :: value
+
+      integer :: begin, wrong_at
+
+      begin = scan%at
+      do while (scan%at <= len(scan%text))
+         associate (c => scan%text(scan%at:scan%at))
+            if (.not. (is_digit(c) .or. c == "." .or. is_exponent(scan%text, scan%at, begin))) exit
+         end associate
+         scan%at = scan%at + 1
+      end do
+      call read_real(scan%text(begin:scan%at - 1), value, wrong_at)
+      if (wrong_at > 0) call stop_at(scan, begin + wrong_at - 1, &
+         & "'"//scan%text(begin:scan%at - 1)//"' is not a number", "a number such as 1.5e3")
+   end subroutine read_number
+
+   !> A character is the exponent letter of a number, or the sign behind it
+   pure logical function is_exponent(text, at, begin)
+      !> The expression
+      character(*), intent(in) :: text
+      !> The character
+      integer, intent(in) :: at
+      !> Where the number begins
+      integer, intent(in) :: begin
+
+      is_exponent = at > begin
+      if (.not. is_exponent) return
+      is_exponent = index("eEdD", text(at:at)) > 0
+      if (is_exponent) return
+      is_exponent = index("+-", text(at:at)) > 0 .and. index("eEdD", text(at - 1:at - 1)) > 0
+   end function is_exponent
+
+   !> A parameter, pi or a function
+   recursive subroutine read_name(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Its value
+      real(wp), intent(out) :: value
+
+      character(:), allocatable :: name
+      integer :: begin, i
+
+      if (scan%text(scan%at:scan%at) == "&") scan%at = scan%at + 1
+      begin = scan%at
+      do while (scan%at <= len(scan%text))
+         if (.not. is_name_part(scan%text(scan%at:scan%at))) exit
+         scan%at = scan%at + 1
+      end do
+      name = lower_case(scan%text(begin:scan%at - 1))
+      value = 0.0_wp
+      i = parameters%find(name)
+      if (next_character(scan) == "(") then
+         call read_function(scan, parameters, name, begin, value)
+      else if (i > 0) then
+         value = parameters%list(i)%value
+      else if (name == "pi") then
+         value = pi
+      else
+         call stop_at(scan, begin, "there is no parameter '"//name//"' above this line", &
+            & parameters%advice(name))
+      end if
+   end subroutine read_name
+
+   !> A function of one or two arguments
+   recursive subroutine read_function(scan, parameters, name, begin, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Its name
+      character(*), intent(in) :: name
+      !> Where the name begins
+      integer, intent(in) :: begin
+      !> Its value
+      real(wp), intent(out) :: value
+
+      real(wp) :: first, second
+
+      scan%at = scan%at + 1
+      call read_sum(scan, parameters, first)
+      second = 0.0_wp
+      if (name == "min" .or. name == "max") then
+         call expect(scan, ",")
+         call read_sum(scan, parameters, second)
+      end if
+      call expect(scan, ")")
+      value = 0.0_wp
+      if (scan%wrong_at > 0) return
+      if ((name == "sqrt" .and. first < 0.0_wp) .or. (name == "log" .and. first <= 0.0_wp) &
+         & .or. (name == "exp" .and. first > largest_power)) then
+         call stop_at(scan, begin, name//" has no value there", "an argument that it is defined for")
+         return
+      end if
+      select case (name)
+      case ("sqrt"); value = sqrt(first)
+      case ("sin"); value = sin(first)
+      case ("cos"); value = cos(first)
+      case ("tan"); value = tan(first)
+      case ("abs"); value = abs(first)
+      case ("exp"); value = exp(first)
+      case ("log"); value = log(first)
+      case ("min"); value = min(first, second)
+      case ("max"); value = max(first, second)
+      case default
+         call stop_at(scan, begin, "there is no function '"//name//"'", &
+            & "sqrt, sin, cos, tan, abs, exp, log, min or max")
+      end select
+   end subroutine read_function
+
+   !> A character of a name
+   elemental logical function is_name_part(c)
+      !> Any character
+      character(1), intent(in) :: c
+
+      is_name_part = is_digit(c) .or. c == "_" .or. (lower_case(c) >= "a" .and. lower_case(c) <= "z")
+   end function is_name_part
+
+   !> Step over a character that must come next
+   subroutine expect(scan, mark)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> The character
+      character(1), intent(in) :: mark
+
+      if (next_character(scan) == mark) then
+         scan%at = scan%at + 1
+      else
+         call stop_at(scan, scan%at, "a '"//mark//"' is missing here", "a "//mark)
+      end if
+   end subroutine expect
+
+   !> The next character that is no blank; a blank at the end
+   character(1) function next_character(scan) result(c)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+
+      call pass_blanks(scan)
+      c = " "
+      if (scan%wrong_at == 0 .and. scan%at <= len(scan%text)) c = scan%text(scan%at:scan%at)
+   end function next_character
+
+   !> Step over blanks
+   subroutine pass_blanks(scan)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+
+      do while (scan%at <= len(scan%text))
+         if (scan%text(scan%at:scan%at) /= " ") return
+         scan%at = scan%at + 1
+      end do
+   end subroutine pass_blanks
+
+   !> Keep the first thing that is wrong
+   subroutine stop_at(scan, at, wrong, right)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> The wrong character
+      integer, intent(in) :: at
+      !> What is wrong
+      character(*), intent(in) :: wrong
+      !> What would be right
+      character(*), intent(in) :: right
+
+      if (scan%wrong_at > 0) return
+      scan%wrong_at = at
+      scan%wrong = wrong
+      scan%right = right
+   end subroutine stop_at
+
+end module plydyn_deck_expression

@@ -1,0 +1,99 @@
+!> Where the fields of a line are: in fixed columns, or between commas.
+module plydyn_deck_layout
+   implicit none
+   private
+
+   public :: locate, is_free
+
+   character(*), parameter :: tab = achar(9)
+
+   !> A stretch of a line; `last < first` when it is blank
+   type, public :: span_type
+      !> First and last column
+      integer :: first = 1, last = 0
+   end type span_type
+
+contains
+
+   !> A line is in free format
+   pure logical function is_free(line)
+      !> Line of a card
+      character(*), intent(in) :: line
+
+      is_free = index(line, ",") > 0
+   end function is_free
+
+   !> Find the fields of a line, without the blanks around them
+   pure subroutine locate(line, width, spans, behind)
+      !> Line of a card
+      character(*), intent(in) :: line
+      !> Columns of each field, for fixed format
+      integer, intent(in) :: width(:)
+      !> Where each field is
+      type(span_type), intent(out) :: spans(:)
+      !> First column of what stands behind the last field; 0 when nothing does
+      integer, intent(out) :: behind
+
+      logical :: free
+      integer :: begin, i, length
+
+      free = is_free(line)
+      begin = 1
+      do i = 1, size(width)
+         length = width(i)
+         if (free) length = comma_distance(line, begin)
+         spans(i) = trim_span(line, begin, min(begin + length - 1, len(line)), free)
+         begin = begin + length
+         if (free) begin = begin + 1
+      end do
+      spans(size(width) + 1:) = span_type()
+      begin = min(begin, len(line) + 1)
+      behind = verify(line(begin:), " ,"//tab)
+      if (behind > 0) behind = begin + behind - 1
+   end subroutine locate
+
+   !> A stretch without the blanks at its ends
+   pure type(span_type) function trim_span(line, first, last, free) result(span)
+      !> Any line
+      character(*), intent(in) :: line
+      !> First and last column of the stretch
+      integer, intent(in) :: first, last
+      !> In free format, where tabs are blanks
+      logical, intent(in) :: free
+
+      span%first = first
+      span%last = last
+      do while (span%first <= span%last)
+         if (.not. is_blank(line(span%first:span%first), free)) exit
+         span%first = span%first + 1
+      end do
+      do while (span%last >= span%first)
+         if (.not. is_blank(line(span%last:span%last), free)) exit
+         span%last = span%last - 1
+      end do
+   end function trim_span
+
+   !> A blank, or a tab in free format
+   elemental logical function is_blank(character, free)
+      !> Any character
+      character(1), intent(in) :: character
+      !> In free format
+      logical, intent(in) :: free
+
+      is_blank = character == " " .or. (free .and. character == tab)
+   end function is_blank
+
+   !> Characters from a column to the next comma or the end
+   pure integer function comma_distance(line, begin) result(distance)
+      !> Line in free format
+      character(*), intent(in) :: line
+      !> Column to start from
+      integer, intent(in) :: begin
+
+      distance = 0
+      if (begin > len(line)) return
+      distance = index(line(begin:), ",") - 1
+      if (distance < 0) distance = len(line) - begin + 1
+   end function comma_distance
+
+end module plydyn_deck_layout

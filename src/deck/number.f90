@@ -1,0 +1,240 @@
+!> Numbers of a deck: a text is wholly a number, or it is refused at the character that is wrong.
+!>
+!> An exponent needs its letter (e, E, d or D): `1.5e+3`. The short form `1.5+3` of some writers is
+!> refused, because it reads as a sum.
+module plydyn_deck_number
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: read_integer, read_real, is_digit, number_advice
+
+   !> Decimal digits that an `int64` holds for sure
+   integer, parameter :: most_digits = 18
+   !> Powers of ten that are exact in double precision
+   integer, parameter :: exact_power = 22
+   !> Integers up to here are exact in double precision
+   integer(int64), parameter :: exact_integer = 2_int64**53
+   !> Decimal exponent of the largest number that is accepted
+   integer, parameter :: largest_exponent = 307
+   !> The exact powers of ten
+   real(wp), parameter :: ten_to(0:exact_power) = [1.0e0_wp, 1.0e1_wp, 1.0e2_wp, 1.0e3_wp, &
+      & 1.0e4_wp, 1.0e5_wp, 1.0e6_wp, 1.0e7_wp, 1.0e8_wp, 1.0e9_wp, 1.0e10_wp, 1.0e11_wp, &
+      & 1.0e12_wp, 1.0e13_wp, 1.0e14_wp, 1.0e15_wp, 1.0e16_wp, 1.0e17_wp, 1.0e18_wp, &
+      & 1.0e19_wp, 1.0e20_wp, 1.0e21_wp, 1.0e22_wp]
+
+contains
+
+   !> The integer that a text is
+   pure subroutine read_integer(text, number, wrong_at)
+      !> Text without blanks around it
+      character(*), intent(in) :: text
+      !> The integer; zero when the text is none
+      integer, intent(out) :: number
+      !> First character that is wrong; 0 when all is well, 1 when the integer is too large
+      integer, intent(out) :: wrong_at
+
+      integer(int64) :: magnitude
+      integer :: at, first
+
+      number = 0
+      at = 1
+      call pass_sign(text, at)
+      first = at
+      call pass_digits(text, at)
+      wrong_at = at
+      if (at == first .or. at <= len(text)) return
+      wrong_at = 1
+      if (at - first > most_digits) return
+      magnitude = digits_value(text(first:))
+      if (magnitude > huge(number)) return
+      wrong_at = 0
+      number = int(magnitude)
+      if (text(1:1) == "-") number = -number
+   end subroutine read_integer
+
+   !> The real number that a text is
+   pure subroutine read_real(text, number, wrong_at)
+      !> Text without blanks around it
+      character(*), intent(in) :: text
+      !> The number; zero when the text is none
+      real(wp), intent(out) :: number
+      !> First character that is wrong; 0 when all is well, 1 when the number is too large
+      integer, intent(out) :: wrong_at
+
+      integer :: at, exponent, mantissa_end, point
+
+      number = 0.0_wp
+      exponent = 0
+      at = 1
+      call pass_mantissa(text, at, point, wrong_at)
+      if (wrong_at > 0) return
+      mantissa_end = at - 1
+      if (at <= len(text)) then
+         wrong_at = at
+         if (index("eEdD", text(at:at)) == 0) return
+         call read_integer(text(at + 1:), exponent, wrong_at)
+         if (wrong_at > 0) then
+            wrong_at = at + wrong_at
+            return
+         end if
+      end if
+      call convert(text(:mantissa_end), point, exponent, number, wrong_at)
+   end subroutine read_real
+
+   !> What stands where a number has gone wrong, as advice; empty if the character says it all
+   pure function number_advice(text, wrong_at) result(advice)
+      !> Text that is no number
+      character(*), intent(in) :: text
+      !> Its first wrong character
+      integer, intent(in) :: wrong_at
+      character(:), allocatable :: advice
+
+      advice = ""
+      if (wrong_at > len(text)) then
+         advice = "it ends too early"
+         return
+      end if
+      select case (text(wrong_at:wrong_at))
+      case ("O", "o")
+         advice = "the letter O is not the digit 0"
+      case ("l", "I")
+         advice = "the letter "//text(wrong_at:wrong_at)//" is not the digit 1"
+      case ("+", "-")
+         if (wrong_at > 1) advice = "an exponent needs its letter, as in 1.5e+3"
+      case (" ")
+         advice = "numbers stand in their columns, or commas part them"
+      case ("N", "n", "i")
+         advice = "NaN and Inf are not numbers that a deck can hold"
+      case ("0":"9")
+         advice = "it is too large"
+      end select
+   end function number_advice
+
+   !> A decimal digit
+   elemental logical function is_digit(character)
+      !> Any character
+      character(1), intent(in) :: character
+
+      is_digit = character >= "0" .and. character <= "9"
+   end function is_digit
+
+   !> Step over sign, digits and point
+   pure subroutine pass_mantissa(text, at, point, wrong_at)
+      !> Text of a number
+      character(*), intent(in) :: text
+      !> Where to begin, and the first character behind
+      integer, intent(inout) :: at
+      !> Digits behind the point
+      integer, intent(out) :: point
+      !> First character that is wrong; 0 when all is well
+      integer, intent(out) :: wrong_at
+
+      integer :: digits, first
+
+      point = 0
+      wrong_at = 0
+      call pass_sign(text, at)
+      first = at
+      call pass_digits(text, at)
+      digits = at - first
+      if (at <= len(text)) then
+         if (text(at:at) == ".") then
+            at = at + 1
+            first = at
+            call pass_digits(text, at)
+            point = at - first
+         end if
+      end if
+      if (digits + point == 0) wrong_at = at
+   end subroutine pass_mantissa
+
+   !> Mantissa times a power of ten, correctly rounded
+   pure subroutine convert(mantissa, point, exponent, number, wrong_at)
+      !> Sign, digits and point
+      character(*), intent(in) :: mantissa
+      !> Digits behind the point
+      integer, intent(in) :: point
+      !> Power of ten
+      integer, intent(in) :: exponent
+      !> The number
+      real(wp), intent(out) :: number
+      !> 1 when the number is too large, else 0
+      integer, intent(out) :: wrong_at
+
+      integer(int64) :: digits
+      integer :: power
+
+      number = 0.0_wp
+      wrong_at = 0
+      power = exponent - point
+      digits = digits_value(mantissa)
+      if (digits == 0) return
+      if (digits <= exact_integer .and. abs(power) <= exact_power) then
+         if (power >= 0) number = real(digits, wp)*ten_to(power)
+         if (power < 0) number = real(digits, wp)/ten_to(-power)
+         if (mantissa(1:1) == "-") number = -number
+      else if (len(mantissa) - point + exponent > largest_exponent) then
+         wrong_at = 1
+      else
+         call convert_by_library(mantissa, exponent, number)
+      end if
+   end subroutine convert
+
+   !> The same for numbers with many digits or a large exponent
+   pure subroutine convert_by_library(mantissa, exponent, number)
+      !> Sign, digits and point
+      character(*), intent(in) :: mantissa
+      !> Power of ten
+      integer, intent(in) :: exponent
+      !> The number
+      real(wp), intent(out) :: number
+
+      character(len(mantissa) + 16) :: buffer
+
+      write (buffer, "(a,a,i0)") mantissa, "e", exponent
+      read (buffer, *) number
+   end subroutine convert_by_library
+
+   !> Integer that the digits of a text make; signs and points are stepped over
+   pure function digits_value(text) result(total)
+      !> Any text
+      character(*), intent(in) :: text
+      integer(int64) :: total
+
+      integer :: i
+
+      total = 0
+      do i = 1, len(text)
+         if (.not. is_digit(text(i:i))) cycle
+         if (total > exact_integer) return
+         total = 10*total + iachar(text(i:i)) - iachar("0")
+      end do
+   end function digits_value
+
+   !> Step over one sign
+   pure subroutine pass_sign(text, at)
+      !> Any text
+      character(*), intent(in) :: text
+      !> Where to begin, and the first character behind
+      integer, intent(inout) :: at
+
+      if (at > len(text)) return
+      if (text(at:at) == "+" .or. text(at:at) == "-") at = at + 1
+   end subroutine pass_sign
+
+   !> Step over digits
+   pure subroutine pass_digits(text, at)
+      !> Any text
+      character(*), intent(in) :: text
+      !> Where to begin, and the first character behind
+      integer, intent(inout) :: at
+
+      do while (at <= len(text))
+         if (.not. is_digit(text(at:at))) return
+         at = at + 1
+      end do
+   end subroutine pass_digits
+
+end module plydyn_deck_number

@@ -1,0 +1,257 @@
+!> From lines to keywords with their cards.
+module plydyn_deck_parser
+   use plydyn_base_text, only : upper_case
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_declaration, only : keyword_type
+   use plydyn_deck_definitions, only : define_expressions, define_values
+   use plydyn_deck_lookup, only : declare
+   use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_source, only : source_type
+   use plydyn_deck_table, only : read_rows
+   use plydyn_deck_values, only : longest_word, split_words
+   implicit none
+   private
+
+   public :: parse
+
+   !> A keyword line, taken apart
+   type :: head_type
+      !> Name in capitals, without star and marks
+      character(:), allocatable :: name
+      !> Words behind the name
+      character(:), allocatable :: options
+      !> Mark of the format behind the name: +, - or blank
+      character(1) :: mark = " "
+   end type head_type
+
+   !> What holds from one keyword to the next
+   type :: context_type
+      !> Parameters defined so far
+      type(parameter_table_type) :: parameters
+      !> Files whose fields take 20 columns
+      logical, allocatable :: long(:)
+      !> Files whose *KEYWORD has been met
+      logical, allocatable :: opened(:)
+   end type context_type
+
+contains
+
+   !> Read all keywords of a deck
+   subroutine parse(source, keywords, cards, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Declarations of the keywords that are known
+      type(keyword_type), intent(in) :: keywords(:)
+      !> The keywords of the deck in their order
+      type(cards_type), allocatable, intent(out) :: cards(:)
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(context_type) :: context
+      integer :: first, i, last
+
+      allocate (cards(count([(source%is_keyword(i), i=1, source%line_count)])))
+      allocate (context%long(source%file_count), context%opened(source%file_count))
+      context%long(:) = .false.
+      context%opened(:) = .false.
+      first = next_keyword(source, 1)
+      call check_begin(source, first, report)
+      do i = 1, size(cards)
+         last = next_keyword(source, first + 1) - 1
+         call parse_keyword(source, keywords, first, last, context, cards(i), report)
+         first = last + 1
+      end do
+      call check_end(source, report)
+   end subroutine parse
+
+   !> The next line that begins a keyword
+   pure integer function next_keyword(source, from) result(i)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Where to begin
+      integer, intent(in) :: from
+
+      do i = from, source%line_count
+         if (source%is_keyword(i)) return
+      end do
+   end function next_keyword
+
+   !> A deck begins with *KEYWORD
+   subroutine check_begin(source, first, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Line of its first keyword
+      integer, intent(in) :: first
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+      integer :: i
+
+      if (source%line_count == 0) return
+      do i = 1, first - 1
+         if (source%width(i) == 0) cycle
+         place%line = i
+         call report%refuse(place, "a line before the first keyword", "*KEYWORD on the first line")
+         return
+      end do
+      place%line = min(first, source%line_count)
+      if (first > source%line_count) return
+      if (index(upper_case(source%line(first)), "*KEYWORD") == 1) return
+      call report%refuse(place, "the deck does not begin with *KEYWORD", &
+         & "*KEYWORD as the first keyword")
+   end subroutine check_begin
+
+   !> A deck ends with *END: one that does not may have been cut short on its way
+   subroutine check_end(source, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+
+      if (source%ended .or. source%file_count == 0) return
+      place%line = source%line_count
+      call report%refuse(place, "the deck does not end with *END, it may have been cut short", &
+         & "*END as the last line")
+   end subroutine check_end
+
+   !> Read one keyword
+   subroutine parse_keyword(source, keywords, first, last, context, cards, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Declarations of the keywords that are known
+      type(keyword_type), intent(in) :: keywords(:)
+      !> Its first and last line
+      integer, intent(in) :: first, last
+      !> What holds from one keyword to the next
+      type(context_type), intent(inout) :: context
+      !> Its cards
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(head_type) :: head
+      type(place_type) :: place
+
+      call take_apart(source%line(first), head)
+      place%line = first
+      place%keyword = "*"//head%name
+      cards%name = ""
+      cards%line = first
+      allocate (cards%row_line(0))
+      call inherit_format(source, source%lines(first)%file, context)
+      cards%long = head%mark == "+" .or. (context%long(source%lines(first)%file) &
+         & .and. head%mark /= "-")
+      if (head%name == "KEYWORD") then
+         call open_file(source%lines(first)%file, head%options, place, context, report)
+         return
+      end if
+      if (len(head%options) > 0) call report%refuse(place, &
+         & "'"//head%options//"' behind the keyword", "the keyword alone on its line")
+      select case (head%name)
+      case ("PARAMETER")
+         call define_values(source, first + 1, last, cards%long, context%parameters, report)
+      case ("PARAMETER_EXPRESSION")
+         call define_expressions(source, first + 1, last, cards%long, context%parameters, report)
+      case ("COMMENT", "END", "INCLUDE", "INCLUDE_PATH")
+         continue
+      case default
+         call declare(head%name, keywords, place, cards, report)
+         if (len(cards%name) > 0) then
+            call read_rows(source, last_filled(source, first, last), context%parameters, cards, &
+               & report)
+         end if
+      end select
+   end subroutine parse_keyword
+
+   !> Name, options and mark of a keyword line
+   pure subroutine take_apart(line, head)
+      !> The line, star first
+      character(*), intent(in) :: line
+      !> Its parts
+      type(head_type), intent(out) :: head
+
+      integer :: name_end
+
+      name_end = scan(line//" ", " ,"//achar(9)) - 1
+      head%name = upper_case(line(2:name_end))
+      head%options = trim(adjustl(line(name_end + 1:)))
+      if (head%options == "+" .or. head%options == "-") then
+         head%mark = head%options
+         head%options = ""
+      end if
+      if (len(head%name) == 0) return
+      associate (final => head%name(len(head%name):))
+         if (final /= "+" .and. final /= "-") return
+         head%mark = final
+      end associate
+      head%name = head%name(:len(head%name) - 1)
+   end subroutine take_apart
+
+   !> A file without *KEYWORD has the format of the file that includes it
+   pure subroutine inherit_format(source, file, context)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Index of the file
+      integer, intent(in) :: file
+      !> Gets the format
+      type(context_type), intent(inout) :: context
+
+      if (context%opened(file)) return
+      context%opened(file) = .true.
+      if (source%files(file)%parent > 0) then
+         context%long(file) = context%long(source%files(file)%parent)
+      end if
+   end subroutine inherit_format
+
+   !> Options of *KEYWORD
+   subroutine open_file(file, options, place, context, report)
+      !> Index of the file
+      integer, intent(in) :: file
+      !> Words behind *KEYWORD
+      character(*), intent(in) :: options
+      !> Place of the keyword
+      type(place_type), intent(in) :: place
+      !> Gets the format
+      type(context_type), intent(inout) :: context
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      character(longest_word), allocatable :: words(:)
+      character(:), allocatable :: name
+      integer :: i
+
+      context%long(file) = .false.
+      words = split_words(upper_case(options))
+      do i = 1, size(words)
+         name = words(i) (:scan(words(i)//"=", "=") - 1)
+         select case (name)
+         case ("LONG")
+            context%long(file) = words(i) == "LONG=Y"
+         case ("MEMORY", "MEMORY2", "NCPU", "ID", "PROJECT", "STAGE")
+            call report%warn(place, "'"//trim(words(i))//"' is known, ignored", &
+               & "nothing, or LONG=Y for fields of 20 columns")
+         case default
+            call report%refuse(place, "'"//trim(words(i))//"' behind *KEYWORD", &
+               & "nothing, or LONG=Y for fields of 20 columns")
+         end select
+      end do
+   end subroutine open_file
+
+   !> The last line of a keyword that is not blank
+   pure integer function last_filled(source, first, last) result(i)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> First and last line of the keyword
+      integer, intent(in) :: first, last
+
+      do i = last, first + 1, -1
+         if (source%width(i) > 0) return
+      end do
+      i = first
+   end function last_filled
+
+end module plydyn_deck_parser

@@ -1,0 +1,207 @@
+!> Findings as text: where, what is wrong, the line itself with a caret, what would be right.
+module plydyn_deck_render
+   use plydyn_base_text, only : text
+   use plydyn_deck_layout, only : locate, span_type
+   use plydyn_deck_report, only : finding_type, grave_error, grave_note, grave_warning, &
+      & most_of_a_kind, place_type, report_type
+   use plydyn_deck_source, only : source_type
+   implicit none
+   private
+
+   public :: findings_text, count_text
+
+   !> Characters of a line that are shown
+   integer, parameter :: most_shown = 160
+   !> What a line of the deck begins with in the text
+   character(*), parameter :: gutter = "    | "
+   character(*), parameter :: line_feed = achar(10)
+
+contains
+
+   !> All findings of some gravities, in the order of the deck
+   function findings_text(report, source, gravities) result(words)
+      !> The findings
+      type(report_type), intent(in) :: report
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Which ones to show
+      integer, intent(in) :: gravities(:)
+      character(:), allocatable :: words
+
+      integer :: i, order(report%shown)
+
+      words = ""
+      call sort_by_line(report, order)
+      do i = 1, report%shown
+         associate (finding => report%findings(order(i)))
+            if (all(gravities /= finding%gravity)) cycle
+            words = words//finding_text(finding, source)
+            if (any(report%findings(order(i + 1:))%kind == finding%kind)) cycle
+            words = words//more_text(report%kinds(finding%kind)%count - most_of_a_kind)
+         end associate
+      end do
+   end function findings_text
+
+   !> How many errors and warnings there are
+   function count_text(report) result(words)
+      !> The findings
+      type(report_type), intent(in) :: report
+      character(:), allocatable :: words
+
+      words = number_of(report%count(grave_error), "error")
+      if (report%count(grave_warning) == 0) return
+      words = words//" and "//number_of(report%count(grave_warning), "warning")
+   end function count_text
+
+   !> A number of things
+   pure function number_of(count, what) result(words)
+      !> How many
+      integer, intent(in) :: count
+      !> One of them
+      character(*), intent(in) :: what
+      character(:), allocatable :: words
+
+      words = text(count)//" "//what
+      if (count /= 1) words = words//"s"
+   end function number_of
+
+   !> What is left out
+   pure function more_text(more) result(words)
+      !> How many findings of a kind are not shown
+      integer, intent(in) :: more
+      character(:), allocatable :: words
+
+      words = ""
+      if (more > 0) words = "... and "//text(more)//" more of this kind"//line_feed//line_feed
+   end function more_text
+
+   !> Order of the findings by line, those without a line last; findings of one line keep their order
+   pure subroutine sort_by_line(report, order)
+      !> The findings
+      type(report_type), intent(in) :: report
+      !> Indices of the findings
+      integer, intent(out) :: order(:)
+
+      integer :: i, k, line, lines(size(order))
+
+      do i = 1, size(order)
+         line = report%findings(i)%place%line
+         if (line == 0) line = huge(line)
+         k = i
+         do while (k > 1)
+            if (lines(k - 1) <= line) exit
+            lines(k) = lines(k - 1)
+            order(k) = order(k - 1)
+            k = k - 1
+         end do
+         lines(k) = line
+         order(k) = i
+      end do
+   end subroutine sort_by_line
+
+   !> One finding
+   function finding_text(finding, source) result(words)
+      !> The finding
+      type(finding_type), intent(in) :: finding
+      !> The deck
+      type(source_type), intent(in) :: source
+      character(:), allocatable :: words
+
+      select case (finding%gravity)
+      case (grave_error)
+         words = "error: "
+      case (grave_warning)
+         words = "warning: "
+      case default
+         words = "note: "
+      end select
+      words = words//place_text(finding%place, source)//finding%wrong
+      if (finding%also > 0) words = words//" (see "//source%where(finding%also)//")"
+      words = words//line_feed
+      if (finding%place%line > 0) words = words//line_text(finding%place, source)
+      if (finding%gravity == grave_note) then
+         words = words//"  "//finding%right//line_feed//line_feed
+      else
+         words = words//"  right would be: "//finding%right//line_feed//line_feed
+      end if
+   end function finding_text
+
+   !> File, line, keyword, card and field
+   function place_text(place, source) result(words)
+      !> Where
+      type(place_type), intent(in) :: place
+      !> The deck
+      type(source_type), intent(in) :: source
+      character(:), allocatable :: words
+
+      words = ""
+      if (place%line > 0) words = source%where(place%line)//": "
+      if (.not. allocated(place%keyword)) return
+      if (len_trim(place%keyword) == 0) return
+      words = words//trim(place%keyword)
+      if (place%card > 0) words = words//" card "//text(place%card)
+      if (allocated(place%field)) words = words//" "//place%field
+      words = words//": "
+   end function place_text
+
+   !> The line of the deck, and a caret under what is wrong
+   function line_text(place, source) result(words)
+      !> Where
+      type(place_type), intent(in) :: place
+      !> The deck
+      type(source_type), intent(in) :: source
+      character(:), allocatable :: words
+
+      character(:), allocatable :: line
+      integer :: first, last
+
+      line = source%line(place%line)
+      words = gutter//line(:min(len(line), most_shown))//line_feed
+      call find_columns(place, line, first, last)
+      if (first == 0 .or. first > most_shown) return
+      words = words//gutter//blanks_under(line, first)//repeat("^", last - first + 1)//line_feed
+   end function line_text
+
+   !> Columns that a caret belongs under
+   subroutine find_columns(place, line, first, last)
+      !> Where
+      type(place_type), intent(in) :: place
+      !> The line
+      character(*), intent(in) :: line
+      !> First and last column; zeros for no caret
+      integer, intent(out) :: first, last
+
+      type(span_type) :: spans(max(place%comma, 1))
+      integer :: behind
+
+      first = place%first
+      last = place%last
+      if (place%comma > 0) then
+         call locate(line, [(0, behind=1, place%comma)], spans, behind)
+         first = spans(place%comma)%first
+         last = max(spans(place%comma)%last, first)
+      else if (first > 0 .and. first <= len(line)) then
+         first = first + max(verify(line(first:min(last, len(line))), " "), 1) - 1
+         last = max(first, min(last, len_trim(line(:min(last, len(line))))))
+      else if (first > 0) then
+         last = first
+      end if
+   end subroutine find_columns
+
+   !> Blanks up to a column, with the tabs of the line so that the caret stands right
+   pure function blanks_under(line, column) result(words)
+      !> The line
+      character(*), intent(in) :: line
+      !> Column that follows
+      integer, intent(in) :: column
+      character(:), allocatable :: words
+
+      integer :: i
+
+      words = repeat(" ", column - 1)
+      do i = 1, min(column - 1, len(line))
+         if (line(i:i) == achar(9)) words(i:i) = achar(9)
+      end do
+   end function blanks_under
+
+end module plydyn_deck_render

@@ -1,0 +1,286 @@
+!> The rows of a keyword: from lines to numbers and words, field by field.
+module plydyn_deck_rows
+   use plydyn_base_text, only : text, upper_case
+   use plydyn_deck_cards, only : cards_type, is_absent, is_given, is_wrong
+   use plydyn_deck_declaration, only : card_type, field_type, line_width, text_field, word_field, &
+      & words_field
+   use plydyn_deck_layout, only : is_free, locate, span_type
+   use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, &
+      & read_number, split_words
+   implicit none
+   private
+
+   public :: read_row
+
+   character(*), parameter :: tab = achar(9)
+
+contains
+
+   !> Read one row
+   subroutine read_row(line, row, parameters, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Gets values and states
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: card
+
+      card = cards%card_of_row(row)
+      associate (fields => cards%declaration%cards(card)%fields)
+         cards%value(:size(fields), row) = fields%default
+         cards%state(:, row) = is_absent
+         if (fields(1)%kind == text_field) then
+            call read_text(line, row, cards, report)
+         else if (fields(1)%kind == words_field) then
+            call read_words(line, row, fields(1), cards, report)
+         else if (index(line, tab) > 0 .and. .not. is_free(line)) then
+            cards%state(:, row) = is_wrong
+            call report%refuse(at_column(cards, row, index(line, tab)), &
+               & "a tab in fixed columns", "blanks, or commas between the fields")
+         else
+            call read_fields(line, row, fields, parameters, cards, report)
+         end if
+      end associate
+   end subroutine read_row
+
+   !> A line of text
+   subroutine read_text(line, row, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Gets the text
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      cards%text(1, row) = adjustl(line)
+      cards%state(1, row) = merge(is_given, is_absent, len_trim(line) > 0)
+      if (len(line) > line_width) then
+         call report%refuse(at_column(cards, row, line_width + 1), &
+            & "the text goes on behind column 80", "at most 80 characters")
+      end if
+   end subroutine read_text
+
+   !> A line of words
+   subroutine read_words(line, row, field, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> Gets the words in capitals
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      character(longest_word), allocatable :: words(:)
+      type(fault_type) :: fault
+      integer :: i
+
+      cards%text(1, row) = upper_case(line)
+      cards%state(1, row) = is_given
+      words = split_words(line)
+      do i = 1, size(words)
+         call check_word(field, trim(words(i)), fault)
+         if (fault%at == 0) cycle
+         cards%state(1, row) = is_wrong
+         call report%refuse(at_column(cards, row, index(line, trim(words(i)))), fault%wrong, &
+            & fault%right)
+      end do
+   end subroutine read_words
+
+   !> The fields of a row
+   subroutine read_fields(line, row, fields, parameters, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> What the card declares
+      type(field_type), intent(in) :: fields(:)
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Gets values and states
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(span_type) :: spans(size(fields))
+      integer :: behind, i, last_filled, width(size(fields))
+
+      width(:) = cards%column_width(cards%card_of_row(row), size(fields))
+      call locate(line, width, spans, behind)
+      cards%row_free(row) = is_free(line)
+      if (.not. cards%row_free(row)) call check_borders(line, row, width, spans, cards, report)
+      do last_filled = size(fields), 1, -1
+         if (spans(last_filled)%last >= spans(last_filled)%first) exit
+      end do
+      do i = 1, size(fields)
+         if (spans(i)%last < spans(i)%first) then
+            call check_blank(row, fields(i), i < last_filled, cards, report, i)
+         else
+            call read_field(line, row, i, spans(i), fields(i), parameters, cards, report)
+         end if
+      end do
+      if (behind == 0) return
+      call report%refuse(at_column(cards, row, behind), "nothing is read from here", &
+         & "at most "//text(size(fields))//" fields on this card, the last one is " &
+         & //trim(fields(size(fields))%name))
+   end subroutine read_fields
+
+   !> A number that runs across the border of two fields would be read as two
+   subroutine check_borders(line, row, width, spans, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Columns of each field
+      integer, intent(in) :: width(:)
+      !> Where each field is
+      type(span_type), intent(in) :: spans(:)
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: border, i
+
+      border = 0
+      do i = 1, size(width) - 1
+         border = border + width(i)
+         if (border >= len(line)) return
+         if (spans(i)%last /= border .or. spans(i + 1)%first /= border + 1) cycle
+         if (spans(i)%last - spans(i)%first + 1 == width(i)) cycle
+         if (spans(i + 1)%last - spans(i + 1)%first + 1 == width(i + 1)) cycle
+         call report%refuse(at_column(cards, row, border), &
+            & "'"//line(spans(i)%first:spans(i + 1)%last)//"' runs across columns " &
+            & //text(border)//" and "//text(border + 1), &
+            & "each value within its columns, or commas between all values of the line")
+      end do
+   end subroutine check_borders
+
+   !> A blank field
+   subroutine check_blank(row, field, filled_behind, cards, report, i)
+      !> Number of the row
+      integer, intent(in) :: row
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> A later field of the row is filled
+      logical, intent(in) :: filled_behind
+      !> Gets the state
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+      !> Place of the field on the card
+      integer, intent(in) :: i
+
+      if (.not. (field%required .or. filled_behind)) return
+      cards%state(i, row) = is_wrong
+      if (field%required) then
+         call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &
+            & range_words(field)//": "//field%sentence)
+      else
+         call report%refuse(field_place(cards, row, i), &
+            & trim(field%name)//" is blank between filled fields", &
+            & default_words(field)//" written out")
+      end if
+   end subroutine check_blank
+
+   !> What to write in place of a blank
+   function default_words(field) result(words)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      if (field%kind == word_field) then
+         words = "one of "//field%words
+      else if (allocated(field%allowed)) then
+         words = range_words(field)
+      else
+         words = text(field%default)
+      end if
+   end function default_words
+
+   !> A filled field
+   subroutine read_field(line, row, i, span, field, parameters, cards, report)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Place of the field on the card
+      integer, intent(in) :: i
+      !> Where the field is
+      type(span_type), intent(in) :: span
+      !> What it declares
+      type(field_type), intent(in) :: field
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Gets value and state
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(fault_type) :: fault
+      type(place_type) :: place
+
+      if (field%kind == word_field) then
+         call check_word(field, line(span%first:span%last), fault)
+         cards%text(i, row) = line(span%first:span%last)
+         if (len(field%words) > 0) cards%text(i, row) = upper_case(cards%text(i, row))
+      else
+         call read_number(field, line(span%first:span%last), parameters, cards%value(i, row), fault)
+      end if
+      cards%state(i, row) = merge(is_given, is_wrong, fault%at == 0)
+      if (fault%at == 0) return
+      cards%value(i, row) = field%default
+      place = field_place(cards, row, i)
+      place%comma = 0
+      place%first = span%first + fault%at - 1
+      place%last = max(place%first, merge(span%last, 0, fault%at == 1))
+      call report%refuse(place, fault%wrong, fault%right)
+   end subroutine read_field
+
+   !> Place of a field
+   type(place_type) function field_place(cards, row, i) result(place)
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Place of the field on the card
+      integer, intent(in) :: i
+
+      integer :: card, nth
+
+      card = cards%card_of_row(row)
+      nth = row
+      if (cards%declaration%repeated) nth = (row - 1)/size(cards%declaration%cards) + 1
+      if (cards%declaration%cards(card)%repeated) nth = row - card + 1
+      place = cards%place(cards%declaration%cards(card)%fields(i)%name, nth)
+   end function field_place
+
+   !> Place of a character
+   type(place_type) function at_column(cards, row, column) result(place)
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Number of the row
+      integer, intent(in) :: row
+      !> Column of the character
+      integer, intent(in) :: column
+
+      place = cards%head()
+      place%line = cards%row_line(row)
+      place%card = cards%card_of_row(row)
+      place%first = column
+      place%last = column
+   end function at_column
+
+end module plydyn_deck_rows

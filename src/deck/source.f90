@@ -1,0 +1,381 @@
+!> The lines of a deck and of all files that it includes, each with its file and number.
+module plydyn_deck_source
+   use plydyn_base_text, only : text, upper_case
+   use plydyn_deck_report, only : place_type, report_type
+   implicit none
+   private
+
+   public :: read_source
+
+   !> One file
+   type, public :: file_type
+      !> Path, as it is shown to the user
+      character(:), allocatable :: path
+      !> Everything in it
+      character(:), allocatable :: content
+      !> Index of the file that includes this one; 0 for the deck itself
+      integer :: parent = 0
+   end type file_type
+
+   !> One line, a stretch of the content of its file
+   type, public :: line_type
+      !> Index of the file
+      integer :: file = 0
+      !> Number in the file
+      integer :: number = 0
+      !> First and last character in the content
+      integer :: first = 1, last = 0
+   end type line_type
+
+   !> A deck with its include files in place; comments are gone, blank lines are kept
+   type, public :: source_type
+      !> The files
+      type(file_type), allocatable :: files(:)
+      !> How many files there are
+      integer :: file_count = 0
+      !> The lines
+      type(line_type), allocatable :: lines(:)
+      !> How many lines there are
+      integer :: line_count = 0
+      !> Folders in which include files are looked for, separated by line feeds
+      character(:), allocatable :: include_path
+      !> The deck has its *END
+      logical :: ended = .false.
+   contains
+      procedure :: line
+      procedure :: width
+      procedure :: is_keyword
+      procedure :: where
+   end type source_type
+
+   character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
+   !> Mark of UTF-8 that some editors put before the first line
+   character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+
+contains
+
+   !> Read a deck and all files that it includes
+   subroutine read_source(path, source, report)
+      !> Path of the deck
+      character(*), intent(in) :: path
+      !> Its lines
+      type(source_type), intent(out) :: source
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      allocate (source%files(4), source%lines(1024))
+      source%include_path = ""
+      call load(source, path, 0, 0, report)
+   end subroutine read_source
+
+   !> Text of a line
+   pure function line(self, i) result(content)
+      class(source_type), intent(in) :: self
+      !> Index of the line
+      integer, intent(in) :: i
+      character(:), allocatable :: content
+
+      content = self%files(self%lines(i)%file)%content(self%lines(i)%first:self%lines(i)%last)
+   end function line
+
+   !> Number of characters in a line
+   pure integer function width(self, i)
+      class(source_type), intent(in) :: self
+      !> Index of the line
+      integer, intent(in) :: i
+
+      width = self%lines(i)%last - self%lines(i)%first + 1
+   end function width
+
+   !> A line begins with a star
+   pure logical function is_keyword(self, i)
+      class(source_type), intent(in) :: self
+      !> Index of the line
+      integer, intent(in) :: i
+
+      is_keyword = .false.
+      if (self%lines(i)%last < self%lines(i)%first) return
+      associate (first => self%lines(i)%first)
+         is_keyword = self%files(self%lines(i)%file)%content(first:first) == "*"
+      end associate
+   end function is_keyword
+
+   !> File and number of a line, as in `plate.k:12`
+   pure function where(self, i) result(words)
+      class(source_type), intent(in) :: self
+      !> Index of the line
+      integer, intent(in) :: i
+      character(:), allocatable :: words
+
+      words = self%files(self%lines(i)%file)%path//":"//text(self%lines(i)%number)
+   end function where
+
+   !> Read one file with all that it includes
+   recursive subroutine load(source, path, parent, asked_by, report)
+      !> Lines so far
+      type(source_type), intent(inout) :: source
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Index of the file that includes it
+      integer, intent(in) :: parent
+      !> Line that asks for it
+      integer, intent(in) :: asked_by
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(file_type) :: file
+      type(place_type) :: place
+      integer :: ancestor
+      logical :: found
+
+      place%keyword = merge("*INCLUDE", "        ", parent > 0)
+      place%line = asked_by
+      ancestor = parent
+      do while (ancestor > 0)
+         if (source%files(ancestor)%path == path) exit
+         ancestor = source%files(ancestor)%parent
+      end do
+      if (ancestor > 0) then
+         call report%refuse(place, "the file '"//path//"' includes itself", &
+            & "a file that does not lead back to one that is being read")
+         return
+      end if
+      file%path = path
+      file%parent = parent
+      call read_content(path, file%content, found)
+      if (found) then
+         call add_file(source, file)
+         call add_lines(source, (source%file_count), report)
+      else
+         call report%refuse(place, "the file '"//path//"' cannot be read", &
+            & "the path of a file, relative to the file that includes it")
+      end if
+   end subroutine load
+
+   !> Everything in a file
+   subroutine read_content(path, content, found)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> What is in it, with a line feed at the end
+      character(:), allocatable, intent(out) :: content
+      !> False when there is no such file or it cannot be read
+      logical, intent(out) :: found
+
+      integer :: length, status, unit
+
+      found = .false.
+      inquire (file=path, size=length)
+      if (length < 0) return
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
+         & action="read", iostat=status)
+      if (status /= 0) return
+      allocate (character(length + 1) :: content)
+      read (unit, iostat=status) content(:length)
+      close (unit)
+      content(length + 1:) = line_feed
+      if (length >= len(byte_order_mark)) then
+         if (content(:len(byte_order_mark)) == byte_order_mark) content(:len(byte_order_mark)) = "$"
+      end if
+      found = status == 0
+   end subroutine read_content
+
+   !> Append a file
+   subroutine add_file(source, file)
+      !> Files so far
+      type(source_type), intent(inout) :: source
+      !> The new one; its content moves
+      type(file_type), intent(inout) :: file
+
+      type(file_type), allocatable :: longer(:)
+      integer :: i
+
+      if (source%file_count == size(source%files)) then
+         allocate (longer(2*source%file_count))
+         do i = 1, source%file_count
+            call move_file(source%files(i), longer(i))
+         end do
+         call move_alloc(longer, source%files)
+      end if
+      source%file_count = source%file_count + 1
+      call move_file(file, source%files(source%file_count))
+   end subroutine add_file
+
+   !> Move a file without copying its content
+   subroutine move_file(from, to)
+      !> Loses its texts
+      type(file_type), intent(inout) :: from
+      !> Gets them
+      type(file_type), intent(inout) :: to
+
+      call move_alloc(from%path, to%path)
+      call move_alloc(from%content, to%content)
+      to%parent = from%parent
+   end subroutine move_file
+
+   !> Append the lines of a file, and those of the files that it includes where it does
+   recursive subroutine add_lines(source, file, report)
+      !> Lines so far
+      type(source_type), intent(inout) :: source
+      !> Index of the file
+      integer, intent(in) :: file
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(line_type) :: line
+      integer :: next, pending
+
+      line%file = file
+      next = 1
+      pending = 0
+      do while (next <= len(source%files(file)%content))
+         call cut_line(source%files(file)%content, next, line)
+         if (begins_with(source, line, "$")) cycle
+         if (begins_with(source, line, "*")) call include_pending(source, pending, report)
+         call add_line(source, line)
+         if (.not. begins_with(source, line, "*")) cycle
+         select case (upper_case(source%line(source%line_count)))
+         case ("*END")
+            if (file == 1) source%ended = .true.
+            call warn_of_rest(source, source%files(file)%content(next:), report)
+            return
+         case ("*INCLUDE", "*INCLUDE_PATH")
+            pending = source%line_count
+         end select
+      end do
+      call include_pending(source, pending, report)
+   end subroutine add_lines
+
+   !> Find the end of a line
+   pure subroutine cut_line(content, next, line)
+      !> Content of the file
+      character(*), intent(in) :: content
+      !> Where the line begins, and where the next one does
+      integer, intent(inout) :: next
+      !> Gets number and stretch, without blanks at the end
+      type(line_type), intent(inout) :: line
+
+      integer :: feed
+
+      feed = next + index(content(next:), line_feed) - 1
+      line%number = line%number + 1
+      line%first = next
+      next = feed + 1
+      if (feed > line%first) then
+         if (content(feed - 1:feed - 1) == carriage_return) feed = feed - 1
+      end if
+      line%last = line%first + len_trim(content(line%first:feed - 1)) - 1
+   end subroutine cut_line
+
+   !> First character of a line
+   pure logical function begins_with(source, line, mark)
+      !> Files
+      type(source_type), intent(in) :: source
+      !> A line of one of them
+      type(line_type), intent(in) :: line
+      !> One character
+      character(1), intent(in) :: mark
+
+      begins_with = .false.
+      if (line%last < line%first) return
+      begins_with = source%files(line%file)%content(line%first:line%first) == mark
+   end function begins_with
+
+   !> Append a line
+   subroutine add_line(source, line)
+      !> Lines so far
+      type(source_type), intent(inout) :: source
+      !> The new one
+      type(line_type), intent(in) :: line
+
+      type(line_type), allocatable :: longer(:)
+
+      if (source%line_count == size(source%lines)) then
+         allocate (longer(2*source%line_count))
+         longer(:source%line_count) = source%lines
+         call move_alloc(longer, source%lines)
+      end if
+      source%line_count = source%line_count + 1
+      source%lines(source%line_count) = line
+   end subroutine add_line
+
+   !> Read the files, or note the folders, that the last lines name
+   recursive subroutine include_pending(source, pending, report)
+      !> Lines so far
+      type(source_type), intent(inout) :: source
+      !> Line of the *INCLUDE that is not done yet; 0 for none, and after
+      integer, intent(inout) :: pending
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: i, last
+
+      if (pending == 0) return
+      last = source%line_count
+      do i = pending + 1, last
+         if (source%width(i) == 0) cycle
+         if (upper_case(source%line(pending)) == "*INCLUDE") then
+            call load(source, found_path(source, i), (source%lines(i)%file), i, report)
+         else
+            source%include_path = source%include_path//beside(source, i)//"/"//line_feed
+         end if
+      end do
+      pending = 0
+   end subroutine include_pending
+
+   !> Path of an include file: beside the including file, or in a folder of *INCLUDE_PATH
+   function found_path(source, i) result(path)
+      !> Lines so far
+      type(source_type), intent(in) :: source
+      !> Line that names the file
+      integer, intent(in) :: i
+      character(:), allocatable :: path
+
+      character(:), allocatable :: name
+      integer :: begin, last
+      logical :: exists
+
+      name = trim(adjustl(source%line(i)))
+      path = beside(source, i)
+      inquire (file=path, exist=exists)
+      begin = 1
+      do while (.not. exists .and. begin <= len(source%include_path))
+         last = begin + index(source%include_path(begin:), line_feed) - 2
+         inquire (file=source%include_path(begin:last)//name, exist=exists)
+         if (exists) path = source%include_path(begin:last)//name
+         begin = last + 2
+      end do
+   end function found_path
+
+   !> Path that a line names, relative to the file that the line is in
+   pure function beside(source, i) result(path)
+      !> Lines so far
+      type(source_type), intent(in) :: source
+      !> Index of the line
+      integer, intent(in) :: i
+      character(:), allocatable :: path
+
+      path = trim(adjustl(source%line(i)))
+      if (path(1:1) == "/") return
+      associate (asking => source%files(source%lines(i)%file)%path)
+         path = asking(:index(asking, "/", back=.true.))//path
+      end associate
+   end function beside
+
+   !> Warn when something stands behind *END
+   subroutine warn_of_rest(source, rest, report)
+      !> Lines so far, the last one is *END
+      type(source_type), intent(in) :: source
+      !> What stands behind it
+      character(*), intent(in) :: rest
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+
+      if (verify(rest, " "//line_feed//carriage_return) == 0) return
+      place%line = source%line_count
+      place%keyword = "*END"
+      call report%warn(place, "what stands behind *END is not read", "nothing behind *END")
+   end subroutine warn_of_rest
+
+end module plydyn_deck_source

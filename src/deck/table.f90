@@ -1,0 +1,112 @@
+!> The table of a keyword: as many rows as it has cards, filled from the lines.
+module plydyn_deck_table
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type, is_absent
+   use plydyn_deck_declaration, only : text_field, word_field, words_field
+   use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_rows, only : read_row
+   use plydyn_deck_source, only : source_type
+   implicit none
+   private
+
+   public :: read_rows
+
+contains
+
+   !> Read the rows of a keyword
+   subroutine read_rows(source, last, parameters, cards, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Last line of the keyword
+      integer, intent(in) :: last
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Gets its rows
+      type(cards_type), intent(inout) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: i, row, rows
+
+      rows = last - cards%line
+      call check_count(rows, cards, report)
+      call allocate_rows(rows, cards)
+      cards%row_line(:) = [(cards%line + i, i=1, rows)]
+      do row = 1, rows
+         associate (line => source%lines(cards%line + row))
+            call read_row(source%files(line%file)%content(line%first:line%last), row, &
+               & parameters, cards, report)
+         end associate
+      end do
+   end subroutine read_rows
+
+   !> Check the number of rows, and drop those that are too many
+   subroutine check_count(rows, cards, report)
+      !> Number of rows, and of those that can be read
+      integer, intent(inout) :: rows
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+      integer :: needed, most
+
+      most = size(cards%declaration%cards)
+      needed = count(.not. cards%declaration%cards%optional)
+      place = cards%head()
+      if (rows < needed) then
+         call report%refuse(place, "card "//text(rows + 1)//" is missing", &
+            & cards_words(needed, most)//" under *"//cards%declaration%name)
+      else if (cards%declaration%repeated) then
+         if (modulo(rows, most) == 0) return
+         place%line = place%line + rows
+         call report%refuse(place, "card "//text(modulo(rows, most) + 1)//" is missing behind this", &
+            & "sets of "//text(most)//" cards")
+         rows = rows - modulo(rows, most)
+      else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then
+         place%line = place%line + most + 1
+         call report%refuse(place, "a card too many", cards_words(needed, most)//" under *" &
+            & //cards%declaration%name)
+         rows = most
+      end if
+   end subroutine check_count
+
+   !> Number of cards in words
+   pure function cards_words(needed, most) result(words)
+      !> Smallest and largest number
+      integer, intent(in) :: needed, most
+      character(:), allocatable :: words
+
+      words = text(needed)//" cards"
+      if (needed == 1) words = "1 card"
+      if (most > needed) words = text(needed)//" to "//text(most)//" cards"
+   end function cards_words
+
+   !> Make room for the rows of a keyword
+   subroutine allocate_rows(rows, cards)
+      !> Number of rows
+      integer, intent(in) :: rows
+      !> The keyword
+      type(cards_type), intent(inout) :: cards
+
+      integer :: fields, i, texts
+
+      fields = 0
+      texts = 0
+      do i = 1, size(cards%declaration%cards)
+         fields = max(fields, size(cards%declaration%cards(i)%fields))
+         associate (kind => cards%declaration%cards(i)%fields%kind)
+            if (any(kind == word_field .or. kind == words_field .or. kind == text_field)) texts = rows
+         end associate
+      end do
+      deallocate (cards%row_line)
+      allocate (cards%row_line(rows), cards%row_free(rows), cards%value(fields, rows), &
+         & cards%state(fields, rows), cards%text(fields, texts))
+      cards%row_free(:) = .false.
+      cards%state(:, :) = is_absent
+      cards%text(:, :) = ""
+   end subroutine allocate_rows
+
+end module plydyn_deck_table

@@ -1,0 +1,272 @@
+!> From the text of a field to its number or word, checked against the declaration.
+module plydyn_deck_values
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text, upper_case
+   use plydyn_deck_declaration, only : field_type, integer_field, real_field
+   use plydyn_deck_nearest, only : nearest_word
+   use plydyn_deck_number, only : number_advice, read_integer, read_real
+   use plydyn_deck_parameter, only : parameter_table_type
+   implicit none
+   private
+
+   public :: read_number, check_word, range_words, number_words, split_words
+
+   !> What is wrong with a text
+   type, public :: fault_type
+      !> First wrong character; 0 when all is well
+      integer :: at = 0
+      !> What is wrong
+      character(:), allocatable :: wrong
+      !> What would be right
+      character(:), allocatable :: right
+   end type fault_type
+
+   !> Significant digits of a number in a message
+   integer, parameter :: digits_shown = 7
+   !> Longest word
+   integer, parameter, public :: longest_word = 32
+
+contains
+
+   !> Number that a field holds
+   subroutine read_number(field, content, parameters, number, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> What the field holds, without blanks around it
+      character(*), intent(in) :: content
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> The number, when all is well
+      real(wp), intent(out) :: number
+      !> What is wrong
+      type(fault_type), intent(out) :: fault
+
+      if (content(1:1) == "&" .or. content(1:min(2, len(content))) == "-&") then
+         call take_parameter(field, content, parameters, number, fault)
+      else
+         call take_number(field, content, number, fault)
+      end if
+      if (fault%at > 0) return
+      if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
+         number = field%default
+      else
+         call check_range(field, number, fault)
+      end if
+   end subroutine read_number
+
+   !> Number of a parameter
+   subroutine take_parameter(field, content, parameters, number, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> &name or -&name
+      character(*), intent(in) :: content
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Its number
+      real(wp), intent(out) :: number
+      !> What is wrong
+      type(fault_type), intent(out) :: fault
+
+      integer :: begin, i
+
+      number = 0.0_wp
+      begin = index(content, "&") + 1
+      i = parameters%find(content(begin:))
+      if (i == 0) then
+         call blame(fault, begin, "there is no parameter '"//content(begin:)//"' above this line", &
+            & parameters%advice(content(begin:)))
+         return
+      end if
+      number = parameters%list(i)%value
+      if (content(1:1) == "-") number = -number
+      if (field%kind == integer_field .and. abs(number - anint(number)) > 0.0_wp) then
+         call blame(fault, 1, "the parameter '"//content(begin:)//"' is " &
+            & //number_words(number)//", but "//trim(field%name)//" is an integer", &
+            & range_words(field))
+      end if
+   end subroutine take_parameter
+
+   !> Number that stands in the field itself
+   subroutine take_number(field, content, number, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> Digits
+      character(*), intent(in) :: content
+      !> The number
+      real(wp), intent(out) :: number
+      !> What is wrong
+      type(fault_type), intent(out) :: fault
+
+      character(:), allocatable :: advice
+      integer :: real_wrong_at, whole, wrong_at
+
+      if (field%kind == integer_field) then
+         call read_integer(content, whole, wrong_at)
+         number = real(whole, wp)
+         if (wrong_at == 0) return
+         call read_real(content, number, real_wrong_at)
+         if (real_wrong_at == 0 .and. wrong_at > 1) then
+            call blame(fault, wrong_at, "'"//content//"' is not an integer", &
+               & range_words(field)//", without point or exponent")
+            return
+         end if
+      else
+         call read_real(content, number, wrong_at)
+         if (wrong_at == 0) return
+      end if
+      advice = number_advice(content, wrong_at)
+      if (len(advice) > 0) advice = "; "//advice
+      call blame(fault, wrong_at, "'"//content//"' is not "//noun(field), &
+         & range_words(field)//advice)
+   end subroutine take_number
+
+   !> A number outside of what the field accepts
+   subroutine check_range(field, number, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> The number
+      real(wp), intent(in) :: number
+      !> What is wrong
+      type(fault_type), intent(out) :: fault
+
+      logical :: fits
+
+      if (allocated(field%allowed)) then
+         fits = any(abs(field%allowed - number) <= 0.0_wp)
+      else
+         fits = number >= field%least .and. number <= field%most .and. number > field%above
+      end if
+      if (fits) return
+      if (field%supported) then
+         call blame(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
+            & range_words(field))
+      else
+         call blame(fault, 1, trim(field%name)//" = "//number_words(number)//" is not supported", &
+            & "a blank or "//range_words(field)//": plydyn does without "//trim(field%name))
+      end if
+   end subroutine check_range
+
+   !> A word that the field does not know
+   subroutine check_word(field, content, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> What the field holds
+      character(*), intent(in) :: content
+      !> What is wrong
+      type(fault_type), intent(out) :: fault
+
+      character(longest_word), allocatable :: known(:)
+      integer :: i
+
+      if (len(field%words) == 0) return
+      known = split_words(field%words)
+      if (any(known == upper_case(content))) return
+      i = nearest_word(upper_case(content), known)
+      if (i > 0) then
+         call blame(fault, 1, "'"//content//"' is no "//trim(field%name), &
+            & "perhaps "//trim(known(i))//"; it is one of "//field%words)
+      else
+         call blame(fault, 1, "'"//content//"' is no "//trim(field%name), &
+            & "one of "//field%words)
+      end if
+   end subroutine check_word
+
+   !> What a field accepts, in words
+   function range_words(field) result(words)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      integer :: i
+
+      if (allocated(field%allowed)) then
+         words = number_words(field%allowed(1))
+         do i = 2, size(field%allowed)
+            if (i < size(field%allowed)) words = words//", "//number_words(field%allowed(i))
+            if (i == size(field%allowed)) words = words//" or "//number_words(field%allowed(i))
+         end do
+         return
+      end if
+      words = noun(field)
+      if (field%above > -huge(1.0_wp)) words = words//" above "//number_words(field%above)
+      if (field%least > -huge(1.0_wp) .and. field%most < huge(1.0_wp)) then
+         words = words//" from "//number_words(field%least)//" to "//number_words(field%most)
+      else if (field%least > -huge(1.0_wp)) then
+         words = words//" of at least "//number_words(field%least)
+      else if (field%most < huge(1.0_wp)) then
+         words = words//merge(" up to    ", " of up to ", field%above > -huge(1.0_wp))
+         words = trim(words)//" "//number_words(field%most)
+      end if
+   end function range_words
+
+   !> Kind of number
+   pure function noun(field) result(words)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      words = "a number"
+      if (field%kind == integer_field) words = "an integer"
+      if (field%kind == real_field .and. len(field%dimension) > 0) then
+         words = "a number ("//field%dimension//")"
+      end if
+   end function noun
+
+   !> A number as a reader wants it: without a point when it is whole
+   pure function number_words(number) result(words)
+      !> Any number
+      real(wp), intent(in) :: number
+      character(:), allocatable :: words
+
+      character(32) :: buffer
+
+      if (abs(number) < huge(1) .and. abs(number - anint(number)) <= 0.0_wp) then
+         words = text(nint(number))
+         return
+      end if
+      buffer = text(number, digits_shown)
+      words = trim(buffer)
+      if (index(words, "E") > 0 .or. index(words, ".") == 0) return
+      words = words(:verify(words, "0", back=.true.))
+   end function number_words
+
+   !> The words of a text, separated by blanks or commas
+   pure function split_words(words) result(list)
+      !> Any text
+      character(*), intent(in) :: words
+      character(longest_word), allocatable :: list(:)
+
+      integer :: begin, count, last, pass
+
+      do pass = 1, 2
+         count = 0
+         last = 0
+         do
+            begin = verify(words(last + 1:), " ,")
+            if (begin == 0) exit
+            begin = last + begin
+            last = begin + scan(words(begin:)//" ", " ,") - 2
+            count = count + 1
+            if (pass == 2) list(count) = words(begin:last)
+         end do
+         if (pass == 1) allocate (list(count))
+      end do
+   end function split_words
+
+   !> Make a fault
+   pure subroutine blame(fault, at, wrong, right)
+      !> The fault
+      type(fault_type), intent(out) :: fault
+      !> First wrong character
+      integer, intent(in) :: at
+      !> What is wrong
+      character(*), intent(in) :: wrong
+      !> What would be right
+      character(*), intent(in) :: right
+
+      fault%at = at
+      fault%wrong = wrong
+      fault%right = right
+   end subroutine blame
+
+end module plydyn_deck_values
