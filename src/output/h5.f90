@@ -18,14 +18,17 @@ module plydyn_output_h5
 
    public :: store_byte, store_double, store_integer, store_long, store_single
 
+   !> A handle that the library refuses
+   integer(hid_t), parameter :: no_file = -1_hid_t
+
    !> A file being written
    type, public :: h5_file_type
       private
       !> Path of the file
       character(:), allocatable :: path
       !> Handle of the file
-      integer(hid_t) :: id = -1_hid_t
-      !> True between `create` and `close`
+      integer(hid_t) :: id = no_file
+      !> True between `create` and `close` or the first failure
       logical :: opened = .false.
    contains
       procedure :: create
@@ -83,7 +86,7 @@ contains
       close (unit)
    end subroutine try_path
 
-   !> True between `create` and `close`
+   !> True between `create` and `close` or the first failure
    pure logical function is_open(this)
       !> The file
       class(h5_file_type), intent(in) :: this
@@ -94,7 +97,7 @@ contains
    !> Make a group
    subroutine make_group(this, name, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the group in the file; the groups above it must exist
       character(*), intent(in) :: name
       !> Why it could not be made
@@ -109,7 +112,7 @@ contains
    !> Attribute of text, of exactly its length; trailing blanks are left out
    subroutine write_text(this, place, name, value, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -133,7 +136,7 @@ contains
    !> Attribute of one integer
    subroutine write_integer(this, place, name, value, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -153,7 +156,7 @@ contains
    !> Attribute of several integers
    subroutine write_integers(this, place, name, value, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -173,7 +176,7 @@ contains
    !> Attribute of one real
    subroutine write_real(this, place, name, value, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -193,7 +196,7 @@ contains
    !> Dataset of a list of integers
    subroutine write_integer_list(this, name, values, storage, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -213,7 +216,7 @@ contains
    !> Dataset of a table of integers
    subroutine write_integer_table(this, name, values, storage, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -233,7 +236,7 @@ contains
    !> Dataset of a list of reals
    subroutine write_real_list(this, name, values, storage, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -253,7 +256,7 @@ contains
    !> Dataset of a table of reals
    subroutine write_real_table(this, name, values, storage, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -273,7 +276,7 @@ contains
    !> Make a dataset of no rows to which rows can be added
    subroutine make_series(this, name, width, rows_per_chunk, storage, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> Numbers in a row; 0 for a list of numbers
@@ -294,7 +297,7 @@ contains
    !> Add long integers: a list of whole rows
    subroutine append_longs(this, name, values, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add
@@ -312,7 +315,7 @@ contains
    !> Add reals: a list of whole rows
    subroutine append_reals(this, name, values, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add
@@ -330,7 +333,7 @@ contains
    !> Add rows of reals
    subroutine append_real_rows(this, name, values, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add, (width, rows)
@@ -348,7 +351,7 @@ contains
    !> Hand all that was written to the operating system: it outlives a kill of this process
    subroutine flush_all(this, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
@@ -374,9 +377,11 @@ contains
    end subroutine close_whole
 
    !> Turn what went wrong into an error
+   !>
+   !> From then on the file is left alone, as closing it would spoil what was flushed before.
    subroutine confirm(this, good, quantity, error)
       !> The file
-      class(h5_file_type), intent(in) :: this
+      class(h5_file_type), intent(inout) :: this
       !> True when all went well
       logical, intent(in) :: good
       !> What was to be written
@@ -385,6 +390,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (good) return
+      this%opened = .false.
+      this%id = no_file
       call fail(error, exit_output, "cannot write "//quantity//" to "//this%path &
          & //": its disk must have room and be writable")
    end subroutine confirm

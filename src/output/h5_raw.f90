@@ -7,10 +7,10 @@ module plydyn_output_h5_raw
    use, intrinsic :: iso_c_binding, only : c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aexists_f, &
-      & h5aopen_f, h5awrite_f, h5dclose_f, h5dcreate_f, h5dget_space_f, h5dopen_f, &
-      & h5dset_extent_f, h5dwrite_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_close_strong_f, &
-      & h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5gclose_f, h5gcreate_f, &
-      & h5kind_to_type, h5oclose_f, h5oopen_f, h5open_f, h5p_dataset_create_f, &
+      & h5aopen_f, h5awrite_f, h5dclose_f, h5dcreate_f, h5dget_space_f, h5dont_atexit_f, &
+      & h5dopen_f, h5dset_extent_f, h5dwrite_f, h5eset_auto_f, h5f_acc_trunc_f, &
+      & h5f_close_strong_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5gclose_f, &
+      & h5gcreate_f, h5kind_to_type, h5oclose_f, h5oopen_f, h5open_f, h5p_dataset_create_f, &
       & h5p_file_access_f, h5p_file_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, &
       & h5pset_fclose_degree_f, h5pset_file_locking_f, h5pset_istore_k_f, &
       & h5pset_obj_track_times_f, h5s_scalar_f, h5s_select_set_f, h5s_unlimited_f, h5sclose_f, &
@@ -62,6 +62,9 @@ contains
       integer(hid_t) :: access, creation
       integer :: status(10)
 
+      ! at the program's end the library is not to tidy up: after a failure it would crash, and
+      ! whoever wants a file whole closes it; asked a second time it refuses, which is as well
+      call h5dont_atexit_f(status(1))
       call h5open_f(status(1))
       call h5eset_auto_f(0, status(2))
       call h5pcreate_f(h5p_file_access_f, access, status(3))

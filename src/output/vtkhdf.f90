@@ -118,7 +118,7 @@ contains
    !> Say something about the file: an attribute of the group /plydyn, such as title or length
    subroutine describe(this, name, value, error)
       !> The file
-      class(vtkhdf_type), intent(in) :: this
+      class(vtkhdf_type), intent(inout) :: this
       !> Name of the attribute
       character(*), intent(in) :: name
       !> Its text
@@ -132,7 +132,7 @@ contains
    !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
    subroutine add_table(this, name, columns, values, error)
       !> The file
-      class(vtkhdf_type), intent(in) :: this
+      class(vtkhdf_type), intent(inout) :: this
       !> Name of the dataset
       character(*), intent(in) :: name
       !> Names of the columns; written with commas between them

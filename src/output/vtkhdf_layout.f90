@@ -32,7 +32,7 @@ contains
    !> Make all groups
    subroutine make_groups(file, error)
       !> The file, new
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Why they could not be made
       type(error_type), allocatable, intent(out) :: error
 
@@ -53,7 +53,7 @@ contains
    !> Write the grid, in one part
    subroutine write_grid(file, points, connectivity, offsets, types, error)
       !> The file
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Places, (3, points)
       real(wp), intent(in), contiguous :: points(:, :)
       !> Points of all cells, counted from 0
@@ -86,7 +86,7 @@ contains
    !> Make the lists of states, all empty
    subroutine make_steps(file, error)
       !> The file
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Why they could not be made
       type(error_type), allocatable, intent(out) :: error
 
@@ -110,7 +110,7 @@ contains
    !> Make a list with one number per state
    subroutine make_offsets(file, name, error)
       !> The file
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Name of the list in the group of the states
       character(*), intent(in) :: name
       !> Why it could not be made
@@ -123,7 +123,7 @@ contains
    !> process killed at any moment leaves a file with all states before
    subroutine add_state(file, state, time, moving, start, still, error)
       !> The file
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Number of the state, from 1
       integer, intent(in) :: state
       !> Time of the state
@@ -158,7 +158,7 @@ contains
 
    !> Add the same number to several lists
    subroutine add_number(file, names, number, error)
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> Names of the lists in the group of the states
       character(*), intent(in) :: names(:)
       !> What to add
@@ -175,7 +175,7 @@ contains
 
    !> Tell how many states there are
    subroutine count_states(file, states, error)
-      type(h5_file_type), intent(in) :: file
+      type(h5_file_type), intent(inout) :: file
       !> States that are complete
       integer, intent(in) :: states
       type(error_type), allocatable, intent(out) :: error

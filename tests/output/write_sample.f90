@@ -97,10 +97,11 @@ contains
       call file%end_step(error)
    end subroutine write_state
 
-   !> Print the error, if there is one, and leave
+   !> Print the error, if there is one, and leave; closing a file that cannot be written is tried
    subroutine leave_on_error()
       if (.not. allocated(error)) return
       write (*, "(a)") error%message
+      call file%close(error)
       stop exit_output
    end subroutine leave_on_error
 

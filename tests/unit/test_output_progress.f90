@@ -40,7 +40,7 @@ contains
       progress%force = -3456.0_wp
       line = progress_line(progress, 60.0_wp)
       heads = progress_heads("s", "N")
-      call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3         " &
+      call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3        " &
          & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "says all: "//line)
       call check(len(line), len(heads), "heads are as wide as the line")
       call check(index(heads, "force [N]") + len("force [N]"), &
