@@ -14,10 +14,10 @@ module plydyn_contact_near
    public :: new_near
 
    !> Reach as a share of the sphere's radius
-   real(wp), parameter :: reach_share = 0.125_wp
+   real(wp), parameter :: reach_share = 0.03125_wp
 
    !> A facet is never larger than this many times its size at the start
-   real(wp), parameter :: largest_stretch = 2.0_wp
+   real(wp), parameter :: largest_stretch = 1.5_wp
 
    !> A point of a facet moves at most this much more than the farthest moving of its nodes: sum of
    !> the magnitudes of the biquadratic shape functions, 1.25 along either direction
@@ -150,14 +150,19 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: i
-      real(wp) :: arm(3), farthest
+      real(wp) :: farthest, x, y, z
 
       farthest = 0.0_wp
+      !$omp simd private(x, y, z) reduction(max:farthest)
       do i = 1, size(self%point)
-         arm(:) = position(:, self%point(i)) - centre
-         farthest = max(farthest, (arm(1) - self%seen(1, i))**2 + (arm(2) - self%seen(2, i))**2 &
-            & + (arm(3) - self%seen(3, i))**2)
-         self%seen(:, i) = arm
+         x = position(1, self%point(i)) - centre(1)
+         y = position(2, self%point(i)) - centre(2)
+         z = position(3, self%point(i)) - centre(3)
+         farthest = max(farthest, (x - self%seen(1, i))**2 + (y - self%seen(2, i))**2 &
+            & + (z - self%seen(3, i))**2)
+         self%seen(1, i) = x
+         self%seen(2, i) = y
+         self%seen(3, i) = z
       end do
       self%travel = self%travel + largest_share*sqrt(farthest)
    end subroutine add_travel

@@ -20,6 +20,9 @@ module plydyn_contact_nodes
    !> Facets within this share of the radius from the axis give the distance between points
    real(wp), parameter :: zone_share = 0.5_wp
 
+   !> Distance from a side, in local coordinates, that counts as on the fold
+   real(wp), parameter :: fold_width = 1.0e-4_wp
+
    !> Most contact nodes on an impactor
    integer, parameter :: most_nodes = 1000000
 
@@ -173,7 +176,7 @@ contains
             if (self%wake(s) > near%travel) cycle
             call look(self, surface, near, position, centre + self%position(:, s), s, foot)
             if (.not. foot%beside .and. foot%gap < 0.0_wp) then
-               call add_row(surface, foot, s, self%push(s), rows)
+               call add_row(self, surface, position, centre, foot, s, rows)
             end if
          end do
          self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
@@ -213,27 +216,42 @@ contains
    end subroutine look
 
    !> Make a row of a node below the surface
-   pure subroutine add_row(surface, foot, node, push, rows)
+   !>
+   !> Where facets meet they fold, and the closest point has no normal, or more than one: there
+   !> the point on the fold is taken with the normal of the sphere, which keeps what is symmetric.
+   pure subroutine add_row(self, surface, position, centre, foot, node, rows)
+      !> The nodes
+      type(node_set_type), intent(in) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
+      !> Trial positions of the surface points, length
+      real(wp), intent(in) :: position(:, :)
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
       !> Foot of the node
       type(foot_type), intent(in) :: foot
       !> Its number
       integer, intent(in) :: node
-      !> Guess of its push
-      real(wp), intent(in) :: push
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      real(wp) :: slope(2, surface%nodes)
+      real(wp) :: slope(2, surface%nodes), place(2)
+      logical :: folded(2)
       integer :: row
 
-      call rows%add(node, push)
+      folded(:) = abs(foot%place) > 1.0_wp - fold_width
+      place(:) = merge(sign(1.0_wp, foot%place), foot%place, folded)
+      call rows%add(node, self%push(node))
       row = rows%count
       rows%point(:, row) = surface%facet(:, foot%facet)
       rows%normal(:, row) = foot%normal
       rows%gap(row) = foot%gap
-      call shape_functions(surface%nodes, foot%place(1), foot%place(2), rows%weight(:, row), slope)
+      call shape_functions(surface%nodes, place(1), place(2), rows%weight(:, row), slope)
+      if (any(folded)) then
+         rows%normal(:, row) = -self%position(:, node)/norm2(self%position(:, node))
+         rows%gap(row) = dot_product(rows%normal(:, row), centre + self%position(:, node) &
+            & - matmul(position(:, rows%point(:, row)), rows%weight(:, row)))
+      end if
    end subroutine add_row
 
 end module plydyn_contact_nodes

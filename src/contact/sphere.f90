@@ -18,8 +18,9 @@ contains
    !> Contact nodes on the half sphere that faces the plate, relative to the centre
    !>
    !> Rings around the node at the pole, with nodes a spacing apart or a little less along the
-   !> meridian and about a spacing apart along the ring; every second ring starts half a node
-   !> later. A quarter turn leaves the pattern as it is, to the last bit, and so does a mirror.
+   !> meridian and about a spacing apart along the ring, none on the x or y axis where sides of
+   !> facets like to be. A quarter turn leaves the pattern as it is, to the last bit, and so does
+   !> a mirror to round-off.
    pure subroutine sphere_nodes(radius, spacing, side, node, first)
       !> Length
       real(wp), intent(in) :: radius
@@ -45,19 +46,17 @@ contains
       allocate (node(3, first(rings + 2) - 1), source=0.0_wp)
       node(3, 1) = -side*radius
       do r = 1, rings
-         call place_ring(radius*sin(r*step), -side*radius*cos(r*step), modulo(r, 2) == 0, &
+         call place_ring(radius*sin(r*step), -side*radius*cos(r*step), &
             & node(:, first(r + 1):first(r + 2) - 1))
       end do
    end subroutine sphere_nodes
 
-   !> Nodes evenly spaced on a circle around the z axis
-   pure subroutine place_ring(radius, height, shifted, node)
+   !> Nodes evenly spaced on a circle around the z axis, half a spacing from the x axis
+   pure subroutine place_ring(radius, height, node)
       !> Radius of the circle, length
       real(wp), intent(in) :: radius
       !> Its height, length
       real(wp), intent(in) :: height
-      !> Start half a node later
-      logical, intent(in) :: shifted
       !> Positions, (3, nodes), a multiple of four nodes
       real(wp), intent(inout) :: node(:, :)
 
@@ -66,7 +65,7 @@ contains
 
       quarter = size(node, 2)/quarters
       do i = 1, quarter
-         angle = (i - merge(0.5_wp, 1.0_wp, shifted))*right_angle/quarter
+         angle = (i - 0.5_wp)*right_angle/quarter
          node(:, i) = [radius*cos(angle), radius*sin(angle), height]
          node(:, i + quarter) = [-node(2, i), node(1, i), height]
          node(:, i + 2*quarter) = [-node(1, i), -node(2, i), height]

@@ -17,7 +17,7 @@ module plydyn_contact_surface
    integer, parameter :: most_steps = 30, most_walks = 100
 
    !> A step this small, in local coordinates, is the last: the error after it is its square
-   real(wp), parameter :: last_step = 1.0e-7_wp
+   real(wp), parameter :: last_step = 1.0e-5_wp
 
    !> Local coordinate from which a place is on a side
    real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
