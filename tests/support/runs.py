@@ -16,6 +16,9 @@ from elasticity import Array
 ROOT = Path(__file__).resolve().parents[2]
 SOLVER = Path(os.environ.get("PLYDYN", ROOT / "build" / "release" / "plydyn"))
 
+# Histories have ten significant digits: a number is known to half of the last one at best
+DIGITS = 1.0e-9
+
 
 @dataclass(frozen=True)
 class Table:

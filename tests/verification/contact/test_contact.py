@@ -11,7 +11,7 @@ import pytest
 from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from elasticity import CARBON, STEEL
 from meshes import Mesh, regular
-from runs import run
+from runs import DIGITS, run
 
 SIDE, THICKNESS, RADIUS = 10.0, 1.0, 5.0
 METHODS = pytest.mark.parametrize("method", [1, 2], ids=["nodes on sphere", "points of plate"])
@@ -55,7 +55,7 @@ def test_sphere_falls_freely(method: int, tmp_path: Path) -> None:
     deck.sphere(Sphere(RADIUS, 1.0e-6, centre, gravity=gravity, method=method))
     history = run(deck, tmp_path).table("impactor_1")
     exact = 0.5 * gravity * history["time"] ** 2
-    assert history["displacement"] == pytest.approx(exact, rel=1e-10, abs=1e-15)
+    assert history["displacement"] == pytest.approx(exact, rel=3.0 * DIGITS, abs=1e-15)
     assert np.abs(history["force"]).max() == 0.0
 
 
@@ -106,7 +106,7 @@ def test_two_free_bodies_keep_their_momentum(method: int, tmp_path: Path) -> Non
     results = run(deck, tmp_path)
     history, energy = results.table("impactor_1"), results.table("energy")
     momentum = energy["momentum z"]
-    assert momentum == pytest.approx(np.full(len(momentum), -mass * velocity), rel=1e-11)
+    assert momentum == pytest.approx(np.full(len(momentum), -mass * velocity), rel=DIGITS)
     assert history["force"][-1] == 0.0
     block = STEEL.density * 8.0 * 8.0 * thickness
     after = history["velocity"][-1]

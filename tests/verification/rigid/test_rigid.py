@@ -10,7 +10,7 @@ import pytest
 from decks import Deck, Ply
 from elasticity import CARBON, GLASS, Array
 from meshes import Mesh, distorted, plane_weights, regular
-from runs import Table, run
+from runs import DIGITS, Table, run
 
 LENGTH, WIDTH = 12.0, 8.0
 PLIES = [Ply(CARBON, 0.4, 0.0), Ply(GLASS, 0.6, 40.0), Ply(CARBON, 0.5, 90.0)]
@@ -42,15 +42,17 @@ def test_translation_keeps_momentum_and_strains_nothing(
     results = run(deck, tmp_path)
     energy, mass = results.table("energy"), DENSITY_PER_AREA * LENGTH * WIDTH
     kinetic = 0.5 * mass * velocity @ velocity
-    assert energy["kinetic"] == pytest.approx(np.full(len(energy["kinetic"]), kinetic), rel=1e-11)
+    assert energy["kinetic"] == pytest.approx(np.full(len(energy["kinetic"]), kinetic), rel=DIGITS)
     assert np.abs(energy["internal"]).max() < 1e-12 * kinetic
     for k, axis in enumerate("xyz"):
         momentum = energy[f"momentum {axis}"]
-        assert momentum == pytest.approx(np.full(len(momentum), mass * velocity[k]), rel=1e-11)
+        assert momentum == pytest.approx(np.full(len(momentum), mass * velocity[k]), rel=DIGITS)
     profile = results.profile(1)
     travelled = velocity * profile["time"][0]
     for k, name in enumerate(("ux", "uy", "uz")):
-        assert profile[name] == pytest.approx(np.full(len(profile[name]), travelled[k]), rel=1e-10)
+        assert profile[name] == pytest.approx(
+            np.full(len(profile[name]), travelled[k]), rel=3.0 * DIGITS
+        )
     # round-off of a displacement of 0.06 mm over 1 mm times a modulus of 1e5 MPa
     assert max(np.abs(profile[name]).max() for name in ("sxx", "syy", "szz", "sxz")) < 1e-6
 
@@ -69,7 +71,7 @@ def test_inertia_about_z_is_exact(order: int, tmp_path: Path) -> None:
     deck.velocities(spin(mesh, rate))
     energy = run(deck, tmp_path).table("energy")
     inertia = DENSITY_PER_AREA * LENGTH * WIDTH * (LENGTH**2 + WIDTH**2) / 12.0
-    assert energy["kinetic"][0] == pytest.approx(0.5 * inertia * rate**2, rel=1e-12)
+    assert energy["kinetic"][0] == pytest.approx(0.5 * inertia * rate**2, rel=DIGITS)
 
 
 def histories(table: Table, count: int, names: tuple[str, ...]) -> Array:
@@ -127,5 +129,5 @@ def test_quarter_turn(nodes: int, tmp_path: Path) -> None:
     velocity = histories(table, len(arm), ("vx", "vy"))
     spin_of = place[:, :, 0] * velocity[:, :, 1] - place[:, :, 1] * velocity[:, :, 0]
     momentum = np.einsum("i,ijt->t", point_mass, spin_of)
-    # the forces of an element have no moment: round-off over some thousand steps
-    assert np.ptp(momentum[1:]) < 1e-9 * abs(momentum[1])
+    # the forces of an element have no moment: the digits of the file are left
+    assert np.ptp(momentum[1:]) < 10.0 * DIGITS * abs(momentum[1])

@@ -10,7 +10,7 @@ import pytest
 from decks import Deck, Ply, Sphere
 from elasticity import STEEL, stiffness
 from meshes import regular
-from runs import run
+from runs import DIGITS, run
 
 SPEED = float(np.sqrt(stiffness(STEEL)[0, 0] / STEEL.density))
 
@@ -85,4 +85,4 @@ def test_rigid_mass_on_a_free_bar(order: int, layers: int, tmp_path: Path) -> No
     assert history["force"][-1] == 0.0
     momentum = results.table("energy")["momentum z"]
     exact = np.full(len(momentum), -striker * velocity)
-    assert momentum == pytest.approx(exact, rel=1.0e-10)
+    assert momentum == pytest.approx(exact, rel=DIGITS)
