@@ -33,6 +33,7 @@ contains
 
       domain%control = model%control
       domain%curves = model%curves
+      domain%node_id = model%mesh%node_id
       domain%position = model%mesh%position
       call check_same_structure(model%parts, error)
       if (allocated(error)) return
@@ -90,6 +91,9 @@ contains
                & //"*CONTROL_LAYERWISE with KINEM 0, or tie the plies")
             return
          end if
+         do k = 1, size(domain%ties, 2)
+            call tie_masses(domain, domain%ties(1, k), domain%ties(2, k))
+         end do
          do k = 1, size(joint)
             if (joint(k) <= 0) cycle
             do p = 1, size(domain%plates)
@@ -99,6 +103,19 @@ contains
          end do
       end associate
    end subroutine build_joints
+
+   !> Both points of a tied face get the inverse of the sum of their masses
+   subroutine tie_masses(domain, lower, upper)
+      type(domain_type), intent(inout) :: domain
+      integer, intent(in) :: lower, upper
+      integer :: above, below, n
+
+      do n = 1, domain%columns%nodes
+         below = domain%columns%mass_of(lower, domain%columns%levels(lower), n)
+         above = domain%columns%mass_of(upper, 1, n)
+         domain%inverse_mass([below, above]) = 1.0_wp/(domain%mass(below) + domain%mass(above))
+      end do
+   end subroutine tie_masses
 
    !> Held places and prescribed motions
    subroutine build_supports(model, domain, error)
@@ -156,6 +173,8 @@ contains
       do i = 1, size(domain%motions)
          held(domain%motions(i)%freedom) = .true.
       end do
+      domain%impactors = model%impactors
+      domain%contacts = model%contacts
       allocate (domain%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
          domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers, &

@@ -7,6 +7,7 @@ module plydyn_domain_domain
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
+   use plydyn_model_impactor, only : contact_type, impactor_type
    implicit none
    private
 
@@ -61,6 +62,8 @@ module plydyn_domain_domain
       type(control_type) :: control
       !> Curves over time
       type(curve_type), allocatable :: curves(:)
+      !> The user's node numbers
+      integer, allocatable :: node_id(:)
       !> Positions of the nodes of the plane, (3, nodes)
       real(wp), allocatable :: position(:, :)
       !> Layers, the same above every node
@@ -71,7 +74,8 @@ module plydyn_domain_domain
       type(plate_type), allocatable :: plates(:)
       !> Springs between layers
       type(interface_type), allocatable :: interfaces(:)
-      !> Mass of each point and its inverse; zero where there is no point
+      !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
+      !> face move as one); zero where there is no point
       real(wp), allocatable :: mass(:), inverse_mass(:)
       !> Faces that move as one: the layers below and above, (2, ties)
       integer, allocatable :: ties(:, :)
@@ -81,10 +85,32 @@ module plydyn_domain_domain
       type(prescribed_type), allocatable :: motions(:)
       !> Forces
       type(load_type), allocatable :: loads(:)
+      !> Rigid impactors
+      type(impactor_type), allocatable :: impactors(:)
+      !> Contacts, as the deck says
+      type(contact_type), allocatable :: contacts(:)
       !> The face that each contact is on
       type(surface_type), allocatable :: surfaces(:)
       !> Where the time step comes from
       type(step_limit_type) :: limit
+   contains
+      procedure :: is_finished
    end type domain_type
+
+contains
+
+   !> Whether the end has come
+   pure logical function is_finished(self, time, cycle)
+      class(domain_type), intent(in) :: self
+      !> Time reached
+      real(wp), intent(in) :: time
+      !> Steps made
+      integer, intent(in) :: cycle
+
+      associate (control => self%control)
+         is_finished = time >= control%end_time*(1.0_wp - epsilon(1.0_wp)) &
+            & .or. (control%end_cycle > 0 .and. cycle >= control%end_cycle)
+      end associate
+   end function is_finished
 
 end module plydyn_domain_domain

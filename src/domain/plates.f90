@@ -50,6 +50,7 @@ contains
          return
       end do
       layers = new_layers(model%parts(p))
+      plate%angle = model%parts(p)%plies(layers%ply)%angle
       allocate (plate%batches(size(columns%families)))
       do f = 1, size(columns%families)
          plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))

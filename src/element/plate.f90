@@ -50,6 +50,8 @@ module plydyn_element_plate
       integer, allocatable :: node(:, :)
       !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
+      !> Fibre direction of each layer, degrees from the x axis
+      real(wp), allocatable :: angle(:)
       !> Layers by their order
       type(layer_batch_type), allocatable :: batches(:)
    end type plate_type

@@ -1,0 +1,169 @@
+!> The words on the command line.
+module plydyn_command
+   use plydyn_base_error, only : error_type, exit_output, exit_usage, fail
+   use plydyn_base_text, only : lower_case
+   implicit none
+   private
+
+   public :: read_command
+
+   !> What a user may type
+   character(*), parameter, public :: usage = &
+      & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*"//new_line("a") &
+      & //"plydyn check DECK                      read and check a deck, and say what it holds" &
+      & //new_line("a") &
+      & //"plydyn --keywords [NAME]               pages of the keywords, or of one"//new_line("a") &
+      & //"plydyn --version                       version, compiler and flags"//new_line("a") &
+      & //"i=DECK jobid=JOB ncpu=1 are understood in place of DECK and -j JOB"
+
+   !> What the user asks for
+   type, public :: command_type
+      !> run, check, --version, --keywords or --help
+      character(:), allocatable :: action
+      !> Path of the deck
+      character(:), allocatable :: deck
+      !> Path of the results without endings
+      character(:), allocatable :: job
+      !> Keyword to explain; empty for all
+      character(:), allocatable :: keyword
+   end type command_type
+
+   !> Environment in which launchers say how many ranks there are
+   character(*), parameter :: rank_counts(2) = [character(24) :: "OMPI_COMM_WORLD_SIZE", &
+      & "PMI_SIZE"]
+
+contains
+
+   !> Read the command line
+   subroutine read_command(command, error)
+      !> What the user asks for
+      type(command_type), intent(out) :: command
+      !> What cannot be understood
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: folder, word
+      integer :: i
+
+      call refuse_ranks(error)
+      if (allocated(error)) return
+      command%action = ""
+      command%deck = ""
+      command%job = ""
+      command%keyword = ""
+      folder = ""
+      i = 1
+      do while (i <= command_argument_count())
+         word = argument(i)
+         if (word == "-j" .or. word == "-o") then
+            i = i + 1
+            if (word == "-j") command%job = argument(i)
+            if (word == "-o") folder = argument(i)
+            if (len(argument(i)) == 0) call fail(error, exit_usage, word//" needs a name after it")
+         else
+            call take_word(word, command, error)
+         end if
+         if (allocated(error)) return
+         i = i + 1
+      end do
+      call finish(command, folder, error)
+   end subroutine read_command
+
+   !> This program runs alone: several copies would write the same files
+   subroutine refuse_ranks(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      character(12) :: value
+      integer :: i, status
+
+      do i = 1, size(rank_counts)
+         call get_environment_variable(trim(rank_counts(i)), value, status=status)
+         if (status /= 0 .or. trim(value) == "1") cycle
+         call fail(error, exit_usage, "plydyn runs on one rank; it was started on "//trim(value) &
+            & //" ("//trim(rank_counts(i))//"): start it without mpirun")
+         return
+      end do
+   end subroutine refuse_ranks
+
+   !> One word of the command line
+   function argument(i) result(word)
+      integer, intent(in) :: i
+      character(:), allocatable :: word
+      integer :: length
+
+      call get_command_argument(i, length=length)
+      allocate (character(length) :: word)
+      call get_command_argument(i, word)
+   end function argument
+
+   !> A word that stands for itself
+   subroutine take_word(word, command, error)
+      character(*), intent(in) :: word
+      type(command_type), intent(inout) :: command
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: equals
+
+      equals = index(word, "=")
+      if (equals > 0) then
+         select case (lower_case(word(:equals - 1)))
+         case ("i"); command%deck = word(equals + 1:)
+         case ("jobid"); command%job = word(equals + 1:)
+         case ("ncpu")
+            if (word(equals + 1:) /= "1") call fail(error, exit_usage, &
+               & "plydyn runs on one core: ncpu=1, not "//word)
+         case default
+            call fail(error, exit_usage, "'"//word//"' is not understood"//new_line("a")//usage)
+         end select
+         if (len(command%action) == 0) command%action = "run"
+         return
+      end if
+      select case (word)
+      case ("run", "check", "--version", "--keywords", "--help", "-h")
+         if (len(command%action) > 0) then
+            call fail(error, exit_usage, "'"//command%action//"' and '"//word &
+               & //"' cannot go together"//new_line("a")//usage)
+         end if
+         command%action = word
+         if (word == "-h") command%action = "--help"
+      case default
+         if (command%action == "--keywords") then
+            command%keyword = word
+         else if (len(command%deck) == 0 .and. word(1:min(1, len(word))) /= "-") then
+            command%deck = word
+         else
+            call fail(error, exit_usage, "'"//word//"' is not understood"//new_line("a")//usage)
+         end if
+      end select
+   end subroutine take_word
+
+   !> What must be there, and the name of the job
+   subroutine finish(command, folder, error)
+      type(command_type), intent(inout) :: command
+      character(*), intent(in) :: folder
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: first, last
+      logical :: exists
+
+      if (len(command%action) == 0) then
+         call fail(error, exit_usage, usage)
+      else if (command%action == "run" .or. command%action == "check") then
+         if (len(command%deck) == 0) then
+            call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
+            return
+         end if
+         if (len(command%job) == 0) then
+            first = index(command%deck, "/", back=.true.) + 1
+            last = index(command%deck, ".", back=.true.) - 1
+            if (last < first) last = len(command%deck)
+            command%job = command%deck(first:last)
+         end if
+         if (len(folder) > 0) then
+            inquire (file=folder//"/.", exist=exists)
+            if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
+            command%job = folder//"/"//command%job
+         end if
+      end if
+   end subroutine finish
+
+end module plydyn_command

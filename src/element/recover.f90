@@ -1,0 +1,229 @@
+!> Strain and stress of a layer, recovered anywhere in it from the Gauss points.
+!>
+!> In the plane the values at the Gauss points are projected onto bilinear functions: that takes out
+!> the quadratic ripple that a biquadratic element carries between its best points (Barlow, 1976).
+!> Through the thickness they are interpolated by the Lagrange polynomials of the Gauss points.
+module plydyn_element_recover
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_element_quad, only : plane_table
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
+   use plydyn_law_elastic, only : strain_rotation
+   implicit none
+   private
+
+   public :: layer_values, plane_projection, thickness_interpolation
+
+   !> Values that are recovered, (24): strain and stress in the axes of the plate, then of the ply;
+   !> each xx, yy, zz, xy, xz, yz with engineering shear
+   integer, parameter, public :: recovered = 24
+   !> Where each of the four begins, less one
+   integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
+      & ply_stress_at = 18
+
+contains
+
+   !> Strain and stress of one layer of one quad at its Gauss points.
+   !> With large displacement the strain is Green-Lagrange; stress is Cauchy in the axes of the
+   !> plate and second Piola-Kirchhoff in those of the ply, which turn with the material.
+   pure function layer_values(plate, b, block, lane, quad, large, displacement) result(values)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Batch of layers, block and lane in it
+      integer, intent(in) :: b, block, lane
+      !> Quad of the plate
+      integer, intent(in) :: quad
+      !> Large displacement
+      logical, intent(in) :: large
+      !> Displacement of all points
+      real(wp), intent(in) :: displacement(:)
+      !> (recovered, points of the plane, points of the thickness)
+      real(wp) :: values(recovered, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
+
+      real(wp) :: h(3, 3, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
+      real(wp) :: rotation(6, 6), stiffness(6, 6), strain(6), stress(6)
+      integer :: m, q
+
+      associate (batch => plate%batches(b))
+         h(:, :, :, :) = gradients(plate, batch, block, lane, quad, displacement)
+         rotation(:, :) = strain_rotation(plate%angle(batch%layer(lane, block)))
+         stiffness(:, :) = full_stiffness(batch, block, lane)
+      end associate
+      do m = 1, size(h, 4)
+         do q = 1, size(h, 3)
+            strain(:) = strain_of(h(:, :, q, m), large)
+            stress(:) = matmul(stiffness, strain)
+            values(strain_at + 1:stress_at, q, m) = strain
+            values(stress_at + 1:ply_strain_at, q, m) = stress
+            if (large) values(stress_at + 1:ply_strain_at, q, m) = cauchy(h(:, :, q, m), stress)
+            values(ply_strain_at + 1:ply_stress_at, q, m) = matmul(rotation, strain)
+            values(ply_stress_at + 1:, q, m) = ply_stress(rotation, stress)
+         end do
+      end do
+   end function layer_values
+
+   !> Displacement gradients at the Gauss points, (3, 3, plane, thickness)
+   pure function gradients(plate, batch, block, lane, quad, displacement) result(h)
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, lane, quad
+      real(wp), intent(in) :: displacement(:)
+      real(wp) :: h(3, 3, size(plate%node, 1), batch%expansion%order + 1)
+
+      real(wp) :: gauss(plate%side), local(2, 2), point(size(plate%node, 1), size(h, 4))
+      real(wp) :: rise(size(point, 1), size(point, 2)), slope(2, size(point, 1))
+      real(wp) :: value(size(point, 1))
+      integer :: c, i, j, m, q
+
+      gauss(:) = gauss_points(plate%side)
+      do c = 1, 3
+         point(:, :) = matmul(column_values(batch, block, lane, c, plate%node(:, quad), &
+            & displacement), transpose(batch%expansion%to_gauss))
+         rise(:, :) = matmul(point, transpose(batch%expansion%gauss_slope)) &
+            & *batch%slant(lane, block)
+         do j = 1, plate%side
+            do i = 1, plate%side
+               q = i + plate%side*(j - 1)
+               call plane_table(plate%side, gauss(i), gauss(j), value, slope)
+               local(:, :) = 2.0_wp*gauss(plate%side) &
+                  & *reshape(plate%metric(1:4, q, quad), [2, 2])
+               do m = 1, size(h, 4)
+                  h(c, 1:2, q, m) = matmul(local, matmul(slope, point(:, m)))
+                  h(c, 3, q, m) = dot_product(value, rise(:, m))
+               end do
+            end do
+         end do
+      end do
+   end function gradients
+
+   !> One direction of the displacement of a layer at the nodes of a quad, (nodes, levels)
+   pure function column_values(batch, block, lane, direction, node, displacement) result(u)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, lane, direction, node(:)
+      real(wp), intent(in) :: displacement(:)
+      real(wp) :: u(size(node), batch%expansion%order + 1)
+
+      integer :: t
+
+      do t = 1, size(u, 2)
+         u(:, t) = displacement(batch%first + (lane - 1) + lanes*((block - 1) + batch%blocks &
+            & *((t - 1) + size(u, 2)*((direction - 1) + 3*(node - 1)))))
+      end do
+   end function column_values
+
+   !> Stiffness matrix of one lane
+   pure function full_stiffness(batch, block, lane) result(c)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, lane
+      real(wp) :: c(6, 6)
+
+      associate (k => batch%stiffness(lane, :, block))
+         c(:, :) = 0.0_wp
+         c(1, 1:4) = k(1:4)
+         c(2, 1:4) = [k(2), k(5:7)]
+         c(3, 1:4) = [k(3), k(6), k(8:9)]
+         c(4, 1:4) = [k(4), k(7), k(9:10)]
+         c(5, 5:6) = k(11:12)
+         c(6, 5:6) = k(12:13)
+      end associate
+      c(:, :) = c*batch%slant(lane, block)
+   end function full_stiffness
+
+   !> Strain of a displacement gradient
+   pure function strain_of(h, large) result(strain)
+      real(wp), intent(in) :: h(3, 3)
+      logical, intent(in) :: large
+      real(wp) :: strain(6)
+
+      real(wp) :: e(3, 3)
+
+      e(:, :) = h + transpose(h)
+      if (large) e(:, :) = e + matmul(transpose(h), h)
+      strain(:) = [0.5_wp*e(1, 1), 0.5_wp*e(2, 2), 0.5_wp*e(3, 3), e(1, 2), e(1, 3), e(2, 3)]
+   end function strain_of
+
+   !> Cauchy stress, F S F^T / det F
+   pure function cauchy(h, second) result(stress)
+      real(wp), intent(in) :: h(3, 3), second(6)
+      real(wp) :: stress(6)
+
+      real(wp) :: f(3, 3), s(3, 3), volume
+      integer :: i
+
+      f(:, :) = h
+      do i = 1, 3
+         f(i, i) = f(i, i) + 1.0_wp
+      end do
+      volume = f(1, 1)*(f(2, 2)*f(3, 3) - f(2, 3)*f(3, 2)) &
+         & - f(1, 2)*(f(2, 1)*f(3, 3) - f(2, 3)*f(3, 1)) &
+         & + f(1, 3)*(f(2, 1)*f(3, 2) - f(2, 2)*f(3, 1))
+      s(:, :) = reshape(second([1, 4, 5, 4, 2, 6, 5, 6, 3]), [3, 3])
+      s(:, :) = matmul(f, matmul(s, transpose(f)))/volume
+      stress(:) = [s(1, 1), s(2, 2), s(3, 3), s(1, 2), s(1, 3), s(2, 3)]
+   end function cauchy
+
+   !> Stress in ply axes: stress turns back with the transposed rotation of strain, whose inverse
+   !> is that of the opposite angle
+   pure function ply_stress(rotation, stress) result(turned)
+      real(wp), intent(in) :: rotation(6, 6), stress(6)
+      real(wp) :: turned(6)
+
+      real(wp) :: back(6, 6)
+
+      ! the rotation by the opposite angle changes the sign of what is odd in the sine
+      back(:, :) = rotation
+      back(1:2, 4) = -rotation(1:2, 4)
+      back(4, 1:2) = -rotation(4, 1:2)
+      back(5, 6) = -rotation(5, 6)
+      back(6, 5) = -rotation(6, 5)
+      turned(:) = matmul(transpose(back), stress)
+   end function ply_stress
+
+   !> Shares of the Gauss points of a line in the linear function closest to their values
+   pure function line_projection(side, place) result(share)
+      integer, intent(in) :: side
+      real(wp), intent(in) :: place
+      real(wp) :: share(side)
+
+      real(wp) :: gauss(side), here, slope, there, w(side)
+      integer :: degree, q
+
+      gauss(:) = gauss_points(side)
+      w(:) = gauss_weights(side)
+      share(:) = 0.0_wp
+      do degree = 0, 1
+         call legendre(degree, place, here, slope)
+         do q = 1, side
+            call legendre(degree, gauss(q), there, slope)
+            share(q) = share(q) + (real(degree, wp) + 0.5_wp)*here*there*w(q)
+         end do
+      end do
+   end function line_projection
+
+   !> Shares of the Gauss points of the plane at a place of the quad
+   pure function plane_projection(side, xi, eta) result(share)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Place, each from -1 to 1
+      real(wp), intent(in) :: xi, eta
+      real(wp) :: share(side*side)
+
+      share(:) = reshape(spread(line_projection(side, xi), 2, side) &
+         & *spread(line_projection(side, eta), 1, side), [side*side])
+   end function plane_projection
+
+   !> Shares of the Gauss points of the thickness at a height in the layer
+   pure function thickness_interpolation(batch, zeta) result(share)
+      !> Layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Height from -1 to 1
+      real(wp), intent(in) :: zeta
+      real(wp) :: share(batch%expansion%order + 1)
+
+      real(wp) :: slope(size(share))
+
+      call lagrange(batch%expansion%gauss, zeta, share, slope)
+   end function thickness_interpolation
+
+end module plydyn_element_recover

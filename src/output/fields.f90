@@ -1,0 +1,368 @@
+!> Field states: displacement, velocity, strain and stress at the points of the grid.
+module plydyn_output_fields
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_quad, only : quad_node_area
+   use plydyn_element_recover, only : layer_values, ply_strain_at, ply_stress_at, &
+      & plane_projection, recovered, strain_at, stress_at, thickness_interpolation
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_model, only : model_type
+   use plydyn_output_grid, only : grid_type, new_grid
+   use plydyn_output_vtkhdf, only : vtkhdf_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in ours
+   integer, parameter :: vtk_order(6) = [1, 2, 3, 4, 6, 5]
+   !> From engineering shear to tensor shear
+   real(wp), parameter :: tensor_share(6) = [1.0_wp, 1.0_wp, 1.0_wp, 0.5_wp, 0.5_wp, 0.5_wp]
+
+   !> The file of fields
+   type, public :: fields_type
+      private
+      type(vtkhdf_type) :: file
+      type(grid_type) :: grid
+      !> Names of the fields to write
+      character(16), allocatable :: names(:)
+      !> Weight of each quad at each of its nodes, for every plate: (nodes, quads)
+      type(weight_type), allocatable :: weight(:)
+   contains
+      procedure :: open => open_fields
+      procedure :: write => write_state
+      procedure :: close => close_fields
+   end type fields_type
+
+   !> Shares of the quads in the values at their nodes
+   type :: weight_type
+      real(wp), allocatable :: share(:, :)
+   end type weight_type
+
+contains
+
+   !> Create the file: grid, plies, units
+   subroutine open_fields(self, path, deck, version, model, domain, error)
+      class(fields_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Path of the deck, version of the program
+      character(*), intent(in) :: deck, version
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      self%grid = new_grid(domain)
+      self%names = model%request%fields
+      call find_weights(self, domain)
+      call self%file%create(path, self%grid%position, self%grid%connectivity, self%grid%offset, &
+         & self%grid%kind, error)
+      if (allocated(error)) return
+      call describe(self, deck, version, model, error)
+      if (allocated(error)) return
+      call add_cell_fields(self, model, domain, error)
+      if (allocated(error)) return
+      do i = 1, size(self%names)
+         call self%file%declare_point_data(trim(self%names(i)), &
+            & merge(3, 6, any(self%names(i) == ["displacement", "velocity    "])), error)
+         if (allocated(error)) return
+      end do
+   end subroutine open_fields
+
+   !> Attributes and tables of the group /plydyn
+   subroutine describe(self, deck, version, model, error)
+      type(fields_type), intent(inout) :: self
+      character(*), intent(in) :: deck, version
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+
+      character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
+         & "length", "time", "mass", "force", "stress", "energy"]
+      character(16), parameter :: ply_columns(6) = [character(16) :: "part", "ply", "ply_id", &
+         & "angle", "bottom", "top"]
+      character(16), parameter :: impactor_columns(6) = [character(16) :: "id", "radius", "mass", &
+         & "x", "y", "z"]
+      character(:), allocatable :: value
+      real(wp), allocatable :: table(:, :)
+      integer :: i
+
+      do i = 1, size(names)
+         associate (units => model%control%units)
+            select case (i)
+            case (1); value = version
+            case (2); value = model%title
+            case (3); value = deck
+            case (4); value = trim(units%length)
+            case (5); value = trim(units%time)
+            case (6); value = trim(units%mass)
+            case (7); value = trim(units%force)
+            case (8); value = trim(units%stress)
+            case (9); value = trim(units%energy)
+            end select
+         end associate
+         call self%file%describe(trim(names(i)), value, error)
+         if (allocated(error)) return
+      end do
+      call self%file%add_table("plies", ply_columns, ply_table(model), error)
+      if (allocated(error)) return
+      table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%radius, &
+         & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
+         & [6, size(model%impactors)])
+      if (size(table) > 0) call self%file%add_table("impactors", impactor_columns, table, error)
+   end subroutine describe
+
+   !> One row for each ply of each part: part, ply from the bottom, its number, angle, z range
+   pure function ply_table(model) result(table)
+      type(model_type), intent(in) :: model
+      real(wp), allocatable :: table(:, :)
+
+      real(wp) :: z
+      integer :: k, p
+
+      allocate (table(6, 0))
+      do p = 1, size(model%parts)
+         associate (part => model%parts(p))
+            z = part%bottom_offset*sum(part%plies%thickness)
+            do k = 1, size(part%plies)
+               table = reshape([table, real(part%id, wp), real(k, wp), &
+                  & real(part%plies(k)%id, wp), part%plies(k)%angle, z, &
+                  & z + part%plies(k)%thickness], [6, size(table, 2) + 1])
+               z = z + part%plies(k)%thickness
+            end do
+         end associate
+      end do
+   end function ply_table
+
+   !> What does not change: ply, part, element, angle, fibre
+   subroutine add_cell_fields(self, model, domain, error)
+      type(fields_type), intent(inout) :: self
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+      real(wp) :: angle(size(self%grid%kind)), fibre(3, size(self%grid%kind))
+      integer, dimension(size(self%grid%kind)) :: element, part, ply, ply_id
+      integer :: i
+
+      do i = 1, size(angle)
+         associate (k => domain%layers%ply(self%grid%layer(i)), p => self%grid%plate(i))
+            ply(i) = k
+            part(i) = model%parts(p)%id
+            ply_id(i) = model%parts(p)%plies(k)%id
+            angle(i) = model%parts(p)%plies(k)%angle
+            element(i) = model%mesh%quad_id(domain%plates(p)%quad(self%grid%quad(i)))
+         end associate
+         fibre(:, i) = [cos(angle(i)*degree), sin(angle(i)*degree), 0.0_wp]
+      end do
+      call self%file%add_cell_data("ply", ply, error)
+      if (allocated(error)) return
+      call self%file%add_cell_data("ply_id", ply_id, error)
+      if (allocated(error)) return
+      call self%file%add_cell_data("part", part, error)
+      if (allocated(error)) return
+      call self%file%add_cell_data("element", element, error)
+      if (allocated(error)) return
+      call self%file%add_cell_data("angle", angle, error)
+      if (allocated(error)) return
+      call self%file%add_cell_data("fibre", fibre, error)
+   end subroutine add_cell_fields
+
+   !> Share of each quad at its nodes, by area
+   subroutine find_weights(self, domain)
+      type(fields_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: area(domain%columns%nodes)
+      integer :: e, p
+
+      allocate (self%weight(size(domain%plates)))
+      area(:) = 0.0_wp
+      do p = 1, size(domain%plates)
+         associate (plate => domain%plates(p), weight => self%weight(p))
+            allocate (weight%share(size(plate%node, 1), size(plate%node, 2)))
+            do e = 1, size(plate%quad)
+               weight%share(:, e) = quad_node_area(plate%side, &
+                  & domain%position(1:2, plate%node(:, e)))
+               area(plate%node(:, e)) = area(plate%node(:, e)) + weight%share(:, e)
+            end do
+         end associate
+      end do
+      do p = 1, size(domain%plates)
+         associate (node => domain%plates(p)%node, share => self%weight(p)%share)
+            do e = 1, size(node, 2)
+               share(:, e) = share(:, e)/area(node(:, e))
+            end do
+         end associate
+      end do
+   end subroutine find_weights
+
+   !> Write the present state; it is whole in the file when this returns
+   subroutine write_state(self, domain, state, error)
+      class(fields_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp), allocatable :: values(:, :)
+      integer :: i
+
+      call self%file%begin_step(state%time)
+      if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
+         values = recovered_values(self, domain, state%displacement)
+      end if
+      do i = 1, size(self%names)
+         associate (name => trim(self%names(i)), file => self%file)
+            select case (name)
+            case ("displacement")
+               call file%write_point_data(name, motion_values(self, domain, state%displacement), &
+                  & error)
+            case ("velocity")
+               call file%write_point_data(name, motion_values(self, domain, state%velocity), error)
+            case ("strain")
+               call file%write_point_data(name, tensor(values, strain_at, tensor_share), error)
+            case ("stress")
+               call file%write_point_data(name, tensor(values, stress_at), error)
+            case ("strain_ply")
+               call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share), error)
+            case ("stress_ply")
+               call file%write_point_data(name, tensor(values, ply_stress_at), error)
+            case default
+               call fail(error, exit_output, "there is no field called "//name)
+            end select
+         end associate
+         if (allocated(error)) return
+      end do
+      call self%file%end_step(error)
+   end subroutine write_state
+
+   !> Six of the recovered values in VTK's order
+   pure function tensor(values, before, share) result(six)
+      real(wp), intent(in) :: values(:, :)
+      integer, intent(in) :: before
+      real(wp), intent(in), optional :: share(6)
+      real(wp) :: six(6, size(values, 2))
+      integer :: i
+
+      do i = 1, 6
+         six(i, :) = values(before + vtk_order(i), :)
+         if (present(share)) six(i, :) = share(vtk_order(i))*six(i, :)
+      end do
+   end function tensor
+
+   !> Displacement or velocity at the points of the grid, (3, points)
+   function motion_values(self, domain, motion) result(values)
+      type(fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: motion(:)
+      real(wp), allocatable :: values(:, :)
+
+      real(wp) :: height
+      real(wp), allocatable :: share(:), slope(:)
+      integer :: c, i, k, n, t, tau
+
+      allocate (values(3, size(self%grid%position, 2)))
+      values(:, :) = 0.0_wp
+      do k = 1, size(self%grid%levels)
+         associate (expansion => domain%plates(1)%batches(domain%columns%home(1, k))%expansion)
+            allocate (share(expansion%order + 1), slope(expansion%order + 1))
+            do t = 1, self%grid%levels(k)
+               height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(self%grid%levels(k) - 1, wp)
+               call lagrange(expansion%node, height, share, slope)
+               do n = 1, domain%columns%nodes
+                  i = self%grid%first(k) + (t - 1)*domain%columns%nodes + n
+                  do c = 1, 3
+                     do tau = 1, size(share)
+                        values(c, i) = values(c, i) &
+                           & + share(tau)*motion(domain%columns%freedom(k, tau, c, n))
+                     end do
+                  end do
+               end do
+            end do
+            deallocate (share, slope)
+         end associate
+      end do
+   end function motion_values
+
+   !> Strain and stress at the points of the grid, averaged over the quads that meet there,
+   !> (recovered, points)
+   function recovered_values(self, domain, displacement) result(values)
+      type(fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: displacement(:)
+      real(wp), allocatable :: values(:, :)
+
+      integer :: e, k, p
+
+      allocate (values(recovered, size(self%grid%position, 2)))
+      values(:, :) = 0.0_wp
+      do p = 1, size(domain%plates)
+         do k = 1, size(self%grid%levels)
+            do e = 1, size(domain%plates(p)%quad)
+               call add_quad(self, domain, p, k, e, displacement, values)
+            end do
+         end do
+      end do
+   end function recovered_values
+
+   !> Add the values of one layer of one quad to its points
+   subroutine add_quad(self, domain, p, k, e, displacement, values)
+      type(fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: p, k, e
+      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(inout) :: values(:, :)
+
+      real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :)
+      real(wp) :: height, place
+      integer :: i, n, t
+
+      associate (plate => domain%plates(p), home => domain%columns%home(:, k), &
+         & levels => self%grid%levels(k))
+         at_gauss = layer_values(plate, home(1), home(2), home(3), e, &
+            & domain%control%kinematics == total_lagrangian, displacement)
+         do t = 1, levels
+            height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp)
+            at_level = level_values(at_gauss, thickness_interpolation(plate%batches(home(1)), height))
+            do n = 1, size(plate%node, 1)
+               place = 2.0_wp/real(plate%side - 1, wp)
+               i = self%grid%first(k) + (t - 1)*domain%columns%nodes + plate%node(n, e)
+               values(:, i) = values(:, i) + self%weight(p)%share(n, e)*matmul(at_level, &
+                  & plane_projection(plate%side, -1.0_wp + place*real(mod(n - 1, plate%side), wp), &
+                  & -1.0_wp + place*real((n - 1)/plate%side, wp)))
+            end do
+         end do
+      end associate
+   end subroutine add_quad
+
+   !> Values at the Gauss points of the plane at one height, (recovered, points)
+   pure function level_values(at_gauss, share) result(values)
+      real(wp), intent(in) :: at_gauss(:, :, :), share(:)
+      real(wp) :: values(size(at_gauss, 1), size(at_gauss, 2))
+      integer :: m
+
+      values(:, :) = 0.0_wp
+      do m = 1, size(share)
+         values(:, :) = values + share(m)*at_gauss(:, :, m)
+      end do
+   end function level_values
+
+   !> Close the file
+   subroutine close_fields(self, error)
+      class(fields_type), intent(inout) :: self
+      !> Why it could not be closed
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%file%close(error)
+   end subroutine close_fields
+
+end module plydyn_output_fields

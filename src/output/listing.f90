@@ -1,0 +1,280 @@
+!> The listing of a run: what was read, what was made of it, and how it ended.
+module plydyn_output_listing
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_law_laminate, only : add_ply_stiffness
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_layup, only : faces_apart, faces_tied, part_type
+   use plydyn_model_model, only : model_type
+   use plydyn_output_progress, only : duration_text
+   use plydyn_output_table, only : table_type, write_section
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: independent_freedoms, open_listing, write_end, write_listing
+
+   !> Quads named in the table of smallest steps
+   integer, parameter :: smallest_shown = 20
+   !> Bytes in a megabyte, and in a real of the results file
+   real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp
+
+contains
+
+   !> Create the listing
+   subroutine open_listing(path, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Its unit
+      integer, intent(out) :: unit
+      !> Why it could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      character(200) :: message
+      integer :: status
+
+      message = ""
+      open (newunit=unit, file=path, action="write", status="replace", iostat=status, &
+         & iomsg=message)
+      if (status /= 0) call fail(error, exit_output, path//": "//trim(message))
+   end subroutine open_listing
+
+   !> Everything that is known before the first step
+   subroutine write_listing(unit, build, deck, messages, model, domain, seconds_per_step)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> Version and compiler; path of the deck; warnings of the readers
+      character(*), intent(in) :: build, deck, messages
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Measured time of one evaluation of the forces
+      real(wp), intent(in) :: seconds_per_step
+
+      integer :: p
+
+      write (unit, "(a)") build
+      write (unit, "(/,2a)") "deck   ", deck
+      write (unit, "(2a)") "title  ", model%title
+      if (len(messages) > 0) then
+         call write_section(unit, "Messages")
+         write (unit, "(a)") messages
+      end if
+      call write_units(unit, model)
+      do p = 1, size(model%parts)
+         call write_part(unit, model, model%parts(p))
+      end do
+      call write_masses(unit, model, domain)
+      call write_step(unit, model, domain)
+      call write_effort(unit, model, domain, seconds_per_step)
+      flush (unit)
+   end subroutine write_listing
+
+   !> Names of units
+   subroutine write_units(unit, model)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+
+      call write_section(unit, "Units")
+      associate (u => model%control%units)
+         write (unit, "(12a)") trim(u%length), ", ", trim(u%time), ", ", trim(u%mass), ", ", &
+            & trim(u%force), ", ", trim(u%stress), ", ", trim(u%energy)
+      end associate
+   end subroutine write_units
+
+   !> Plies of a part and its stiffness as a plate
+   subroutine write_part(unit, model, part)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+
+      real(wp) :: a(3, 3), b(3, 3), d(3, 3), z
+      type(table_type) :: table
+      integer :: k
+
+      call write_section(unit, "Part "//text(part%id)//" "//part%title)
+      call table%start(unit)
+      call table%add_column("ply", 4, "i0")
+      call table%add_column("angle [deg]", 11, "f9.2")
+      call table%add_column("bottom", 12, "g12.5")
+      call table%add_column("top", 12, "g12.5")
+      call table%add_column("material", 8, "i0")
+      call table%add_column("order", 5, "i0")
+      call table%add_column("layers", 6, "i0")
+      call table%add_column("above it", 24, "a")
+      call table%write_heads()
+      a(:, :) = 0.0_wp
+      b(:, :) = 0.0_wp
+      d(:, :) = 0.0_wp
+      z = part%bottom_offset*sum(part%plies%thickness)
+      do k = 1, size(part%plies)
+         associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
+            call table%put(ply%id)
+            call table%put(ply%angle)
+            call table%put(z)
+            call add_ply_stiffness(material%young(1:2), material%poisson(1), material%shear(1), &
+               & ply%angle, z, z + ply%thickness, a, b, d)
+            z = z + ply%thickness
+            call table%put(z)
+            call table%put(material%id)
+            call table%put(ply%order)
+            call table%put(ply%layers)
+            call table%put(joint_name(model, part, k))
+         end associate
+      end do
+      write (unit, "(/,a)") "A, B and D of classical laminate theory (xx, yy, xy)"
+      do k = 1, 3
+         write (unit, "(3(3es12.4,3x))") a(k, :), b(k, :), d(k, :)
+      end do
+   end subroutine write_part
+
+   !> What joins a ply to the one above it
+   function joint_name(model, part, k) result(name)
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+      integer, intent(in) :: k
+      character(:), allocatable :: name
+
+      name = "face of the laminate"
+      if (k > size(part%joint)) return
+      select case (part%joint(k))
+      case (faces_tied); name = "tied"
+      case (faces_apart); name = "apart"
+      case default
+         name = "interface, material "//text(model%interface_materials(part%joint(k))%id)
+      end select
+   end function joint_name
+
+   !> Sizes and masses
+   subroutine write_masses(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      integer :: i
+
+      call write_section(unit, "Size and mass")
+      write (unit, "(a,i0)") "nodes of the plane            ", domain%columns%nodes
+      write (unit, "(a,i0,a,i0,a)") "quads                         ", size(model%mesh%quad_id), &
+         & " of ", domain%plates(1)%side**2, " nodes"
+      write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
+      write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(domain)
+      if (domain%control%kinematics == total_lagrangian) then
+         write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"
+      else
+         write (unit, "(a)") "kinematics                    linear strain"
+      end if
+      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", sum(domain%mass), &
+         & trim(model%control%units%mass)
+      do i = 1, size(model%impactors)
+         write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", model%impactors(i)%id, &
+            & model%impactors(i)%mass, trim(model%control%units%mass)//", energy ", &
+            & 0.5_wp*model%impactors(i)%mass*sum(model%impactors(i)%velocity**2), &
+            & trim(model%control%units%energy)
+      end do
+   end subroutine write_masses
+
+   !> Freedoms without the second points of tied faces
+   pure integer function independent_freedoms(domain) result(freedoms)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties, 2))
+   end function independent_freedoms
+
+   !> The stable step and the quads that have the smallest
+   subroutine write_step(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      type(table_type) :: table
+      logical :: left(size(domain%limit%quad_step))
+      integer :: i, worst
+
+      call write_section(unit, "Stable step")
+      associate (limit => domain%limit)
+         write (unit, "(a,es12.5,4a)") "stable step of central differences ", limit%step, &
+            & " ", trim(model%control%units%time), ", controlled by quad "//text(limit%quad), &
+            & ", ply "//text(limit%ply)
+         if (limit%interface_rate > 0.0_wp) then
+            write (unit, "(a,es12.5)") "it would be, without the interfaces ", &
+               & 2.0_wp/sqrt(limit%ply_rate)
+         end if
+         write (unit, "(a,f5.3,a,/)") "share taken ", domain%control%step_factor, " (TSSFAC)"
+         call table%start(unit)
+         call table%add_column("quad", 8, "i0")
+         call table%add_column("ply", 6, "i0")
+         call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
+         call table%write_heads()
+         left(:) = .true.
+         do i = 1, min(smallest_shown, size(left))
+            worst = minloc(limit%quad_step, 1, left)
+            left(worst) = .false.
+            call table%put(model%mesh%quad_id(worst))
+            call table%put(limit%quad_ply(worst))
+            call table%put(limit%quad_step(worst))
+         end do
+      end associate
+   end subroutine write_step
+
+   !> Memory, file size and time to come
+   subroutine write_effort(unit, model, domain, seconds_per_step)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: seconds_per_step
+
+      real(wp) :: bytes, points, states, steps
+      integer :: i
+
+      call write_section(unit, "Effort")
+      steps = domain%control%end_time/(domain%control%step_factor*domain%limit%step)
+      if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
+      bytes = real(storage_size(1.0_wp)/8, wp)*(3.0_wp*domain%columns%freedoms &
+         & + 2.0_wp*domain%columns%masses)
+      points = 0.0_wp
+      do i = 1, size(domain%layers%order)
+         points = points + domain%columns%nodes*merge(3, 5, domain%layers%order(i) <= 2)
+      end do
+      states = 1.0_wp + domain%control%end_time/model%request%field_interval
+      write (unit, "(a,f0.0)") "steps                         ", steps
+      write (unit, "(a,f0.1,a)") "memory of motion and masses   ", bytes/megabyte, " MB"
+      write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
+         & *sum([(merge(3, 6, any(model%request%fields(i) == ["displacement", "velocity    "])), &
+         & i=1, size(model%request%fields))])/megabyte, " MB"
+      write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
+   end subroutine write_effort
+
+   !> How the run ended
+   subroutine write_end(unit, model, state, seconds, words)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The last state
+      type(state_type), intent(in) :: state
+      !> Time that the run took
+      real(wp), intent(in) :: seconds
+      !> Normal end, or what stopped it
+      character(*), intent(in) :: words
+
+      call write_section(unit, "End")
+      write (unit, "(a)") words
+      associate (u => model%control%units, e => state%energies)
+         write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
+         write (unit, "(2a)") "elapsed ", duration_text(seconds)
+         write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
+         write (unit, "(a,7(/,a,es14.6,1x,a))") "energies", &
+            & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
+            & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
+            & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
+            & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
+         write (unit, "(a,es10.2)") "share out of balance ", e%error()
+      end associate
+      flush (unit)
+   end subroutine write_end
+
+end module plydyn_output_listing

@@ -1,0 +1,223 @@
+!> Displacement, strain and stress through the thickness at a place of the plane, as a CSV file.
+module plydyn_output_profile
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_plate, only : plate_type
+   use plydyn_element_quad, only : plane_table
+   use plydyn_element_recover, only : layer_values, plane_projection, ply_stress_at, recovered, &
+      & thickness_interpolation
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_model_control, only : profile_type, total_lagrangian, units_type
+   use plydyn_output_history, only : history_type, schedule_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> A profile being written: blocks of rows from the bottom up, one block for each time
+   type, public :: profile_file_type
+      private
+      type(history_type) :: file
+      type(schedule_type) :: schedule
+      !> Points in each layer
+      integer :: points = 0
+      !> Quads that meet at the place: plate and quad, and where the place is in each
+      integer, allocatable :: quad(:, :)
+      real(wp), allocatable :: local(:, :)
+   contains
+      procedure :: open => open_profile
+      procedure :: record
+      procedure :: close => close_profile
+   end type profile_file_type
+
+   !> Time, height, ply, displacement; stress, strain and ply stress follow
+   integer, parameter :: columns = 6 + 18
+   character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
+      & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
+      & "s11", "s22", "s33", "s12", "s13", "s23"]
+
+   !> How far outside of its square a place may be and still belong to the quad
+   real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
+   !> Newton steps to find a place in a quad
+   integer, parameter :: newton_steps = 20
+
+contains
+
+   !> Find the place and create the file
+   subroutine open_profile(self, path, profile, units, domain, error)
+      class(profile_file_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> What the deck asks for
+      type(profile_type), intent(in) :: profile
+      !> Names of the units
+      type(units_type), intent(in) :: units
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> A place outside of the plate, or a file that could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      character(8) :: unit(columns)
+
+      self%points = profile%points
+      self%schedule%interval = profile%interval
+      call find_quads(self, domain, profile%position)
+      if (size(self%quad, 2) == 0) then
+         call fail(error, exit_input, "*DATABASE_PROFILE "//text(profile%id)//": the place (" &
+            & //text(profile%position(1))//", "//text(profile%position(2))//") is not on the plate")
+         return
+      end if
+      unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
+      unit(7:12) = units%stress
+      unit(13:18) = "-"
+      unit(19:24) = units%stress
+      call self%file%open(path, names, unit, 0.0_wp, error)
+   end subroutine open_profile
+
+   !> All quads that contain a place, on a border more than one
+   subroutine find_quads(self, domain, position)
+      type(profile_file_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: position(2)
+
+      integer :: e, p
+      logical :: found
+      real(wp) :: local(2)
+
+      allocate (self%quad(2, 0), self%local(2, 0))
+      do p = 1, size(domain%plates)
+         do e = 1, size(domain%plates(p)%quad)
+            call find_local(domain%plates(p), domain%position(1:2, domain%plates(p)%node(:, e)), &
+               & position, local, found)
+            if (.not. found) cycle
+            self%quad = reshape([self%quad, p, e], [2, size(self%quad, 2) + 1])
+            self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
+         end do
+      end do
+   end subroutine find_quads
+
+   !> Newton's method for the local coordinates of a place
+   pure subroutine find_local(plate, xy, position, local, found)
+      type(plate_type), intent(in) :: plate
+      real(wp), intent(in) :: xy(:, :), position(2)
+      real(wp), intent(out) :: local(2)
+      logical, intent(out) :: found
+
+      real(wp) :: jacobian(2, 2), miss(2), slope(2, size(xy, 2)), value(size(xy, 2))
+      integer :: pass
+
+      local(:) = 0.0_wp
+      found = all(position >= minval(xy, 2) - (maxval(xy, 2) - minval(xy, 2))) &
+         & .and. all(position <= maxval(xy, 2) + (maxval(xy, 2) - minval(xy, 2)))
+      if (.not. found) return
+      do pass = 1, newton_steps
+         call plane_table(plate%side, local(1), local(2), value, slope)
+         miss(:) = position - matmul(xy, value)
+         jacobian(:, :) = matmul(xy, transpose(slope))
+         local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
+            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)] &
+            & /(jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1))
+         local(:) = max(-2.0_wp, min(2.0_wp, local))
+      end do
+      found = all(abs(local) <= inside)
+   end subroutine find_local
+
+   !> Write a block of rows if its time has come, or if it is the last
+   subroutine record(self, domain, state, is_last, error)
+      class(profile_file_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Whether this is the last instant
+      logical, intent(in) :: is_last
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: part, row(columns)
+      integer :: i, k
+
+      if (.not. (self%schedule%due(state%time) .or. is_last)) return
+      call self%schedule%advance(state%time)
+      do k = 1, size(domain%layers%order)
+         do i = 1, self%points
+            part = real(i - 1, wp)/real(self%points - 1, wp)
+            row(1) = state%time
+            row(2) = (1.0_wp - part)*domain%layers%bottom(k) + part*domain%layers%top(k)
+            row(3) = real(domain%layers%ply(k), wp)
+            row(4:) = values_at(self, domain, state, k, 2.0_wp*part - 1.0_wp)
+            call self%file%record(state%time, row, error)
+            if (allocated(error)) return
+         end do
+      end do
+   end subroutine record
+
+   !> Displacement, stress, strain and ply stress at a height of a layer, the mean of the quads
+   function values_at(self, domain, state, layer, height) result(values)
+      type(profile_file_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      integer, intent(in) :: layer
+      real(wp), intent(in) :: height
+      real(wp) :: values(21)
+
+      real(wp) :: all_values(recovered)
+      integer :: i
+
+      values(:) = 0.0_wp
+      all_values(:) = 0.0_wp
+      do i = 1, size(self%quad, 2)
+         associate (plate => domain%plates(self%quad(1, i)), e => self%quad(2, i), &
+            & home => domain%columns%home(:, layer))
+            values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
+               & self%local(:, i), height)
+            all_values(:) = all_values + matmul(reshape(matmul(reshape(layer_values(plate, &
+               & home(1), home(2), home(3), e, domain%control%kinematics == total_lagrangian, &
+               & state%displacement), [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
+               & thickness_interpolation(plate%batches(home(1)), height)), &
+               & [recovered, size(plate%node, 1)]), &
+               & plane_projection(plate%side, self%local(1, i), self%local(2, i)))
+         end associate
+      end do
+      values(4:9) = all_values(7:12)
+      values(10:15) = all_values(1:6)
+      values(16:21) = all_values(ply_stress_at + 1:)
+      values(:) = values/real(size(self%quad, 2), wp)
+   end function values_at
+
+   !> Displacement at a place of a quad and a height of a layer
+   function displacement_at(domain, state, plate, e, layer, local, height) result(u)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: e, layer
+      real(wp), intent(in) :: local(2), height
+      real(wp) :: u(3)
+
+      real(wp) :: plane(size(plate%node, 1)), plane_slope(2, size(plate%node, 1))
+      real(wp) :: share(domain%columns%levels(layer)), slope(domain%columns%levels(layer))
+      integer :: c, t
+
+      call plane_table(plate%side, local(1), local(2), plane, plane_slope)
+      call lagrange(plate%batches(domain%columns%home(1, layer))%expansion%node, height, share, &
+         & slope)
+      u(:) = 0.0_wp
+      do c = 1, 3
+         do t = 1, size(share)
+            u(c) = u(c) + share(t)*dot_product(plane, &
+               & state%displacement(domain%columns%freedom(layer, t, c, plate%node(:, e))))
+         end do
+      end do
+   end function displacement_at
+
+   !> Close the file
+   subroutine close_profile(self, error)
+      class(profile_file_type), intent(inout) :: self
+      !> Why it could not be closed
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%file%close(error)
+   end subroutine close_profile
+
+end module plydyn_output_profile

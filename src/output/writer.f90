@@ -1,0 +1,378 @@
+!> All results of a job: histories, profiles, fields and the line of life.
+module plydyn_output_writer
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_supports, only : face_point
+   use plydyn_model_control, only : units_type
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : bottom_face, top_face
+   use plydyn_output_fields, only : fields_type
+   use plydyn_output_history, only : history_type, schedule_type
+   use plydyn_output_profile, only : profile_file_type
+   use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> What writes the results of a job
+   type, public :: writer_type
+      private
+      type(history_type) :: energy, nodes, supports
+      type(history_type), allocatable :: impactors(:)
+      type(profile_file_type), allocatable :: profiles(:)
+      type(fields_type) :: fields
+      type(schedule_type) :: field_schedule
+      !> Places in the arrays of motion of the nodes with a history, and the row they fill
+      integer, allocatable :: node_freedom(:)
+      real(wp), allocatable :: node_row(:)
+      !> Held and prescribed directions, in the order of `state%support_force`
+      integer, allocatable :: support_direction(:)
+      !> Line of life
+      type(progress_type) :: progress
+      type(pulse_type) :: pulse
+      !> Unit of the line of life; negative for none
+      integer :: screen = -1
+   contains
+      procedure :: open => open_writer
+      procedure :: record
+      procedure :: elapsed
+      procedure :: close => close_writer
+   end type writer_type
+
+   !> Steps between two looks at the clock
+   integer, parameter :: steps_per_look = 16
+
+contains
+
+   !> Create all files
+   subroutine open_writer(self, job, deck, version, screen, model, domain, error)
+      class(writer_type), intent(inout) :: self
+      !> Path of the results without endings; path of the deck; version of the program
+      character(*), intent(in) :: job, deck, version
+      !> Unit of the line of life; negative for none
+      integer, intent(in) :: screen
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Why a file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      call open_energy(self, job, model, error)
+      if (allocated(error)) return
+      call open_impactors(self, job, model, error)
+      if (allocated(error)) return
+      call open_nodes(self, job, model, domain, error)
+      if (allocated(error)) return
+      call open_supports(self, job, model, domain, error)
+      if (allocated(error)) return
+      allocate (self%profiles(size(model%request%profiles)))
+      do i = 1, size(self%profiles)
+         associate (profile => model%request%profiles(i))
+            call self%profiles(i)%open(job//".profile_"//text(profile%id)//".csv", profile, &
+               & model%control%units, domain, error)
+         end associate
+         if (allocated(error)) return
+      end do
+      call self%fields%open(job//".vtkhdf", deck, version, model, domain, error)
+      if (allocated(error)) return
+      self%field_schedule%interval = model%request%field_interval
+      call open_progress(self, screen, model, domain)
+   end subroutine open_writer
+
+   !> Energies and momentum
+   subroutine open_energy(self, job, model, error)
+      class(writer_type), intent(inout) :: self
+      character(*), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (u => model%control%units)
+         call self%energy%open(job//".energy.csv", [character(10) :: "cycle", "time", "step", &
+            & "kinetic", "internal", "impactor", "damping", "external", "contact", "total", &
+            & "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", u%time, &
+            & u%time, spread(u%energy, 1, 7), "-", spread(momentum_unit(u), 1, 3)], &
+            & model%request%energy_interval, error)
+      end associate
+   end subroutine open_energy
+
+   !> Unit of momentum, force times time
+   pure function momentum_unit(units) result(name)
+      type(units_type), intent(in) :: units
+      character(20) :: name
+
+      name = trim(units%force)//" "//units%time
+   end function momentum_unit
+
+   !> Force and motion of each impactor
+   subroutine open_impactors(self, job, model, error)
+      class(writer_type), intent(inout) :: self
+      character(*), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      allocate (self%impactors(size(model%impactors)))
+      associate (u => model%control%units)
+         do i = 1, size(self%impactors)
+            call self%impactors(i)%open(job//".impactor_"//text(model%impactors(i)%id)//".csv", &
+               & [character(12) :: "time", "force", "displacement", "velocity", "kinetic", &
+               & "absorbed", "force x", "force y", "contacts"], [character(20) :: u%time, &
+               & u%force, u%length, trim(u%length)//"/"//u%time, u%energy, u%energy, u%force, &
+               & u%force, "-"], model%request%impactor_interval, error)
+            if (allocated(error)) return
+         end do
+      end associate
+   end subroutine open_impactors
+
+   !> Motion of nodes on both faces
+   subroutine open_nodes(self, job, model, domain, error)
+      class(writer_type), intent(inout) :: self
+      character(*), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
+      character(6), parameter :: face_name(2) = ["bottom", "top   "]
+      character(40), allocatable :: names(:), units(:)
+      integer :: c, face, i, point(2)
+
+      allocate (self%node_freedom(0), names(1), units(1))
+      names(1) = "time"
+      units(1) = model%control%units%time
+      do i = 1, size(model%request%nodes)
+         do face = 1, 2
+            point(:) = face_point(domain%layers, merge(bottom_face, top_face, face == 1))
+            do c = 1, size(motion)
+               names = [names, [character(40) :: "n"//text(model%mesh%node_id( &
+                  & model%request%nodes(i)))//" "//trim(face_name(face))//" "//motion(c)]]
+               units = [units, [character(40) :: trim(model%control%units%length) &
+                  & //trim(merge("/"//model%control%units%time, repeat(" ", 9), c > 3))]]
+            end do
+            do c = 1, 3
+               self%node_freedom = [self%node_freedom, domain%columns%freedom(point(1), point(2), &
+                  & c, model%request%nodes(i))]
+            end do
+         end do
+      end do
+      allocate (self%node_row(size(names)))
+      if (size(model%request%nodes) == 0) return
+      call self%nodes%open(job//".nodes.csv", names, units, model%request%node_interval, error)
+   end subroutine open_nodes
+
+   !> Force of all supports on the plate
+   subroutine open_supports(self, job, model, domain, error)
+      class(writer_type), intent(inout) :: self
+      character(*), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: c, k, m, t
+
+      allocate (self%support_direction(0))
+      if (model%request%support_interval < 0.0_wp) return
+      block
+         integer :: direction(domain%columns%freedoms)
+
+         direction(:) = 0
+         do k = 1, size(domain%layers%order)
+            do t = 1, domain%columns%levels(k)
+               do c = 1, 3
+                  direction(domain%columns%freedom(k, t, c, [(m, m=1, domain%columns%nodes)])) = c
+               end do
+            end do
+         end do
+         self%support_direction = direction(domain%held)
+         do m = 1, size(domain%motions)
+            self%support_direction = [self%support_direction, &
+               & direction(domain%motions(m)%freedom)]
+         end do
+      end block
+      associate (u => model%control%units)
+         call self%supports%open(job//".supports.csv", [character(4) :: "time", "fx", "fy", "fz"], &
+            & [u%time, u%force, u%force, u%force], model%request%support_interval, error)
+      end associate
+   end subroutine open_supports
+
+   !> Heads of the line of life
+   subroutine open_progress(self, screen, model, domain)
+      class(writer_type), intent(inout) :: self
+      integer, intent(in) :: screen
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      self%screen = screen
+      self%progress%end_time = domain%control%end_time
+      self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
+      if (domain%limit%interface_rate > domain%limit%ply_rate) self%progress%cause = "interfaces"
+      call self%pulse%start()
+      if (screen < 0) return
+      write (screen, "(a)") progress_heads(model%control%units%time, model%control%units%force)
+   end subroutine open_progress
+
+   !> Write whatever is due at this time
+   subroutine record(self, domain, state, error)
+      class(writer_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why something could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: is_last
+      integer :: i
+
+      is_last = domain%is_finished(state%time, state%cycle)
+      call record_histories(self, domain, state, is_last, error)
+      if (allocated(error)) return
+      do i = 1, size(self%profiles)
+         call self%profiles(i)%record(domain, state, is_last, error)
+         if (allocated(error)) return
+      end do
+      if (self%field_schedule%due(state%time) .or. is_last) then
+         call self%field_schedule%advance(state%time)
+         call self%fields%write(domain, state, error)
+         if (allocated(error)) return
+      end if
+      if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show(self, state, is_last)
+   end subroutine record
+
+   !> Lines of the histories
+   subroutine record_histories(self, domain, state, is_last, error)
+      class(writer_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      logical, intent(in) :: is_last
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      associate (e => state%energies, time => state%time)
+         if (self%energy%due(time) .or. is_last) then
+            call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
+               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, e%total(), &
+               & e%error(), e%momentum], error)
+            if (allocated(error)) return
+         end if
+         do i = 1, size(self%impactors)
+            if (.not. (self%impactors(i)%due(time) .or. is_last)) cycle
+            call self%impactors(i)%record(time, impactor_row(domain, state, i), error)
+            if (allocated(error)) return
+         end do
+         if (self%nodes%is_open() .and. (self%nodes%due(time) .or. is_last)) then
+            call fill_node_row(self, state)
+            call self%nodes%record(time, self%node_row, error)
+            if (allocated(error)) return
+         end if
+         if (self%supports%is_open() .and. (self%supports%due(time) .or. is_last)) then
+            call self%supports%record(time, [time, (-sum(state%support_force, &
+               & self%support_direction == i), i=1, 3)], error)
+         end if
+      end associate
+   end subroutine record_histories
+
+   !> One line of an impactor
+   pure function impactor_row(domain, state, i) result(row)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      integer, intent(in) :: i
+      real(wp) :: row(9)
+
+      real(wp) :: kinetic, start
+
+      associate (own => state%impactors(i), impactor => domain%impactors(i))
+         kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
+         start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
+         row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &
+            & start - kinetic, own%force(1), own%force(2), real(own%contacts, wp)]
+      end associate
+   end function impactor_row
+
+   !> Displacement and velocity of the nodes with a history; the velocity is that of this time
+   pure subroutine fill_node_row(self, state)
+      class(writer_type), intent(inout) :: self
+      type(state_type), intent(in) :: state
+
+      integer :: first, i
+
+      self%node_row(1) = state%time
+      do i = 1, size(self%node_freedom)/3
+         first = 1 + 6*(i - 1)
+         associate (freedom => self%node_freedom(3*i - 2:3*i))
+            self%node_row(first + 1:first + 3) = state%displacement(freedom)
+            self%node_row(first + 4:first + 6) = state%velocity(freedom) &
+               & + 0.5_wp*state%step_before*state%acceleration(freedom)
+         end associate
+      end do
+   end subroutine fill_node_row
+
+   !> The line of life, when its time has come
+   subroutine show(self, state, is_last)
+      class(writer_type), intent(inout) :: self
+      type(state_type), intent(in) :: state
+      logical, intent(in) :: is_last
+
+      real(wp) :: seconds
+
+      if (self%screen < 0) return
+      seconds = self%pulse%elapsed()
+      if (.not. (self%pulse%due(seconds) .or. is_last)) return
+      call self%pulse%advance(seconds)
+      self%progress%cycle = state%cycle
+      self%progress%time = state%time
+      self%progress%step = state%step_before
+      self%progress%energy_error = state%energies%error()
+      self%progress%force = 0.0_wp
+      if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
+      write (self%screen, "(a)") progress_line(self%progress, seconds)
+      flush (self%screen)
+   end subroutine show
+
+   !> Seconds since the start of the run
+   real(wp) function elapsed(self)
+      class(writer_type), intent(in) :: self
+
+      elapsed = self%pulse%elapsed()
+   end function elapsed
+
+   !> Close all files, also after an error
+   subroutine close_writer(self, error)
+      class(writer_type), intent(inout) :: self
+      !> The first file that could not be closed
+      type(error_type), allocatable, intent(out) :: error
+
+      type(error_type), allocatable :: each
+      integer :: i
+
+      call self%energy%close(error)
+      call self%nodes%close(each)
+      call keep_first(error, each)
+      call self%supports%close(each)
+      call keep_first(error, each)
+      do i = 1, size(self%impactors)
+         call self%impactors(i)%close(each)
+         call keep_first(error, each)
+      end do
+      do i = 1, size(self%profiles)
+         call self%profiles(i)%close(each)
+         call keep_first(error, each)
+      end do
+      call self%fields%close(each)
+      call keep_first(error, each)
+   end subroutine close_writer
+
+   !> Keep the first of two errors
+   subroutine keep_first(first, next)
+      type(error_type), allocatable, intent(inout) :: first, next
+
+      if (.not. allocated(first)) call move_alloc(next, first)
+   end subroutine keep_first
+
+end module plydyn_output_writer

@@ -1,0 +1,187 @@
+!> Impactors and their contact with the plate, step by step.
+module plydyn_solver_contacts
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
+      & contact_setup_type, new_contact
+   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_model_impactor, only : points_on_plate
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: new_contacts
+
+   !> One contact: the pair and its work space
+   type, public :: pair_type
+      !> Geometry and multipliers
+      type(contact_pair_type) :: pair
+      !> Trial positions of the surface points and what contact adds to them, (3, points)
+      real(wp), allocatable :: position(:, :), correction(:, :)
+   end type pair_type
+
+   !> All contacts
+   type, public :: contacts_type
+      !> In the order of `domain%contacts`
+      type(pair_type), allocatable :: pairs(:)
+   contains
+      procedure :: enforce
+   end type contacts_type
+
+   !> Share of the radius that an impactor may be inside the plate at time zero
+   real(wp), parameter :: touching = 1.0e-9_wp
+
+contains
+
+   !> Build the contacts; refuse an impactor that begins inside the plate
+   subroutine new_contacts(domain, self, error)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The contacts
+      type(contacts_type), intent(out) :: self
+      !> An impactor inside the plate
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: gap
+      integer :: i
+
+      allocate (self%pairs(size(domain%contacts)))
+      do i = 1, size(domain%contacts)
+         associate (contact => domain%contacts(i), surface => domain%surfaces(i), &
+            & impactor => domain%impactors(domain%contacts(i)%impactor), pair => self%pairs(i))
+            call new_contact(pair%pair, contact_setup_type(radius=impactor%radius, &
+               & mass=impactor%mass, guided=impactor%guided, side=contact%face, &
+               & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
+               & surface%facet, surface%position, impactor%centre, error)
+            if (allocated(error)) return
+            pair%position = surface%position
+            allocate (pair%correction(3, size(surface%position, 2)))
+            gap = pair%pair%initial_gap(surface%position, impactor%centre)
+            if (gap >= -touching*impactor%radius) cycle
+            call fail(error, exit_input, "impactor "//text(impactor%id)//" begins "//text(-gap) &
+               & //" inside part: move its centre by that much, or choose the other face")
+            return
+         end associate
+      end do
+   end subroutine new_contacts
+
+   !> Move the impactors over the coming step, and push them and the plate apart where they meet
+   subroutine enforce(self, domain, state)
+      class(contacts_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Impactors; displacement and velocity of the plate, already advanced without contact
+      type(state_type), intent(inout) :: state
+
+      integer :: i
+
+      do i = 1, size(domain%impactors)
+         call move_impactor(domain, i, state)
+      end do
+      do i = 1, size(self%pairs)
+         call enforce_pair(self%pairs(i), domain, i, state)
+      end do
+   end subroutine enforce
+
+   !> Trial motion of an impactor
+   subroutine move_impactor(domain, i, state)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: i
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: before, push
+
+      associate (own => state%impactors(i), impactor => domain%impactors(i))
+         push = 0.5_wp*(state%step_before + state%step)*impactor%gravity
+         before = own%velocity(3)
+         own%velocity(3) = before + push
+         state%energies%external = state%energies%external &
+            & + impactor%mass*push*(before + 0.5_wp*push)
+         own%centre(:) = own%centre + state%step*own%velocity
+         own%displacement(:) = own%displacement + state%step*own%velocity
+         own%force(:) = 0.0_wp
+         own%contacts = 0
+         own%penetration = 0.0_wp
+      end associate
+   end subroutine move_impactor
+
+   !> Contact of one pair
+   subroutine enforce_pair(self, domain, i, state)
+      type(pair_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: i
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: centre_correction(3)
+      type(contact_result_type) :: found
+      integer :: c, k
+
+      associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
+         do k = 1, size(self%position, 2)
+            do c = 1, 3
+               self%position(c, k) = surface%position(c, k) &
+                  & + state%displacement(surface%freedom(c, k))
+            end do
+         end do
+         call self%pair%enforce(self%position, surface%inverse_mass, state%step, own%centre, &
+            & self%correction, centre_correction, found)
+         own%contacts = found%active
+         own%penetration = found%penetration
+         if (found%active == 0) return
+         own%force(:) = own%force + found%force
+         call push_plate(surface, self%correction, state)
+         call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
+            & state, domain%contacts(i)%impactor)
+      end associate
+   end subroutine enforce_pair
+
+   !> Add the correction to the plate; the impulse does its work at the mean velocity
+   pure subroutine push_plate(surface, correction, state)
+      type(surface_type), intent(in) :: surface
+      real(wp), intent(in) :: correction(:, :)
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: jump, mass, power, work
+      integer :: c, k
+
+      power = 0.0_wp
+      work = 0.0_wp
+      do k = 1, size(correction, 2)
+         do c = 1, 3
+            if (surface%inverse_mass(c, k) <= 0.0_wp) cycle
+            associate (v => state%velocity(surface%freedom(c, k)), &
+               & u => state%displacement(surface%freedom(c, k)), &
+               & a => state%acceleration(surface%freedom(c, k)))
+               mass = 1.0_wp/surface%inverse_mass(c, k)
+               jump = correction(c, k)/state%step
+               work = work + mass*jump*(v + 0.5_wp*jump)
+               power = power + mass*a*jump
+               v = v + jump
+               u = u + correction(c, k)
+            end associate
+         end do
+      end do
+      state%internal_power = state%internal_power - power
+      state%energies%contact = state%energies%contact - work
+   end subroutine push_plate
+
+   !> Add the correction to the impactor
+   pure subroutine push_impactor(mass, correction, state, i)
+      real(wp), intent(in) :: mass, correction(3)
+      type(state_type), intent(inout) :: state
+      integer, intent(in) :: i
+
+      real(wp) :: jump(3)
+
+      associate (own => state%impactors(i))
+         jump(:) = correction/state%step
+         state%energies%contact = state%energies%contact &
+            & - mass*dot_product(jump, own%velocity + 0.5_wp*jump)
+         own%velocity(:) = own%velocity + jump
+         own%centre(:) = own%centre + correction
+         own%displacement(:) = own%displacement + correction
+      end associate
+   end subroutine push_impactor
+
+end module plydyn_solver_contacts

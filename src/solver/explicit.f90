@@ -1,0 +1,135 @@
+!> The explicit impact solver: the loop.
+module plydyn_solver_explicit
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_output_writer, only : writer_type
+   use plydyn_solver_contacts, only : contacts_type
+   use plydyn_solver_energies, only : balance, begin_work
+   use plydyn_solver_forces, only : add_interface_forces, add_loads, add_ply_forces
+   use plydyn_solver_health, only : check_health
+   use plydyn_solver_motion, only : accelerate, advance
+   use plydyn_solver_supports, only : hold_supports, move_supports
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: next_step, run, seconds_per_step
+
+   !> Share of a step by which the last one may be stretched to end the run on time
+   real(wp), parameter :: stretch = 1.0e-6_wp
+
+contains
+
+   !> From the state at time zero to the end
+   subroutine run(domain, contacts, state, writer, error)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Contacts and their work space
+      type(contacts_type), intent(inout) :: contacts
+      !> The state
+      type(state_type), intent(inout) :: state
+      !> What writes the results
+      type(writer_type), intent(inout) :: writer
+      !> What stopped the run
+      type(error_type), allocatable, intent(out) :: error
+
+      call find_accelerations(domain, state)
+      call begin_balance(domain, state)
+      call writer%record(domain, state, error)
+      if (allocated(error)) return
+
+      do while (.not. domain%is_finished(state%time, state%cycle))
+         state%step = next_step(domain, state)
+
+         ! motion
+         call advance(domain, state)
+         call move_supports(domain, state)
+
+         ! contact: trial position, multipliers, correction (the paper's eqs 12 to 17)
+         call contacts%enforce(domain, state)
+
+         ! forces
+         call begin_work(domain, state)
+         state%time = state%time + state%step
+         state%cycle = state%cycle + 1
+         state%step_before = state%step
+         call find_accelerations(domain, state)
+
+         call balance(domain, state)
+         call writer%record(domain, state, error)
+         if (allocated(error)) return
+         call check_health(domain, state, error)
+         if (allocated(error)) return
+      end do
+   end subroutine run
+
+   !> Forces of plies, interfaces and loads over the masses (the paper's eq. 6)
+   subroutine find_accelerations(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Accelerations
+      type(state_type), intent(inout) :: state
+
+      associate (force => state%acceleration)
+         force(:) = 0.0_wp
+         call add_ply_forces(domain, state%displacement, force)
+         call add_interface_forces(domain, state%displacement, force)
+         call add_loads(domain, state%time, state%load_factor, force)
+         call hold_supports(domain, state%time, force, state%support_force)
+         call accelerate(domain, force)
+      end associate
+   end subroutine find_accelerations
+
+   !> The balance at time zero
+   subroutine begin_balance(domain, state)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(inout) :: state
+
+      call balance(domain, state)
+      state%energies%start = state%energies%kinetic + state%energies%impactor
+   end subroutine begin_balance
+
+   !> The share of the stable step that the deck allows, and no step beyond the end
+   real(wp) function next_step(domain, state) result(step)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+
+      associate (control => domain%control)
+         step = control%step_factor*domain%limit%step
+         if (state%cycle == 0 .and. control%first_step > 0.0_wp) step = min(step, control%first_step)
+         if (control%step_curve > 0) then
+            step = min(step, domain%curves(control%step_curve)%at(state%time))
+         end if
+         if (state%time + step*(1.0_wp + stretch) >= control%end_time) then
+            step = control%end_time - state%time
+         end if
+      end associate
+   end function next_step
+
+   !> Time on the wall of one evaluation of the accelerations, the better of a few
+   real(wp) function seconds_per_step(domain, state) result(seconds)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state at the start
+      type(state_type), intent(in) :: state
+
+      integer, parameter :: tries = 3
+      type(state_type) :: copy
+      integer(int64) :: now, rate, then
+      integer :: i
+
+      copy = state
+      seconds = huge(1.0_wp)
+      do i = 1, tries
+         call system_clock(then, rate)
+         call find_accelerations(domain, copy)
+         call system_clock(now)
+         seconds = min(seconds, real(now - then, wp)/real(rate, wp))
+      end do
+   end function seconds_per_step
+
+end module plydyn_solver_explicit

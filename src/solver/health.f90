@@ -1,0 +1,108 @@
+!> Guards that stop a run which has gone wrong, and name the culprit.
+module plydyn_solver_health
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use plydyn_base_error, only : error_type, exit_run, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: check_health
+
+   !> Names of the directions
+   character(1), parameter :: axis(3) = ["x", "y", "z"]
+
+contains
+
+   !> Numbers that are not finite, and an energy balance past its limit
+   subroutine check_health(domain, state, error)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> What is wrong, where and when
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. ieee_is_finite(state%energies%total())) then
+         call fail(error, exit_run, "the motion is no longer finite"//when(state) &
+            & //culprit(domain, state))
+      else if (abs(state%energies%error()) > domain%control%energy_limit) then
+         call fail(error, exit_run, "the energy balance is off by " &
+            & //text(100.0_wp*state%energies%error(), 3)//" %, more than the " &
+            & //text(100.0_wp*domain%control%energy_limit, 3) &
+            & //" % allowed (ENGLIM of *CONTROL_LAYERWISE)"//when(state)//fastest(domain, state) &
+            & //"; a smaller TSSFAC may help")
+      end if
+   end subroutine check_health
+
+   !> Cycle and time
+   function when(state) result(words)
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: words
+
+      words = " at cycle "//text(state%cycle)//", time "//text(state%time)
+   end function when
+
+   !> The first point that is not finite
+   function culprit(domain, state) result(words)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: words
+
+      integer :: c, k, n, t
+
+      words = ": an impactor"
+      do n = 1, domain%columns%nodes
+         do k = 1, size(domain%columns%home, 2)
+            do t = 1, domain%columns%levels(k)
+               do c = 1, 3
+                  if (ieee_is_finite(state%acceleration(domain%columns%freedom(k, t, c, n)))) cycle
+                  words = ": acceleration along "//axis(c)//point_name(domain, k, n)
+                  return
+               end do
+            end do
+         end do
+      end do
+   end function culprit
+
+   !> The point that moves fastest
+   function fastest(domain, state) result(words)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: words
+
+      integer :: c, k, n, t, worst(3)
+      real(wp) :: speed
+
+      speed = -1.0_wp
+      worst(:) = 1
+      do n = 1, domain%columns%nodes
+         do k = 1, size(domain%columns%home, 2)
+            do t = 1, domain%columns%levels(k)
+               do c = 1, 3
+                  associate (v => state%velocity(domain%columns%freedom(k, t, c, n)))
+                     if (abs(v) <= speed) cycle
+                     speed = abs(v)
+                     worst(:) = [c, k, n]
+                  end associate
+               end do
+            end do
+         end do
+      end do
+      words = ": fastest is the motion along "//axis(worst(1)) &
+         & //point_name(domain, worst(2), worst(3))//", "//text(speed)
+   end function fastest
+
+   !> Where a point is, in the user's numbers
+   function point_name(domain, layer, node) result(words)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: layer, node
+      character(:), allocatable :: words
+
+      words = " at node "//text(domain%node_id(node))//", ply "//text(domain%layers%ply(layer)) &
+         & //" from the bottom"
+   end function point_name
+
+end module plydyn_solver_health

@@ -1,0 +1,66 @@
+!> The state at time zero.
+module plydyn_solver_start
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_model, only : model_type
+   use plydyn_solver_supports, only : support_points
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: new_state
+
+contains
+
+   !> Points and impactors where they begin, with the velocity that the deck gives them
+   function new_state(model, domain) result(state)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      type(state_type) :: state
+
+      integer :: i
+
+      associate (n => domain%columns%freedoms)
+         allocate (state%displacement(n), state%velocity(n), state%acceleration(n))
+      end associate
+      state%displacement(:) = 0.0_wp
+      state%velocity(:) = 0.0_wp
+      state%acceleration(:) = 0.0_wp
+      allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
+      state%load_factor(:) = 0.0_wp
+      state%support_force(:) = 0.0_wp
+      call set_velocities(model, domain, state%velocity)
+      allocate (state%impactors(size(domain%impactors)))
+      do i = 1, size(domain%impactors)
+         state%impactors(i)%centre(:) = domain%impactors(i)%centre
+         state%impactors(i)%velocity(:) = domain%impactors(i)%velocity
+      end do
+   end function new_state
+
+   !> Initial velocities of whole columns; held points keep still
+   subroutine set_velocities(model, domain, velocity)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(inout) :: velocity(:)
+
+      integer :: c, i, k, t
+
+      associate (columns => domain%columns)
+         do i = 1, size(model%initial_velocities)
+            associate (initial => model%initial_velocities(i))
+               do k = 1, size(columns%home, 2)
+                  do t = 1, columns%levels(k)
+                     do c = 1, 3
+                        velocity(columns%freedom(k, t, c, initial%nodes)) = initial%velocity(c)
+                     end do
+                  end do
+               end do
+            end associate
+         end do
+      end associate
+      velocity(domain%held) = 0.0_wp
+   end subroutine set_velocities
+
+end module plydyn_solver_start

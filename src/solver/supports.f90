@@ -1,0 +1,133 @@
+!> Points that do not move, and points that move as told.
+module plydyn_solver_supports
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type, prescribed_type
+   use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: hold_supports, move_supports, support_points, support_power
+
+contains
+
+   !> How many points are held or prescribed
+   pure integer function support_points(domain) result(points)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      integer :: m
+
+      points = size(domain%held)
+      do m = 1, size(domain%motions)
+         points = points + size(domain%motions(m)%freedom)
+      end do
+   end function support_points
+
+   !> Take held and prescribed points out of the free motion, and keep the force they would feel
+   subroutine hold_supports(domain, time, force, support_force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Time of these forces
+      real(wp), intent(in) :: time
+      !> Force on all points; becomes zero on these
+      real(wp), intent(inout) :: force(:)
+      !> What it was: held points first, then those of each motion, zero while that does not act
+      real(wp), intent(out) :: support_force(:)
+
+      integer :: first, m
+
+      support_force(:size(domain%held)) = force(domain%held)
+      force(domain%held) = 0.0_wp
+      first = size(domain%held)
+      do m = 1, size(domain%motions)
+         associate (motion => domain%motions(m), n => size(domain%motions(m)%freedom))
+            support_force(first + 1:first + n) = 0.0_wp
+            if (is_active(motion, time)) then
+               support_force(first + 1:first + n) = force(motion%freedom)
+               force(motion%freedom) = 0.0_wp
+            end if
+            first = first + n
+         end associate
+      end do
+   end subroutine hold_supports
+
+   !> Whether a motion acts at some time
+   pure logical function is_active(motion, time)
+      type(prescribed_type), intent(in) :: motion
+      real(wp), intent(in) :: time
+
+      is_active = motion%birth <= time .and. time < motion%death
+   end function is_active
+
+   !> Give prescribed points their velocity over the coming step, and the displacement at its end
+   subroutine move_supports(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Velocity and displacement, already advanced without the supports
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: after, before, velocity
+      integer :: i, m
+
+      after = 0.0_wp
+      do m = 1, size(domain%motions)
+         associate (motion => domain%motions(m))
+            if (.not. is_active(motion, state%time)) cycle
+            do i = 1, size(motion%freedom)
+               associate (v => state%velocity(motion%freedom(i)), &
+                  & u => state%displacement(motion%freedom(i)))
+                  before = u - state%step*v
+                  velocity = prescribed_velocity(domain, motion, state, before, v)
+                  u = before + state%step*velocity
+                  v = velocity
+                  after = after + 0.5_wp*domain%mass(motion%mass(i))*velocity**2
+               end associate
+            end do
+         end associate
+      end do
+      state%energies%external = state%energies%external + after - state%prescribed_kinetic
+      state%prescribed_kinetic = after
+   end subroutine move_supports
+
+   !> Velocity in the middle of the coming step
+   pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)
+      type(domain_type), intent(in) :: domain
+      type(prescribed_type), intent(in) :: motion
+      type(state_type), intent(in) :: state
+      !> Displacement and velocity of the point before the step
+      real(wp), intent(in) :: displacement, velocity
+
+      associate (curve => domain%curves(motion%curve), step => state%step)
+         select case (motion%quantity)
+         case (prescribes_displacement)
+            prescribed_velocity = (motion%scale*curve%at(state%time + step) - displacement)/step
+         case (prescribes_acceleration)
+            prescribed_velocity = velocity &
+               & + 0.5_wp*(state%step_before + step)*motion%scale*curve%at(state%time)
+         case default
+            prescribed_velocity = motion%scale*curve%at(state%time + 0.5_wp*step)
+         end select
+      end associate
+   end function prescribed_velocity
+
+   !> Power that prescribed points take from the plate: it passes through the supports
+   pure real(wp) function support_power(domain, state) result(power)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Support forces and velocities
+      type(state_type), intent(in) :: state
+
+      integer :: first, m
+
+      power = 0.0_wp
+      first = size(domain%held)
+      do m = 1, size(domain%motions)
+         associate (freedom => domain%motions(m)%freedom)
+            power = power - dot_product(state%support_force(first + 1:first + size(freedom)), &
+               & state%velocity(freedom))
+            first = first + size(freedom)
+         end associate
+      end do
+   end function support_power
+
+end module plydyn_solver_supports

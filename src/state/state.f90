@@ -1,0 +1,83 @@
+!> All that changes during a run; exactly what a restart must hold.
+module plydyn_state_state
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   !> Energies at the present time
+   type, public :: energies_type
+      !> Motion of the plate and of the impactors
+      real(wp) :: kinetic = 0.0_wp, impactor = 0.0_wp
+      !> Work of the internal forces: stored in the plies and interfaces
+      real(wp) :: internal = 0.0_wp
+      !> Taken by damping, and lost where contact nodes meet
+      real(wp) :: damping = 0.0_wp, contact = 0.0_wp
+      !> Work of loads, supports and gravity
+      real(wp) :: external = 0.0_wp
+      !> Kinetic energy at time zero
+      real(wp) :: start = 0.0_wp
+      !> Largest energy that was in play so far: what the error is a share of
+      real(wp) :: reference = 0.0_wp
+      !> Momentum of plate and impactors
+      real(wp) :: momentum(3) = 0.0_wp
+   contains
+      procedure :: total
+      procedure :: error => balance_error
+   end type energies_type
+
+   !> A rigid impactor
+   type, public :: impactor_state_type
+      !> Position of the centre, its displacement and its velocity
+      real(wp) :: centre(3) = 0.0_wp, displacement(3) = 0.0_wp, velocity(3) = 0.0_wp
+      !> Force of the plate on it over the last step
+      real(wp) :: force(3) = 0.0_wp
+      !> Contact points that carry a force, and the deepest penetration left
+      integer :: contacts = 0
+      real(wp) :: penetration = 0.0_wp
+   end type impactor_state_type
+
+   !> The state of a run
+   type, public :: state_type
+      !> Time and number of steps made
+      real(wp) :: time = 0.0_wp
+      integer :: cycle = 0
+      !> The step to come, and the one just made
+      real(wp) :: step = 0.0_wp, step_before = 0.0_wp
+      !> Displacement at this time, velocity half a step before, acceleration at this time,
+      !> all points; see `columns_type`
+      real(wp), allocatable :: displacement(:), velocity(:), acceleration(:)
+      !> Impactors
+      type(impactor_state_type), allocatable :: impactors(:)
+      !> Value of each load's curve at this time
+      real(wp), allocatable :: load_factor(:)
+      !> Force that each held or prescribed point would feel free, in the order of
+      !> `domain%held`, then of `domain%motions`
+      real(wp), allocatable :: support_force(:)
+      !> Power of the inner forces and of loads and supports at the beginning of the last step
+      real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
+      !> Kinetic energy of the points whose motion is prescribed
+      real(wp) :: prescribed_kinetic = 0.0_wp
+      !> Energies
+      type(energies_type) :: energies
+   end type state_type
+
+contains
+
+   !> What the system holds and has lost
+   pure real(wp) function total(self)
+      class(energies_type), intent(in) :: self
+
+      total = self%kinetic + self%internal + self%impactor + self%damping + self%contact
+   end function total
+
+   !> Energy that appeared from nowhere, as a share of the largest in play
+   pure real(wp) function balance_error(self)
+      class(energies_type), intent(in) :: self
+
+      balance_error = 0.0_wp
+      if (self%reference > 0.0_wp) then
+         balance_error = (self%total() - self%start - self%external)/self%reference
+      end if
+   end function balance_error
+
+end module plydyn_state_state
