@@ -93,12 +93,16 @@ python_recipe() {
 
 # make_venv USE...: .venv with both packages, editable, and with the tools of the tests
 make_venv() {
-  local use python recipe fresh=yes wanted=(--editable preprocessor --editable postprocessor)
+  local use python recipe fresh=yes extra='' wanted=()
   recipe=$(python_recipe)
   for use in "$@"; do
     grep -qsx "$recipe" ".venv/made-for-$use" || fresh=no
-    [[ $use != test ]] || wanted+=(--requirement tests/requirements.txt)
+    if [[ $use == test ]]; then
+      extra='[test]'
+      wanted=(--requirement tests/requirements.txt)
+    fi
   done
+  wanted+=(--editable "preprocessor$extra" --editable "postprocessor$extra")
   if [[ $fresh == yes ]]; then
     return
   fi
