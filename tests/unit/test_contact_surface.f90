@@ -1,0 +1,199 @@
+!> Closest point on the facets of a surface.
+program test_contact_surface
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_surface, only : foot_type, new_surface, surface_type
+   use plydyn_fem_shape, only : biquadratic_nodes, local_nodes, shape_functions
+   use testing, only : begin, check, finish
+   implicit none
+
+   real(wp), parameter :: round_off = 1.0e-12_wp
+
+   call check_brute_force()
+   call check_flat_grid(4)
+   call check_flat_grid(9)
+   call check_sides_of_plate()
+   call check_border()
+   call check_fold()
+   call finish()
+
+contains
+
+   !> One warped facet with nine points
+   subroutine warped_facet(position, facet)
+      !> Points, length
+      real(wp), intent(out) :: position(3, 9)
+      !> The facet
+      integer, intent(out) :: facet(9, 1)
+
+      integer :: i
+
+      facet(:, 1) = [(i, i=1, 9)]
+      position(:2, :) = 1.5_wp*local_nodes(biquadratic_nodes)
+      position(1, :) = position(1, :) + 0.1_wp*position(2, :)**2
+      position(3, :) = 0.2_wp*position(1, :)**2 - 0.15_wp*position(2, :)**2 &
+         & + 0.1_wp*position(1, :)*position(2, :)
+   end subroutine warped_facet
+
+   !> The distance found is the least of a fine scan, and the gap vector is normal inside
+   subroutine check_brute_force()
+      integer, parameter :: points = 7, scan = 400
+      real(wp), parameter :: point(3, points) = reshape([0.2_wp, 0.3_wp, 0.5_wp, &
+         & -0.7_wp, 0.6_wp, -0.4_wp, 1.1_wp, -1.2_wp, 0.02_wp, 0.0_wp, 0.0_wp, 0.9_wp, &
+         & 2.5_wp, 0.4_wp, 0.3_wp, -1.9_wp, -2.0_wp, 0.1_wp, 0.9_wp, 3.0_wp, -0.5_wp], [3, points])
+      real(wp) :: position(3, 9), n(9), dn(2, 9), least, tangential
+      integer :: facet(9, 1), i, j, p
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("project, one warped facet")
+      call warped_facet(position, facet)
+      call new_surface(surface, facet, position, 1)
+      do p = 1, points
+         foot = surface%start_near(position, point(:, p), [1])
+         call surface%project(position, point(:, p), foot)
+         least = huge(1.0_wp)
+         do j = 0, scan
+            do i = 0, scan
+               call shape_functions(9, 2.0_wp*i/scan - 1.0_wp, 2.0_wp*j/scan - 1.0_wp, n, dn)
+               least = min(least, norm2(point(:, p) - matmul(position, n)))
+            end do
+         end do
+         ! a scan misses the minimum by half its mesh at most, and that by a second-order amount
+         associate (found => norm2(foot%gap_vector))
+            call check(found <= least + round_off, "not farther than the scan")
+            call check(found >= least - 1.0e-3_wp, "not nearer than a point of the facet")
+         end associate
+         call shape_functions(9, foot%place(1), foot%place(2), n, dn)
+         call check(foot%gap_vector, point(:, p) - matmul(position, n), round_off, &
+            & "the gap vector starts at the foot")
+         if (foot%beside) cycle
+         tangential = norm2(matmul(foot%gap_vector, transpose(matmul(dn, transpose(position)))))
+         call check(tangential, 0.0_wp, 1.0e-9_wp, "the gap vector is normal to the facet")
+         call check(abs(foot%gap), norm2(foot%gap_vector), round_off, "the gap is its length")
+      end do
+   end subroutine check_brute_force
+
+   !> On a flat grid the foot is under the point, whichever facet one starts from
+   subroutine check_flat_grid(nodes)
+      !> Points of a facet
+      integer, intent(in) :: nodes
+
+      integer, parameter :: along = 5, points = 4
+      real(wp), parameter :: point(3, points) = reshape([0.3_wp, 4.4_wp, 0.7_wp, 2.0_wp, 2.0_wp, &
+         & -0.2_wp, 4.9_wp, 0.1_wp, 1.0_wp, 3.0_wp, 1.5_wp, 0.0_wp], [3, points])
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      real(wp) :: n(nodes), dn(2, nodes)
+      integer :: start, p
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("project, flat grid")
+      call make_grid(along, nodes, position, facet)
+      call new_surface(surface, facet, position, 1)
+      do p = 1, points
+         do start = 1, along**2
+            foot = surface%start_near(position, point(:, p), [start])
+            call surface%project(position, point(:, p), foot)
+            call shape_functions(nodes, foot%place(1), foot%place(2), n, dn)
+            call check(matmul(position(:2, facet(:, foot%facet)), n), point(:2, p), round_off, &
+               & "the foot is under the point")
+            call check(foot%gap, point(3, p), round_off, "the gap is the height")
+            call check(.not. foot%beside, "the surface is under the point")
+         end do
+      end do
+   end subroutine check_flat_grid
+
+   !> The normal points out of the plate: up on the top face, down on the bottom face
+   subroutine check_sides_of_plate()
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      integer :: side
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("project, faces")
+      call make_grid(2, 4, position, facet)
+      do side = -1, 1, 2
+         call new_surface(surface, facet, position, side)
+         foot = surface%start_near(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
+         call surface%project(position, [0.6_wp, 0.7_wp, 0.25_wp], foot)
+         call check(foot%normal, [0.0_wp, 0.0_wp, real(side, wp)], round_off, "outward normal")
+         call check(foot%gap, side*0.25_wp, round_off, "positive outside")
+      end do
+   end subroutine check_sides_of_plate
+
+   !> Over the border counts as over the surface, beyond it does not; the foot stays on it
+   subroutine check_border()
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("project, border")
+      call make_grid(3, 9, position, facet)
+      call new_surface(surface, facet, position, 1)
+      foot%facet = 5
+      call surface%project(position, [3.0_wp, 1.2_wp, 0.1_wp], foot)
+      call check(.not. foot%beside, "a point over the border has the surface under it")
+      call check(foot%gap, 0.1_wp, round_off, "gap over the border")
+      call surface%project(position, [3.0_wp, 3.0_wp, -0.1_wp], foot)
+      call check(.not. foot%beside, "a point under the corner has the surface over it")
+      call check(foot%gap, -0.1_wp, round_off, "gap at the corner")
+      call surface%project(position, [3.5_wp, 1.2_wp, -0.1_wp], foot)
+      call check(foot%beside, "a point beyond the border is beside")
+      call check(foot%gap_vector, [0.5_wp, 0.0_wp, -0.1_wp], round_off, "from the border")
+      call surface%project(position, [-0.3_wp, -0.4_wp, 0.0_wp], foot)
+      call check(foot%beside, "a point beyond the corner is beside")
+      call check(norm2(foot%gap_vector), 0.5_wp, round_off, "distance from the corner")
+   end subroutine check_border
+
+   !> Below a valley between two facets the fold is nearest, and it is not beside the surface
+   subroutine check_fold()
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("project, fold")
+      call make_grid(2, 9, position, facet)
+      position(3, :) = 0.2_wp*abs(position(1, :) - 1.0_wp)
+      call new_surface(surface, facet, position, 1)
+      foot%facet = 4
+      call surface%project(position, [1.01_wp, 0.5_wp, -0.1_wp], foot)
+      call check(foot%gap_vector, [0.01_wp, 0.0_wp, -0.1_wp], round_off, "from the fold")
+      call check(.not. foot%beside, "the surface is there")
+   end subroutine check_fold
+
+   !> A flat grid of squares of side one
+   subroutine make_grid(along, nodes, position, facet)
+      !> Facets along one side
+      integer, intent(in) :: along
+      !> Points of a facet
+      integer, intent(in) :: nodes
+      !> Points, (3, points)
+      real(wp), allocatable, intent(out) :: position(:, :)
+      !> Facets, (nodes, facets)
+      integer, allocatable, intent(out) :: facet(:, :)
+
+      integer :: degree, f, i, j, line
+      real(wp) :: place(2, nodes)
+
+      degree = merge(1, 2, nodes == 4)
+      line = degree*along + 1
+      allocate (position(3, line**2), facet(nodes, along**2))
+      do j = 1, line
+         do i = 1, line
+            position(:, i + (j - 1)*line) = [i - 1.0_wp, j - 1.0_wp, 0.0_wp]/degree
+         end do
+      end do
+      place(:, :) = local_nodes(nodes)
+      do f = 1, along**2
+         do i = 1, nodes
+            facet(i, f) = 1 + degree*modulo(f - 1, along) + nint(0.5_wp*degree*(place(1, i) + 1)) &
+               & + line*(degree*((f - 1)/along) + nint(0.5_wp*degree*(place(2, i) + 1)))
+         end do
+      end do
+   end subroutine make_grid
+
+end program test_contact_surface
