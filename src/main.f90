@@ -7,7 +7,8 @@ program plydyn
    use plydyn_domain_domain, only : domain_type
    use plydyn_input_read_model, only : keyword_manual, read_model
    use plydyn_model_model, only : model_type
-   use plydyn_output_listing, only : open_listing, write_end, write_listing
+   use plydyn_output_listing, only : write_end, write_listing
+   use plydyn_output_text_file, only : close_text, create_text
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run, seconds_per_step
@@ -62,7 +63,7 @@ contains
             & seconds_per_step(domain, state))
          return
       end if
-      call open_listing(command%job//".out", listing, error)
+      call create_text(command%job//".out", listing, error)
       if (allocated(error)) return
       call write_listing(listing, build_text(), command%deck, messages, model, domain, &
          & seconds_per_step(domain, state))
@@ -72,7 +73,7 @@ contains
    !> Run, and close all files whatever happens
    subroutine run_job(command, listing, model, domain, contacts, state, error)
       type(command_type), intent(in) :: command
-      integer, intent(in) :: listing
+      integer, intent(inout) :: listing
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(contacts_type), intent(inout) :: contacts
@@ -92,7 +93,8 @@ contains
          call write_end(listing, model, state, writer%elapsed(), "normal end")
          write (output_unit, "(a)") "normal end, results in "//command%job//".*"
       end if
-      close (listing)
+      call close_text(command%job//".out", listing, close_error)
+      if (.not. allocated(error)) call move_alloc(close_error, error)
    end subroutine run_job
 
    !> Print an error and end with its code

@@ -183,8 +183,7 @@ contains
       integer :: j
 
       do j = 1, size(root)
-         k(:, j) = 0.5_wp*(k(:, j) + k(j, :))/(root*root(j))
-         k(j, :) = k(:, j)
+         k(:, j) = k(:, j)/(root*root(j))
       end do
    end subroutine scale
 

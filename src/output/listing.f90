@@ -1,6 +1,5 @@
 !> The listing of a run: what was read, what was made of it, and how it ended.
 module plydyn_output_listing
-   use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
@@ -14,7 +13,7 @@ module plydyn_output_listing
    implicit none
    private
 
-   public :: independent_freedoms, open_listing, write_end, write_listing
+   public :: independent_freedoms, write_end, write_listing
 
    !> Quads named in the table of smallest steps
    integer, parameter :: smallest_shown = 20
@@ -22,24 +21,6 @@ module plydyn_output_listing
    real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp
 
 contains
-
-   !> Create the listing
-   subroutine open_listing(path, unit, error)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Its unit
-      integer, intent(out) :: unit
-      !> Why it could not be created
-      type(error_type), allocatable, intent(out) :: error
-
-      character(200) :: message
-      integer :: status
-
-      message = ""
-      open (newunit=unit, file=path, action="write", status="replace", iostat=status, &
-         & iomsg=message)
-      if (status /= 0) call fail(error, exit_output, path//": "//trim(message))
-   end subroutine open_listing
 
    !> Everything that is known before the first step
    subroutine write_listing(unit, build, deck, messages, model, domain, seconds_per_step)

@@ -136,7 +136,8 @@ contains
       end associate
    end subroutine enforce_pair
 
-   !> Add the correction to the plate; the impulse does its work at the mean velocity
+   !> Add the correction to the plate; the impulse does its work at the mean of the velocities
+   !> before and after it, of which that before is the velocity at the full step
    pure subroutine push_plate(surface, correction, state)
       type(surface_type), intent(in) :: surface
       real(wp), intent(in) :: correction(:, :)
@@ -155,7 +156,7 @@ contains
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/surface%inverse_mass(c, k)
                jump = correction(c, k)/state%step
-               work = work + mass*jump*(v + 0.5_wp*jump)
+               work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
                power = power + mass*a*jump
                v = v + jump
                u = u + correction(c, k)

@@ -1,0 +1,123 @@
+!> The stable step against the eigenvalues of a whole small mesh.
+program test_element_stable_step
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_stable_step, only : certified_bound, power_iteration
+   use plydyn_solver_forces, only : add_ply_forces
+   use plydyn_solver_motion, only : accelerate
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> LAPACK: eigenvalues of a general matrix
+   interface
+      subroutine dgeev(jobvl, jobvr, n, a, lda, wr, wi, vl, ldvl, vr, ldvr, work, lwork, info)
+         import :: wp
+         character(1), intent(in) :: jobvl, jobvr
+         integer, intent(in) :: n, lda, ldvl, ldvr, lwork
+         real(wp), intent(inout) :: a(lda, *)
+         real(wp), intent(out) :: wr(*), wi(*), vl(ldvl, *), vr(ldvr, *), work(*)
+         integer, intent(out) :: info
+      end subroutine dgeev
+   end interface
+
+   real(wp), parameter :: matrix(3, 3) = reshape([2.0_wp, -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp, &
+      & -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp], [3, 3])
+   real(wp), parameter :: largest = 2.0_wp + sqrt(2.0_wp)
+   integer :: order, side
+
+   call begin("power iteration")
+   call check(power_iteration(matrix), largest, 1.0e-9_wp, "finds the largest eigenvalue")
+   call begin("certified bound")
+   call check(certified_bound(matrix, largest) >= largest, "is not below it")
+   call check(certified_bound(matrix, largest) <= 1.003_wp*largest, "nor far above")
+   call check(certified_bound(matrix, 0.7_wp*largest) >= largest, &
+      & "even if the estimate was too small")
+
+   do side = 2, 3
+      do order = 1, 2
+         call test_mesh(side, order)
+      end do
+   end do
+   call finish()
+
+contains
+
+   !> The bound lies above the largest eigenvalue of the mesh, and close to it
+   subroutine test_mesh(side, order)
+      integer, intent(in) :: side, order
+
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      real(wp) :: exact
+
+      call begin("stable step")
+      call build_domain(rectangle_model(rectangle_mesh(side, 2, 1, 2.0_wp, 1.0_wp, 0.05_wp), &
+         & [0.0_wp, 60.0_wp], 0.25_wp, [order, order]), domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      exact = 2.0_wp/sqrt(largest_eigenvalue(domain))
+      call check(domain%limit%step <= exact, "is not above that of the mesh")
+      call check(domain%limit%step >= 0.8_wp*exact, "nor far below: elements bound their mesh")
+   end subroutine test_mesh
+
+   !> Largest eigenvalue of K x = lambda M x, column by column through forces and accelerations
+   real(wp) function largest_eigenvalue(domain) result(lambda)
+      type(domain_type), intent(in) :: domain
+
+      integer, allocatable :: free(:)
+      real(wp), allocatable :: a(:), k(:, :), left(:, :), right(:, :), u(:), wi(:), work(:), wr(:)
+      integer :: i, info, n
+
+      free = independent(domain)
+      n = size(free)
+      allocate (a(domain%columns%freedoms), u(domain%columns%freedoms), k(n, n), wr(n), wi(n))
+      allocate (work(8*n), left(1, 1), right(1, 1))
+      do i = 1, n
+         u(:) = 0.0_wp
+         u(twins(domain, free(i))) = 1.0_wp
+         a(:) = 0.0_wp
+         call add_ply_forces(domain, u, a)
+         call accelerate(domain, a)
+         k(:, i) = -a(free)
+      end do
+      call dgeev("N", "N", n, k, n, wr, wi, left, 1, right, 1, work, size(work), info)
+      call check(info == 0, "LAPACK finds the eigenvalues")
+      lambda = maxval(wr)
+   end function largest_eigenvalue
+
+   !> Places of all points but the upper ones of tied faces
+   function independent(domain) result(free)
+      type(domain_type), intent(in) :: domain
+      integer, allocatable :: free(:)
+      integer :: c, n, t
+
+      allocate (free(0))
+      do n = 1, domain%columns%nodes
+         do c = 1, 3
+            free = [free, (domain%columns%freedom(1, t, c, n), t=1, domain%columns%levels(1)), &
+               & (domain%columns%freedom(2, t, c, n), t=2, domain%columns%levels(2))]
+         end do
+      end do
+   end function independent
+
+   !> A place and the one that is tied to it
+   function twins(domain, freedom) result(places)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: freedom
+      integer, allocatable :: places(:)
+      integer :: c, n
+
+      places = [freedom]
+      do n = 1, domain%columns%nodes
+         do c = 1, 3
+            if (domain%columns%freedom(1, domain%columns%levels(1), c, n) == freedom) then
+               places = [freedom, domain%columns%freedom(2, 1, c, n)]
+               return
+            end if
+         end do
+      end do
+   end function twins
+
+end program test_element_stable_step

@@ -1,0 +1,125 @@
+!> An impact from the first step to the last: momentum, energy, guards.
+program test_solver_explicit
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_impactor, only : contact_type, impactor_type, nodes_on_impactor, &
+      & points_on_plate
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : top_face
+   use plydyn_output_writer, only : writer_type
+   use plydyn_solver_contacts, only : contacts_type, new_contacts
+   use plydyn_solver_explicit, only : run
+   use plydyn_solver_start, only : new_state
+   use plydyn_state_state, only : state_type
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   real(wp), parameter :: mass = 2.0e-5_wp, speed = 2000.0_wp
+
+   call test_impact(nodes_on_impactor, 2)
+   call test_impact(points_on_plate, 2)
+   call test_impact(points_on_plate, 1)
+   call test_unstable()
+   call finish()
+
+contains
+
+   !> A sphere hits a free plate and leaves it again
+   subroutine test_impact(method, order)
+      integer, intent(in) :: method, order
+
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(state_type) :: state
+
+      call begin("impact")
+      model = impact_model(method, order)
+      call run_model(model, state, error)
+      call check(.not. allocated(error), "runs to its end")
+      associate (e => state%energies)
+         call check(e%momentum(3), -mass*speed, 1.0e-12_wp*mass*speed, "keeps the momentum along z")
+         call check(e%momentum(1:2), [0.0_wp, 0.0_wp], 1.0e-12_wp*mass*speed, "and across")
+         call check(e%error(), 0.0_wp, 5.0e-3_wp, "keeps the energy within half a percent")
+         call check(e%contact >= -1.0e-12_wp*e%start, "contact makes no energy")
+         call check(e%contact < 0.05_wp*e%start, "and takes little")
+         call check(state%impactors(1)%velocity(3) > -speed, "the sphere was slowed down")
+      end associate
+      call check(maxval(abs(tie_gap(state, model))), 0.0_wp, 0.0_wp, &
+         & "both points of tied faces have the same motion to the last bit")
+   end subroutine test_impact
+
+   !> A step above the stable one is stopped by the guard
+   subroutine test_unstable()
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(state_type) :: state
+
+      call begin("guard")
+      model = impact_model(points_on_plate, 2)
+      model%control%step_factor = 1.5_wp
+      model%control%kinematics = total_lagrangian
+      call run_model(model, state, error)
+      call check_error(error, "cycle", "an unstable run is stopped at some cycle")
+   end subroutine test_unstable
+
+   !> A free plate and a sphere above its middle
+   function impact_model(method, order) result(model)
+      integer, intent(in) :: method, order
+      type(model_type) :: model
+
+      model = rectangle_model(rectangle_mesh(3, 6, 6, 30.0_wp, 30.0_wp, 0.01_wp), &
+         & [0.0_wp, 90.0_wp, 90.0_wp, 0.0_wp], 0.25_wp, [order, order, order, order])
+      model%impactors = [impactor_type(id=1, title="sphere", radius=8.0_wp, mass=mass, &
+         & centre=[15.0_wp, 15.0_wp, 8.501_wp], velocity=[0.0_wp, 0.0_wp, -speed])]
+      model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face, method=method)]
+      model%control%end_time = 6.0e-5_wp
+   end function impact_model
+
+   !> Build and run
+   subroutine run_model(model, state, error)
+      type(model_type), intent(in) :: model
+      type(state_type), intent(out) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      type(contacts_type) :: contacts
+      type(domain_type) :: domain
+      type(error_type), allocatable :: close_error
+      type(writer_type) :: writer
+
+      call build_domain(model, domain, error)
+      if (allocated(error)) return
+      call new_contacts(domain, contacts, error)
+      if (allocated(error)) return
+      state = new_state(model, domain)
+      call writer%open("test_solver_explicit", "none", "test", -1, model, domain, error)
+      if (allocated(error)) return
+      call run(domain, contacts, state, writer, error)
+      call writer%close(close_error)
+   end subroutine run_model
+
+   !> Difference of displacement across the tied faces
+   function tie_gap(state, model) result(gap)
+      type(state_type), intent(in) :: state
+      type(model_type), intent(in) :: model
+      real(wp), allocatable :: gap(:)
+
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      integer :: c, k, n
+
+      call build_domain(model, domain, error)
+      allocate (gap(0))
+      do k = 1, size(domain%ties, 2)
+         do c = 1, 3
+            gap = [gap, state%displacement(domain%columns%freedom(k, domain%columns%levels(k), c, &
+               & [(n, n=1, domain%columns%nodes)])) - state%displacement( &
+               & domain%columns%freedom(k + 1, 1, c, [(n, n=1, domain%columns%nodes)]))]
+         end do
+      end do
+   end function tie_gap
+
+end program test_solver_explicit
