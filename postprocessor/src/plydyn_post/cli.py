@@ -1,0 +1,258 @@
+"""The command plydyn-post."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+from rich.table import Table as PrintedTable
+
+from plydyn_post.camera import AZIMUTH, ELEVATION
+from plydyn_post.errors import ResultsError
+from plydyn_post.export import write_pvd
+from plydyn_post.figures import curves_of, draw_energy, draw_history
+from plydyn_post.grid import read_times
+from plydyn_post.numbers import Comparison, compare, write_numbers
+from plydyn_post.picture import draw_picture
+from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
+from plydyn_post.report import Plan, make_report, tasks_of
+from plydyn_post.results import Results, open_results
+from plydyn_post.scene import Wish
+
+# Exit codes of the house: input that cannot be used, output that cannot be written
+INPUT, OUTPUT = 2, 5
+
+app = typer.Typer(
+    help="Curves, profiles and pictures of plydyn results.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+)
+console = Console(highlight=False, soft_wrap=True)
+errors = Console(highlight=False, soft_wrap=True, stderr=True)
+
+Jobs = Annotated[
+    list[str], typer.Argument(help="Job, one of its files, or a folder that holds one job.")
+]
+Job = Annotated[str, typer.Argument(help="Job, one of its files, or a folder that holds one job.")]
+Output = Annotated[Path | None, typer.Option("-o", "--output", help="File to write.")]
+Folder = Annotated[Path | None, typer.Option("-o", "--output", help="Folder to write to.")]
+Measured = Annotated[
+    list[Path] | None,
+    typer.Option("--measured", help="CSV of a test to lay over, with names and units on top."),
+]
+Window = Annotated[
+    float | None,
+    typer.Option("--mean", help="Time spanned by the running mean of a noisy force; 0 for none."),
+]
+Time = Annotated[float | None, typer.Option("--time", help="Instant, in the job's unit of time.")]
+Impactor = Annotated[int | None, typer.Option("--impactor", help="Number of the impactor.")]
+
+
+def tells_errors(command: Callable[..., None]) -> Callable[..., None]:
+    """Print what is wrong in one line, and leave with the exit code of the house."""
+
+    @wraps(command)
+    def guarded(*arguments: object, **options: object) -> None:
+        try:
+            command(*arguments, **options)
+        except (ResultsError, OSError) as error:
+            errors.print(f"plydyn-post: {error}", markup=False)
+            raise typer.Exit(INPUT if isinstance(error, ResultsError) else OUTPUT) from error
+
+    return guarded
+
+
+@contextmanager
+def progress(total: int) -> Iterator[Callable[[str], None]]:
+    """A bar; the function given moves it on and names what is at work."""
+    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"))
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("", total=total)
+        done = 0
+
+        def tick(name: str) -> None:
+            nonlocal done
+            bar.update(task, completed=done, description=name)
+            done += 1
+
+        yield tick
+
+
+def beside(job: Results, name: str) -> Path:
+    """A path beside the results, named after the job."""
+    return job.folder / f"{job.job}_{name}"
+
+
+@app.command()
+@tells_errors
+def report(
+    jobs: Jobs,
+    output: Folder = None,
+    measured: Measured = None,
+    mean: Window = None,
+    time: Time = None,
+    plain: Annotated[bool, typer.Option("--plain", help="Pictures by matplotlib.")] = False,
+) -> None:
+    """All figures and pictures, a CSV of the numbers, and a page with them."""
+    found = tuple(open_results(job) for job in jobs)
+    folder = output or beside(found[0], "report")
+    plan = Plan(found, folder, tuple(measured or ()), mean, time, plain)
+    tasks = tasks_of(plan)
+    with progress(len(tasks)) as tick:
+        made = make_report(plan, tasks, tick)
+    if made.comparison:
+        _print_numbers(made.comparison)
+    for note in made.notes:
+        console.print(f"note: {note}", markup=False)
+    for path in (*made.files, made.page):
+        console.print(str(path), markup=False)
+
+
+@app.command()
+@tells_errors
+def force(
+    jobs: Jobs,
+    output: Output = None,
+    measured: Measured = None,
+    mean: Window = None,
+    over: Annotated[str, typer.Option("--over", help="time or displacement.")] = "time",
+    impactor: Impactor = None,
+) -> None:
+    """Contact force over time or displacement."""
+    _draw_history(jobs, (over, "force"), output, measured, mean, impactor)
+
+
+@app.command()
+@tells_errors
+def velocity(
+    jobs: Jobs, output: Output = None, measured: Measured = None, impactor: Impactor = None
+) -> None:
+    """Velocity of the impactor over time."""
+    _draw_history(jobs, ("time", "velocity"), output, measured, None, impactor)
+
+
+def _draw_history(
+    jobs: list[str],
+    columns: tuple[str, str],
+    output: Path | None,
+    measured: list[Path] | None,
+    mean: float | None,
+    impactor: int | None,
+) -> None:
+    found = [open_results(job) for job in jobs]
+    curves = curves_of(found, measured or (), impactor)
+    name = columns[1] if columns[0] == "time" else f"{columns[1]}_{columns[0]}"
+    path = output or beside(found[0], f"{name}.png")
+    console.print(str(draw_history(curves, *columns, path, mean)), markup=False)
+
+
+@app.command()
+@tells_errors
+def energy(
+    job: Job,
+    output: Output = None,
+    stacked: Annotated[bool, typer.Option("--stacked", help="Parts on top of each other.")] = False,
+) -> None:
+    """Energies over time, and the error of their balance."""
+    found = open_results(job)
+    path = output or beside(found, "energy.png")
+    console.print(str(draw_energy(found, path, stacked)), markup=False)
+
+
+@app.command()
+@tells_errors
+def profile(
+    jobs: Jobs,
+    output: Output = None,
+    number: Annotated[int | None, typer.Option("--id", help="Number of the profile.")] = None,
+    component: Annotated[
+        list[str] | None, typer.Option("--component", help="Such as syz; may be given again.")
+    ] = None,
+    time: Time = None,
+) -> None:
+    """Stress through the thickness at a point, at the peak force or at a time."""
+    found = [open_results(job) for job in jobs]
+    profiles = read_profiles(found, number, time)
+    groups = (
+        {"": component} if component else {"_in_plane": IN_PLANE, "_interlaminar": INTERLAMINAR}
+    )
+    for name, components in groups.items():
+        path = output or beside(found[0], "profile.png")
+        path = path.with_name(f"{path.stem}{name}{path.suffix or '.png'}")
+        console.print(str(draw_profiles(profiles, components, path)), markup=False)
+
+
+@app.command()
+@tells_errors
+def picture(
+    job: Job,
+    output: Output = None,
+    show: Annotated[str, typer.Option("--show", help="uz, sxx, s13, …: the colours.")] = "uz",
+    time: Time = None,
+    factor: Annotated[float | None, typer.Option("--factor", help="Of the displacement.")] = None,
+    thickness: Annotated[float | None, typer.Option("--thickness", help="Its factor.")] = None,
+    cut: Annotated[bool, typer.Option("--cut", help="Cut a quarter away.")] = False,
+    zoom: Annotated[float, typer.Option("--zoom", help="About the point of impact.")] = 1.0,
+    mesh: Annotated[bool, typer.Option(help="Lines between elements.")] = True,
+    limits: Annotated[
+        tuple[float, float] | None, typer.Option("--limits", help="Ends of the colour bar.")
+    ] = None,
+    view: Annotated[
+        tuple[float, float] | None, typer.Option("--view", help="Azimuth and elevation, degrees.")
+    ] = None,
+    plain: Annotated[bool, typer.Option("--plain", help="By matplotlib, without VTK.")] = False,
+) -> None:
+    """The deformed plate at an instant, by default that of the largest deflection."""
+    found = open_results(job)
+    wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
+    path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
+    made = draw_picture(found, path, wish, plain, view or (AZIMUTH, ELEVATION))
+    console.print(str(made), markup=False)
+
+
+@app.command()
+@tells_errors
+def numbers(
+    jobs: Jobs,
+    output: Annotated[Path | None, typer.Option("-o", "--output", help="CSV to write.")] = None,
+) -> None:
+    """Peak force, duration, impulse, energies and the like."""
+    comparison = compare([open_results(job) for job in jobs])
+    _print_numbers(comparison)
+    for note in comparison.notes:
+        console.print(f"note: {note}", markup=False)
+    if output:
+        console.print(str(write_numbers(comparison, output)), markup=False)
+
+
+@app.command()
+@tells_errors
+def pvd(job: Job, output: Folder = None) -> None:
+    """States as single files with a .pvd, for ParaView 5.11 and older."""
+    found = open_results(job)
+    with progress(len(read_times(found.fields))) as tick:
+        path = write_pvd(found, output or beside(found, "pvd"), tick)
+    console.print(str(path), markup=False)
+
+
+def _print_numbers(comparison: Comparison) -> None:
+    table = PrintedTable(box=None, pad_edge=False)
+    table.add_column("")
+    for label in comparison.labels:
+        table.add_column(label, justify="right")
+    table.add_column("", style="dim")
+    for row in comparison.rows:
+        table.add_row(row.name, *row.texts(), row.unit.replace(".", " "))
+    console.print(table)
+
+
+def main() -> None:
+    """Entry point."""
+    app()

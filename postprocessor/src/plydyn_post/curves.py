@@ -1,0 +1,129 @@
+"""Curves over time and the numbers read off them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from plydyn_post.results import Results
+from plydyn_post.table import Table
+
+# Share of the peak force below which there is no contact
+SILENT = 1e-3
+# Share of the contact's duration that the running mean spans when no other is asked for
+MEAN_SHARE = 0.03
+# Share of the peak that noise must have for the running mean to be worth drawing
+NOISE_SHARE = 0.02
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """What an impact comes to, in the units of the job; nothing where it is not known yet.
+
+    The displacement is the largest during the contact; energies are those the impactor gave.
+    """
+
+    peak_force: float
+    peak_time: float
+    contact_start: float
+    contact_duration: float
+    mean_peak_force: float
+    impulse: float
+    largest_displacement: float
+    impact_velocity: float
+    rebound_velocity: float | None
+    absorbed_energy: float | None
+    largest_absorbed_energy: float | None
+    energy_error: float | None
+    notes: tuple[str, ...] = ()
+
+
+def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
+    """Read the numbers of an impactor, of the first without its number."""
+    table = results.impactor(impactor)
+    time, force, velocity = table["time"], table["force"], table["velocity"]
+    peak = int(np.argmax(np.abs(force)))
+    start, end = contact(time, force)
+    mean = running_mean(time, force, MEAN_SHARE * (end - start))
+    during = (time >= start) & (time <= end)
+    over = abs(force[-1]) <= SILENT * abs(force[peak]) and force[peak] != 0.0
+    absorbed = table.get("absorbed")
+    notes = () if over else ("the impactor is still in contact at the end of the run",)
+    if force[peak] == 0.0:
+        notes = ("the impactor never touched the plate",)
+    return Numbers(
+        peak_force=float(force[peak]),
+        peak_time=float(time[peak]),
+        contact_start=start,
+        contact_duration=end - start,
+        mean_peak_force=float(mean[np.argmax(np.abs(mean))]),
+        impulse=float(np.trapezoid(force, time)),
+        largest_displacement=float(np.max(np.abs(table["displacement"][during]), initial=0.0)),
+        impact_velocity=float(velocity[0]),
+        rebound_velocity=float(np.interp(end, time, velocity)) if over else None,
+        absorbed_energy=(
+            float(np.interp(end, time, absorbed)) if over and absorbed is not None else None
+        ),
+        largest_absorbed_energy=None if absorbed is None else float(np.max(absorbed)),
+        energy_error=_energy_error(results),
+        notes=notes,
+    )
+
+
+def contact(time: np.ndarray, force: np.ndarray) -> tuple[float, float]:
+    """First and last time of contact, between the samples; later contacts are counted in."""
+    level = SILENT * float(np.max(np.abs(force)))
+    touching = np.flatnonzero(np.abs(force) > level)
+    if len(touching) == 0:
+        return float(time[0]), float(time[0])
+    size = np.abs(force)
+    ends = []
+    for inside, outside in ((touching[0], touching[0] - 1), (touching[-1], touching[-1] + 1)):
+        if not 0 <= outside < len(time):
+            ends.append(float(time[inside]))
+            continue
+        share = (level - size[outside]) / (size[inside] - size[outside])
+        ends.append(float(time[outside] + share * (time[inside] - time[outside])))
+    return ends[0], ends[1]
+
+
+def running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndarray:
+    """The mean over a window of time around each sample, shorter at the ends, (samples,)."""
+    if window <= 0.0 or len(time) < 3:
+        return values
+    half = np.minimum(0.5 * window, np.minimum(time - time[0], time[-1] - time))
+    whole = _integral(time, values, time + half) - _integral(time, values, time - half)
+    mean = values.astype(float).copy()
+    np.divide(whole, 2.0 * half, out=mean, where=half > 0.0)
+    return mean
+
+
+def _integral(time: np.ndarray, values: np.ndarray, upto: np.ndarray) -> np.ndarray:
+    """The integral of straight lines between the samples from the first one to some times."""
+    steps = np.diff(time)
+    whole = np.concatenate([[0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * steps)])
+    slope = np.divide(np.diff(values), steps, out=np.zeros_like(steps), where=steps > 0.0)
+    k = np.clip(np.searchsorted(time, upto, side="right") - 1, 0, len(steps) - 1)
+    rest = upto - time[k]
+    return whole[k] + rest * (values[k] + 0.5 * slope[k] * rest)
+
+
+def mean_window(table: Table) -> float:
+    """A window for the running mean of a force, from the duration of the contact."""
+    start, end = contact(table["time"], table["force"])
+    return MEAN_SHARE * (end - start)
+
+
+def is_noisy(values: np.ndarray, mean: np.ndarray) -> bool:
+    """Whether a curve differs visibly from its running mean."""
+    size = float(np.max(np.abs(values), initial=0.0))
+    return size > 0.0 and float(np.max(np.abs(values - mean))) > NOISE_SHARE * size
+
+
+def _energy_error(results: Results) -> float | None:
+    """The largest error of the energy balance, a share; nothing without a history of energy."""
+    if not (results.folder / f"{results.job}.energy.csv").is_file():
+        return None
+    table = results.energy()
+    return float(np.max(np.abs(table["error"])))

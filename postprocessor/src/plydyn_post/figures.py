@@ -1,0 +1,199 @@
+"""Figures of curves: force, displacement, velocity and energy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from plydyn_post.curves import contact, is_noisy, mean_window, running_mean
+from plydyn_post.errors import ResultsError
+from plydyn_post.results import Results, labels
+from plydyn_post.style import (
+    COLOURS,
+    MEASURED,
+    NARROW,
+    QUIET,
+    figure,
+    legend_above,
+    look_of,
+    save,
+)
+from plydyn_post.table import Table, read_table
+from plydyn_post.units import Scale, factor, in_brackets, readable
+
+# Energies that are drawn, in this order, with their names in print; others are parts of no impact
+ENERGIES = {
+    "impactor": "impactor",
+    "internal": "internal",
+    "kinetic": "kinetic of the plate",
+    "damping": "damping",
+    "contact": "contact",
+    "external": "external work",
+    "total": "total",
+}
+# An energy smaller than this share of the largest is not drawn
+UNSEEN = 1e-4
+# Words of axes
+WORDS = {
+    "time": "Time",
+    "force": "Contact force",
+    "displacement": "Impactor displacement",
+    "velocity": "Impactor velocity, upwards",
+}
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A history with its name in the legend."""
+
+    label: str
+    table: Table
+    measured: bool = False
+
+
+def curves_of(
+    jobs: Sequence[Results], measured: Sequence[Path] = (), impactor: int | None = None
+) -> list[Curve]:
+    """The impactor's history of every job, and tests laid over them."""
+    names = labels(list(jobs))
+    curves = [Curve(name, job.impactor(impactor)) for name, job in zip(names, jobs, strict=True)]
+    return curves + [_test(path) for path in measured]
+
+
+def _test(path: Path) -> Curve:
+    """A measured history."""
+    table = read_table(path, from_solver=False)
+    if len(WORDS.keys() & set(table.names)) < 2:
+        raise ResultsError(
+            f"{path} names {', '.join(table.names)}; expected two of {', '.join(WORDS)}"
+        )
+    return Curve(path.stem, table, True)
+
+
+def draw_history(
+    curves: Sequence[Curve], across: str, upwards: str, path: Path, window: float | None = None
+) -> Path:
+    """Draw a column over another, such as force over time.
+
+    Noisy forces are drawn faintly, with their running mean over a window of time on top.
+    """
+    if not {across, upwards} <= WORDS.keys():
+        raise ResultsError(f"{across!r} is no history; expected one of {', '.join(WORDS)}")
+    scales = [_scale(curves, across), _scale(curves, upwards)]
+    with figure() as (made, axes):
+        for place, curve in enumerate(curves):
+            _draw_curve(axes, curve, (across, upwards), scales, place, window)
+        axes.set_xlabel(in_brackets(WORDS[across], scales[0].unit))
+        axes.set_ylabel(in_brackets(WORDS[upwards], scales[1].unit))
+        axes.margins(x=0.0 if across == "time" else 0.03)
+        if len(curves) > 1:
+            legend_above(made, axes)
+        return save(made, path)
+
+
+def _values(curve: Curve, column: str) -> np.ndarray:
+    """Numbers as they are drawn: a displacement counts in the direction of the push."""
+    values, force = curve.table[column], curve.table.get("force")
+    if column != "displacement":
+        return values
+    deepest = np.argmax(np.abs(values if force is None else force))
+    return values if values[deepest] > 0 else -values
+
+
+def _scale(curves: Sequence[Curve], column: str) -> Scale:
+    """The unit of print of the first curve, for numbers up to the largest of all."""
+    first = curves[0].table.unit(column)
+    largest = max(
+        float(np.max(np.abs(_values(curve, column)))) * factor(curve.table.unit(column), first)
+        for curve in curves
+    )
+    return readable(first, largest)
+
+
+def _draw_curve(
+    axes: Axes,
+    curve: Curve,
+    columns: tuple[str, str],
+    scales: list[Scale],
+    place: int,
+    window: float | None,
+) -> None:
+    x, y = (
+        _values(curve, column) * factor(curve.table.unit(column), scale.unit)
+        for column, scale in zip(columns, scales, strict=True)
+    )
+    if columns[0] == "displacement" and not curve.measured:
+        # the free flight after the contact says nothing here
+        start, end = contact(curve.table["time"], curve.table["force"])
+        during = (curve.table["time"] >= start) & (curve.table["time"] <= end)
+        x = np.where(during, x, np.nan)
+    look = {"color": MEASURED, "linestyle": "-"} if curve.measured else look_of(place)
+    look["linewidth"] = 1.0 if curve.measured else 1.3
+    if columns[1] != "force" or curve.measured:
+        axes.plot(x, y, label=curve.label, **look)
+        return
+    span = mean_window(curve.table) if window is None else window
+    mean = running_mean(curve.table["time"], y, span)
+    if is_noisy(y, mean):
+        axes.plot(x, y, color=look["color"], linewidth=0.5, alpha=0.35)
+        axes.plot(x, mean, label=curve.label, **look)
+    else:
+        axes.plot(x, y, label=curve.label, **look)
+
+
+def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
+    """Draw where the energy of a job is, and the error of the balance below."""
+    table = job.energy()
+    time = readable(table.unit("time"), float(np.max(table["time"])))
+    names = _drawn_energies(table)
+    size = max((float(np.max(np.abs(table[name]))) for name in names), default=0.0)
+    energy = readable(table.unit(names[0] if names else "total"), size)
+    x = table["time"] * time.factor
+    with figure(2, size=(NARROW, 3.9), sharex=True, height_ratios=[4, 1]) as (made, (upper, lower)):
+        values = {name: table[name] * energy.factor for name in names}
+        (_stack if stacked else _lines)(upper, x, values)
+        upper.set_ylabel(in_brackets("Energy", energy.unit))
+        upper.set_ylim(bottom=min(0.0, upper.get_ylim()[0]) if not stacked else 0.0)
+        share = table["error"] * factor("-", "%")
+        lower.plot(x, share, color=QUIET, linewidth=1.0)
+        lower.axhline(0.0, color="#c8c8c8", linewidth=0.6, zorder=0)
+        lower.set(xlabel=in_brackets("Time", time.unit), ylabel="Error [%]")
+        lower.margins(y=0.2)
+        lower.set_xlim(x[0], x[-1] if len(x) > 1 else None)
+        made.align_ylabels([upper, lower])
+        legend_above(made, upper)
+        return save(made, path)
+
+
+def _drawn_energies(table: Table) -> list[str]:
+    """Energies that are there and can be seen beside the largest."""
+    sizes = {name: float(np.max(np.abs(table[name]))) for name in ENERGIES if name in table}
+    largest = max(sizes.values(), default=0.0)
+    return [name for name, size in sizes.items() if size > UNSEEN * largest]
+
+
+def _lines(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
+    for place, (name, y) in enumerate(values.items()):
+        look = look_of(place)
+        if name == "total":
+            look = {"color": "black", "linestyle": "-", "linewidth": 0.9}
+        axes.plot(x, y, label=ENERGIES[name], **look)
+
+
+def _stack(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
+    """Parts on top of each other; the total as a line."""
+    parts = [name for name in values if name not in ("total", "external")]
+    axes.stackplot(
+        x,
+        [values[name] for name in parts],
+        labels=[ENERGIES[name] for name in parts],
+        colors=COLOURS,
+        alpha=0.75,
+        linewidth=0,
+    )
+    if "total" in values:
+        axes.plot(x, values["total"], color="black", linewidth=0.9, label="total")

@@ -1,0 +1,109 @@
+"""The numbers of jobs side by side, in units that read well."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from plydyn_post.curves import Numbers, read_numbers
+from plydyn_post.errors import ResultsError
+from plydyn_post.results import Results, labels
+from plydyn_post.units import factor, in_brackets, readable
+
+# Name in print, attribute of Numbers, and the columns whose units it has
+QUANTITIES = (
+    ("peak force", "peak_force", ("force",)),
+    ("peak of its running mean", "mean_peak_force", ("force",)),
+    ("time of peak force", "peak_time", ("time",)),
+    ("start of contact", "contact_start", ("time",)),
+    ("contact duration", "contact_duration", ("time",)),
+    ("impulse", "impulse", ("force", "time")),
+    ("largest displacement", "largest_displacement", ("displacement",)),
+    ("impact velocity", "impact_velocity", ("velocity",)),
+    ("rebound velocity", "rebound_velocity", ("velocity",)),
+    ("absorbed energy", "absorbed_energy", ("absorbed",)),
+    ("largest energy passed on", "largest_absorbed_energy", ("absorbed",)),
+    ("energy error", "energy_error", ()),
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A quantity with its value for each impact; nothing where it is not known."""
+
+    name: str
+    unit: str
+    values: tuple[float | None, ...]
+
+    def texts(self) -> list[str]:
+        """The values for print."""
+        return ["–" if value is None else f"{value:.4g}" for value in self.values]
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Quantities of several impacts."""
+
+    labels: tuple[str, ...]
+    rows: tuple[Row, ...]
+    notes: tuple[str, ...]
+
+
+def compare(jobs: list[Results]) -> Comparison:
+    """The numbers of every impactor of every job, in the same units."""
+    impacts = list(_impacts(jobs))
+    if not impacts:
+        raise ResultsError(f"no impactor has a history in {', '.join(job.job for job in jobs)}")
+    rows = []
+    for name, attribute, columns in QUANTITIES:
+        units = [_unit(job, number, columns) for _, job, number, _ in impacts]
+        values = [getattr(numbers, attribute) for *_, numbers in impacts]
+        rows.append(_row(name, units, values))
+    notes = [f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes]
+    return Comparison(tuple(label for label, *_ in impacts), tuple(rows), tuple(notes))
+
+
+def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]:
+    """Label, job, number of the impactor, and its numbers."""
+    for label, job in zip(labels(jobs), jobs, strict=True):
+        for number in job.impactors:
+            own = label if len(job.impactors) == 1 else f"{label} impactor {number}"
+            yield own, job, number, read_numbers(job, number)
+
+
+def _unit(job: Results, number: int, columns: tuple[str, ...]) -> str:
+    """The unit of the numbers of a quantity; a share without columns."""
+    if not columns:
+        return "-"
+    table = job.impactor(number)
+    units = [table.unit(column) if column in table else "" for column in columns]
+    return ".".join(units) if all(units) else ""
+
+
+def _row(name: str, units: list[str], values: list[float | None]) -> Row:
+    """Values in one unit that reads well."""
+    known = [
+        value * factor(unit, units[0])
+        for value, unit in zip(values, units, strict=True)
+        if value is not None
+    ]
+    scale = readable(units[0], max((abs(value) for value in known), default=0.0))
+    scaled = [
+        None if value is None else value * factor(unit, units[0]) * scale.factor
+        for value, unit in zip(values, units, strict=True)
+    ]
+    return Row(name, scale.unit, tuple(scaled))
+
+
+def write_numbers(comparison: Comparison, path: Path) -> Path:
+    """Write a CSV with one line per impact; unknown numbers are left empty."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(["job", *(in_brackets(row.name, row.unit) for row in comparison.rows)])
+        for place, label in enumerate(comparison.labels):
+            values = (row.values[place] for row in comparison.rows)
+            writer.writerow([label, *("" if value is None else f"{value:.6g}" for value in values)])
+    return path

@@ -1,0 +1,127 @@
+"""The page of a report: HTML that needs nothing but the pictures beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from html import escape
+from pathlib import Path
+from urllib.parse import quote
+
+from plydyn_post.grid import Header
+from plydyn_post.numbers import Comparison
+from plydyn_post.units import in_brackets
+
+LOOK = """
+body { font: 15px/1.5 system-ui, sans-serif; color: #262626; max-width: 60rem;
+       margin: 2.5rem auto; padding: 0 1.2rem; }
+h1 { font-size: 1.5rem; margin-bottom: 0.2rem; }
+h2 { font-size: 1.1rem; margin: 2.2rem 0 0.6rem; border-bottom: 1px solid #ddd; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: 0.2rem 0.9rem 0.2rem 0; text-align: right; border-bottom: 1px solid #eee; }
+th:first-child, td:first-child { text-align: left; }
+th { font-weight: 600; border-bottom: 1px solid #999; }
+figure { margin: 1rem 0; display: inline-block; vertical-align: top; }
+img { max-width: 100%; width: 29rem; }
+img.wide { width: 56rem; }
+figcaption, .quiet { color: #666; font-size: 0.87rem; }
+"""
+# Images of these sections take the whole width
+WIDE_SECTIONS = ("Through the thickness", "The plate")
+
+
+@dataclass(frozen=True)
+class Image:
+    """A picture on the page."""
+
+    section: str
+    path: Path
+    caption: str
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What is on the page."""
+
+    labels: tuple[str, ...]
+    headers: tuple[Header, ...]
+    comparison: Comparison | None
+    images: tuple[Image, ...]
+    notes: tuple[str, ...]
+
+
+def write_page(sheet: Sheet, path: Path) -> Path:
+    """Write the page; images are named relative to it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text("\n".join(_lines(sheet, path.parent)) + "\n", encoding="utf-8")
+    return path
+
+
+def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
+    title = escape(", ".join(sheet.labels))
+    yield "<!DOCTYPE html>"
+    yield '<html lang="en"><head><meta charset="utf-8">'
+    yield f"<title>{title}</title><style>{LOOK}</style></head><body>"
+    yield f"<h1>{title}</h1>"
+    yield from _about(sheet)
+    if sheet.notes:
+        yield "<h2>Notes</h2><ul>"
+        yield from (f"<li>{escape(note)}</li>" for note in sheet.notes)
+        yield "</ul>"
+    if sheet.comparison:
+        yield "<h2>Numbers</h2>"
+        yield from _numbers(sheet.comparison)
+    for section in dict.fromkeys(image.section for image in sheet.images):
+        yield f"<h2>{escape(section)}</h2>"
+        for image in sheet.images:
+            if image.section == section:
+                yield _figure(image, folder)
+    yield from _layups(sheet)
+    yield "</body></html>"
+
+
+def _about(sheet: Sheet) -> Iterator[str]:
+    """Title, deck and version of every job that tells them."""
+    for label, header in zip(sheet.labels, sheet.headers, strict=True):
+        words = [header.title, header.deck, f"plydyn {header.version}" if header.version else ""]
+        text = " · ".join(escape(word) for word in words if word)
+        if text:
+            name = f"{escape(label)}: " if len(sheet.labels) > 1 else ""
+            yield f'<p class="quiet">{name}{text}</p>'
+
+
+def _numbers(comparison: Comparison) -> Iterator[str]:
+    names = [in_brackets(row.name, row.unit) for row in comparison.rows]
+    cells = [row.texts() for row in comparison.rows]
+    body = [[name, *texts] for name, texts in zip(names, cells, strict=True)]
+    yield _table(["", *comparison.labels], body)
+
+
+def _figure(image: Image, folder: Path) -> str:
+    source = quote(image.path.relative_to(folder).as_posix())
+    kind = ' class="wide"' if image.section in WIDE_SECTIONS else ""
+    caption = escape(image.caption)
+    return (
+        f'<figure><img{kind} src="{source}" alt="{caption}">'
+        f"<figcaption>{caption}</figcaption></figure>"
+    )
+
+
+def _layups(sheet: Sheet) -> Iterator[str]:
+    """The ply tables, from the top of the plate down."""
+    for label, header in zip(sheet.labels, sheet.headers, strict=True):
+        if header.plies:
+            yield f"<h2>Plies of {escape(label)}, from the top down</h2>"
+            length = header.units.get("length", "")
+            units = {"angle": "deg", "bottom": length, "top": length}
+            head = [in_brackets(name, units.get(name, "")) for name in header.plies[0]]
+            rows = [[f"{one:.6g}" for one in row.values()] for row in reversed(header.plies)]
+            yield _table(head, rows)
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
+    body = "".join(
+        "<tr>" + "".join(f"<td>{escape(cell)}</td>" for cell in row) + "</tr>" for row in rows
+    )
+    return f"<table><tr>{top}</tr>{body}</table>"

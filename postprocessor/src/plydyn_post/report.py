@@ -1,0 +1,165 @@
+"""Everything about some jobs at once: figures, pictures, numbers and a page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.figures import curves_of, draw_energy, draw_history
+from plydyn_post.grid import read_header
+from plydyn_post.numbers import Comparison, compare, write_numbers
+from plydyn_post.page import Image, Sheet, write_page
+from plydyn_post.picture import draw_picture
+from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
+from plydyn_post.results import Results, labels
+from plydyn_post.scene import Wish
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a report is made of."""
+
+    jobs: tuple[Results, ...]
+    folder: Path
+    measured: tuple[Path, ...] = ()
+    window: float | None = None  # of the running mean, in time
+    time: float | None = None  # of pictures and profiles
+    plain: bool = False  # pictures by matplotlib
+
+
+@dataclass(frozen=True)
+class Task:
+    """An image to make."""
+
+    section: str
+    name: str  # of the file
+    caption: str
+    draw: Callable[[Path], Path]
+
+
+@dataclass(frozen=True)
+class Report:
+    """What was made."""
+
+    page: Path
+    files: tuple[Path, ...]
+    comparison: Comparison | None
+    notes: tuple[str, ...] = field(default_factory=tuple)
+
+
+def tasks_of(plan: Plan) -> list[Task]:
+    """All images that the jobs have results for."""
+    return _history_tasks(plan) + _energy_tasks(plan) + _profile_tasks(plan) + _picture_tasks(plan)
+
+
+def make_report(
+    plan: Plan, tasks: Sequence[Task], tick: Callable[[str], None] = lambda _: None
+) -> Report:
+    """Make the images and the page; what cannot be made is told in its notes."""
+    images, notes = [], []
+    for task in tasks:
+        tick(task.name)
+        try:
+            path = task.draw(plan.folder / f"{task.name}.png")
+            images.append(Image(task.section, path, task.caption))
+        except ResultsError as error:
+            notes.append(str(error))
+    notes += [note for job in plan.jobs for note in job.notes()]
+    comparison, files = None, [image.path for image in images]
+    try:
+        comparison = compare(list(plan.jobs))
+        files.append(write_numbers(comparison, plan.folder / "numbers.csv"))
+        notes += comparison.notes
+    except ResultsError as error:
+        notes.append(str(error))
+    notes = list(dict.fromkeys(notes))
+    headers = tuple(read_header(job.fields) for job in plan.jobs)
+    sheet = Sheet(tuple(labels(list(plan.jobs))), headers, comparison, tuple(images), tuple(notes))
+    page = write_page(sheet, plan.folder / "report.html")
+    return Report(page, tuple(files), comparison, tuple(notes))
+
+
+def _history_tasks(plan: Plan) -> list[Task]:
+    """Curves of the impactor, for every impactor number that the first job has."""
+    wanted = (
+        ("force", "time", "force", "Contact force over time."),
+        ("force_displacement", "displacement", "force", "Contact force over displacement."),
+        ("velocity", "time", "velocity", "Velocity of the impactor over time."),
+    )
+    tasks = []
+    numbers = plan.jobs[0].impactors
+    for number in numbers:
+        of_number = "" if len(numbers) == 1 else f"_{number}"
+        for name, across, upwards, caption in wanted:
+            draw = partial(_draw_history, plan, number, across, upwards)
+            tasks.append(Task("Impact", name + of_number, caption, draw))
+    return tasks
+
+
+def _draw_history(plan: Plan, number: int, across: str, upwards: str, path: Path) -> Path:
+    curves = [
+        curve
+        for curve in curves_of(plan.jobs, plan.measured, number)
+        if not curve.measured or {across, upwards} <= set(curve.table.names)
+    ]
+    return draw_history(curves, across, upwards, path, plan.window)
+
+
+def _energy_tasks(plan: Plan) -> list[Task]:
+    names = labels(list(plan.jobs))
+    return [
+        Task(
+            "Energy",
+            f"energy_{_file_name(name)}",
+            f"Energies of {name}, and the error of their balance as a share of the energy put in.",
+            partial(draw_energy, job),
+        )
+        for name, job in zip(names, plan.jobs, strict=True)
+    ]
+
+
+def _profile_tasks(plan: Plan) -> list[Task]:
+    groups = (("in_plane", "In-plane", IN_PLANE), ("interlaminar", "Interlaminar", INTERLAMINAR))
+    return [
+        Task(
+            "Through the thickness",
+            f"profile_{number}_{name}",
+            f"{words} stress through the thickness at point {number}.",
+            partial(_draw_profile, plan, number, components),
+        )
+        for number in plan.jobs[0].profiles
+        for name, words, components in groups
+    ]
+
+
+def _draw_profile(plan: Plan, number: int, components: tuple[str, ...], path: Path) -> Path:
+    jobs = [job for job in plan.jobs if number in job.profiles]
+    return draw_profiles(read_profiles(jobs, number, plan.time), components, path)
+
+
+def _picture_tasks(plan: Plan) -> list[Task]:
+    looks = (
+        ("displacement", "Deflection of {}.", Wish("uz", plan.time)),
+        (
+            "stress",
+            "Stress near the impactor in {}, with a quarter cut away.",
+            Wish("sxx", plan.time, cut=True, zoom=2.5),
+        ),
+    )
+    return [
+        Task(
+            "The plate",
+            f"{kind}_{_file_name(name)}",
+            caption.format(name),
+            partial(draw_picture, job, wish=wish, plain=plan.plain),
+        )
+        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        for kind, caption, wish in looks
+    ]
+
+
+def _file_name(label: str) -> str:
+    return label.replace("/", "_")

@@ -1,0 +1,125 @@
+"""The files of a job."""
+
+from __future__ import annotations
+
+import glob
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.table import Table, read_table
+
+# What may follow the job's name in the name of a file of results
+ENDINGS = re.compile(
+    r"\.(vtkhdf|out|log|(energy|nodes|supports|impactor_\d+|profile_\d+)\.csv)$", re.IGNORECASE
+)
+
+
+@dataclass(frozen=True)
+class Results:
+    """Where a job's results are; tables are read when asked for."""
+
+    job: str
+    folder: Path
+
+    @property
+    def fields(self) -> Path:
+        """The file of fields, there or not."""
+        return self.folder / f"{self.job}.vtkhdf"
+
+    @property
+    def impactors(self) -> tuple[int, ...]:
+        """Numbers of the impactors with a history."""
+        return self._numbers("impactor")
+
+    @property
+    def profiles(self) -> tuple[int, ...]:
+        """Numbers of the profiles through the thickness."""
+        return self._numbers("profile")
+
+    def energy(self) -> Table:
+        """Energies over time."""
+        return self._table("energy")
+
+    def impactor(self, number: int | None = None) -> Table:
+        """History of an impactor, of the first without a number."""
+        return self._table(f"impactor_{self._chosen('impactor', number)}")
+
+    def profile(self, number: int | None = None) -> Table:
+        """A profile through the thickness over time, the first without a number."""
+        return self._table(f"profile_{self._chosen('profile', number)}")
+
+    def nodes(self) -> Table:
+        """Histories of nodes."""
+        return self._table("nodes")
+
+    def supports(self) -> Table:
+        """Force of the supports."""
+        return self._table("supports")
+
+    def notes(self) -> list[str]:
+        """What was left out when the tables were read, and which cannot be read."""
+        notes: list[str] = []
+        for path in self._files("*.csv"):
+            try:
+                notes += read_table(path).notes
+            except ResultsError as error:
+                notes.append(str(error))
+        return notes
+
+    def _files(self, ending: str) -> list[Path]:
+        return sorted(self.folder.glob(f"{glob.escape(self.job)}.{ending}"))
+
+    def _numbers(self, kind: str) -> tuple[int, ...]:
+        paths = self._files(f"{kind}_*.csv")
+        endings = [path.stem.rpartition("_")[2] for path in paths]
+        return tuple(sorted(int(ending) for ending in endings if ending.isdigit()))
+
+    def _chosen(self, kind: str, number: int | None) -> int:
+        known = self._numbers(kind)
+        if not known:
+            raise ResultsError(f"{self.folder / self.job}.{kind}_*.csv: there is no such file")
+        if number is not None and number not in known:
+            listed = ", ".join(str(one) for one in known)
+            raise ResultsError(f"{self.folder / self.job} has no {kind} {number}; it has {listed}")
+        return known[0] if number is None else number
+
+    def _table(self, name: str) -> Table:
+        path = self.folder / f"{self.job}.{name}.csv"
+        if not path.is_file():
+            raise ResultsError(f"{path}: there is no such file")
+        return read_table(path)
+
+
+def open_results(name: str | Path) -> Results:
+    """Find the results of a job from its name, one of its files, or the folder of one job."""
+    path = Path(name)
+    if path.is_dir():
+        return _only_job(path)
+    results = Results(ENDINGS.sub("", path.name), path.parent)
+    if not results.fields.is_file() and not results._files("*.csv"):
+        raise ResultsError(
+            f"{name}: no results there; expected {results.fields} or"
+            f" {results.folder / results.job}.*.csv"
+        )
+    return results
+
+
+def _only_job(folder: Path) -> Results:
+    """The job whose results lie in a folder, if there is just one."""
+    names = (path.name for path in folder.iterdir() if path.suffix in (".vtkhdf", ".csv", ".out"))
+    jobs = sorted({ENDINGS.sub("", name) for name in names if ENDINGS.search(name)})
+    if not jobs:
+        raise ResultsError(f"{folder}: no results of plydyn in this folder")
+    if len(jobs) > 1:
+        raise ResultsError(f"{folder} holds several jobs; name one of {', '.join(jobs)}")
+    return Results(jobs[0], folder)
+
+
+def labels(jobs: list[Results]) -> list[str]:
+    """Names that tell jobs apart in a legend."""
+    names = [job.job for job in jobs]
+    if len(set(names)) == len(names):
+        return names
+    return [f"{job.folder.resolve().name}/{job.job}" for job in jobs]

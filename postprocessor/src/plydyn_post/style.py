@@ -1,0 +1,99 @@
+"""The house look of every figure."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+# Colours that stay apart for colour-blind eyes (Okabe and Ito), and dashes that do so in grey
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+DASHES = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
+MEASURED = "#000000"
+QUIET = "#9a9a9a"
+INK = "#262626"
+# Widths of figures, inches, and dots per inch
+WIDE, NARROW, DPI = 6.3, 4.6, 200
+# Colour maps of quantities with and without a meaning of zero
+SIGNED_MAP, PLAIN_MAP = "RdBu_r", "viridis"
+
+LOOK = {
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "mathtext.fontset": "dejavusans",
+    "font.size": 8.5,
+    "axes.labelsize": 9,
+    "legend.fontsize": 8,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "axes.linewidth": 0.7,
+    "axes.edgecolor": INK,
+    "axes.labelcolor": INK,
+    "text.color": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.major.width": 0.7,
+    "ytick.major.width": 0.7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": "#e6e6e6",
+    "grid.linewidth": 0.5,
+    "axes.axisbelow": True,
+    "axes.unicode_minus": True,
+    "lines.linewidth": 1.3,
+    "lines.solid_capstyle": "round",
+    "legend.frameon": False,
+    "legend.handlelength": 2.2,
+    "legend.columnspacing": 1.4,
+    "figure.dpi": DPI,
+    "savefig.dpi": DPI,
+    "figure.constrained_layout.use": True,
+}
+
+
+@contextmanager
+def figure(
+    rows: int = 1, columns: int = 1, size: tuple[float, float] = (NARROW, 3.2), **more: object
+) -> Iterator[tuple[Figure, object]]:
+    """A figure in the house look, closed at the end."""
+    with plt.rc_context(LOOK):
+        made, axes = plt.subplots(rows, columns, figsize=size, **more)
+        try:
+            yield made, axes
+        finally:
+            plt.close(made)
+
+
+def save(made: Figure, path: Path) -> Path:
+    """Write a figure; the folder is made where it is missing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    made.savefig(path)
+    return path
+
+
+def legend_above(made: Figure, axes: Axes, longest: int = 52) -> None:
+    """A legend over the axes, where it covers no curve, with lines up to ``longest`` letters."""
+    handles, names = axes.get_legend_handles_labels()
+    columns = max(1, min(len(names), longest // (max(map(len, names), default=0) + 6)))
+    if len(names) <= 4 and sum(len(name) + 6 for name in names) <= 1.25 * longest:
+        columns = max(1, len(names))
+    made.legend(handles, names, loc="outside upper left", ncols=columns, borderpad=0.2)
+
+
+def look_of(place: int) -> dict[str, object]:
+    """Colour and dashes of a curve by its place."""
+    return {
+        "color": COLOURS[place % len(COLOURS)],
+        "linestyle": DASHES[place % len(DASHES)],
+    }

@@ -1,0 +1,120 @@
+"""CSV files with names and units in one header line."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+from plydyn_post.errors import ResultsError
+
+
+@dataclass(frozen=True)
+class Table:
+    """Columns of numbers with names and units."""
+
+    path: Path
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    values: np.ndarray  # (rows, columns)
+    notes: tuple[str, ...] = ()
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.names
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """Numbers of a column, (rows,)."""
+        return self.values[:, self._place(name)]
+
+    def get(self, name: str) -> np.ndarray | None:
+        """Numbers of a column, (rows,); nothing if there is no such column."""
+        return self.values[:, self.names.index(name)] if name in self.names else None
+
+    def unit(self, name: str) -> str:
+        """Unit of a column, empty without one."""
+        return self.units[self._place(name)]
+
+    def _place(self, name: str) -> int:
+        if name not in self.names:
+            known = ", ".join(self.names)
+            raise ResultsError(f"{self.path} has no column {name!r}; it has {known}")
+        return self.names.index(name)
+
+
+def split_header(text: str) -> tuple[str, str]:
+    """Name in small letters and unit of a header such as ``time [s]`` or ``Force (kN)``."""
+    match = re.fullmatch(r"\s*(.*?)\s*(?:[\[(]\s*(.*?)\s*[\])])?\s*", text)
+    name, unit = match.groups() if match else (text.strip(), "")
+    return name.lower(), "" if unit in (None, "-") else unit
+
+
+def read_table(path: Path, from_solver: bool = True) -> Table:
+    """Read a CSV.
+
+    The solver ends every line, so that in its files a last line without an end was cut by a kill:
+    it is left out with a note. Other programs may well leave the last line open.
+    """
+    try:
+        changed = path.stat()
+        return _read_once(path, from_solver, (changed.st_mtime_ns, changed.st_size))
+    except (OSError, UnicodeDecodeError) as error:
+        raise ResultsError(f"{path} cannot be read: {error}") from error
+
+
+@lru_cache(maxsize=32)
+def _read_once(path: Path, from_solver: bool, stamp: tuple[int, int]) -> Table:
+    """Read a CSV, again only when its stamp has changed."""
+    text = path.read_text(encoding="utf-8-sig")
+    if not text.strip():
+        raise ResultsError(f"{path} is empty: the run wrote nothing to it yet")
+    header, _, body = text.partition("\n")
+    separator = next((sign for sign in ";\t" if sign in header), ",")
+    labels = next(csv.reader([header.rstrip("\r")], delimiter=separator))
+    body, notes = _without_cut_line(path, body) if from_solver else (body, ())
+    if not body.strip():
+        raise ResultsError(f"{path} has a header but no rows yet")
+    names, units = zip(*(split_header(label) for label in labels), strict=True)
+    values = _read_numbers(path, body, separator, len(labels))
+    values.setflags(write=False)
+    return Table(path, names, units, values, notes)
+
+
+def _without_cut_line(path: Path, body: str) -> tuple[str, tuple[str, ...]]:
+    """Leave out a last line without a line end: a kill cut it, perhaps inside a number."""
+    if not body or body.endswith("\n"):
+        return body, ()
+    whole = body.rpartition("\n")[0]
+    return whole, (f"{path.name}: the last line was cut short and is left out",)
+
+
+def _is_number(field: str) -> bool:
+    try:
+        float(field)
+    except ValueError:
+        return False
+    return True
+
+
+def _read_numbers(path: Path, body: str, separator: str, columns: int) -> np.ndarray:
+    """Numbers of all rows, (rows, columns); the first bad line is named."""
+    try:
+        values = np.loadtxt(io.StringIO(body), delimiter=separator, ndmin=2)
+        if values.shape[1] == columns:
+            return values
+    except ValueError:
+        pass
+    for number, line in enumerate(body.splitlines(), start=2):
+        fields = line.split(separator)
+        if line.strip() and len(fields) != columns:
+            raise ResultsError(
+                f"{path}, line {number}: {len(fields)} numbers where the header names {columns}"
+            )
+        for field in fields if line.strip() else ():
+            if not _is_number(field):
+                raise ResultsError(f"{path}, line {number}: {field.strip()!r} is not a number")
+    raise ResultsError(f"{path} is not a table of numbers")

@@ -1,0 +1,101 @@
+"""The commands write what they say, and tell what is wrong in one line."""
+
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+import pyvista as pv
+import synthetic
+from typer.testing import CliRunner
+
+from plydyn_post.cli import app
+
+runner = CliRunner()
+
+
+def run(*words: object) -> str:
+    result = runner.invoke(app, [str(word) for word in words])
+    assert result.exit_code == 0, result.output
+    return result.output
+
+
+def test_a_report_of_two_jobs_holds_everything(job: Path, own_job: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "report"
+    output = run("report", job, own_job, "-o", folder, "--plain")
+    names = {path.name for path in folder.iterdir()}
+    assert {"report.html", "numbers.csv", "force.png", "profile_1_in_plane.png"} <= names
+    assert len([name for name in names if name.startswith(("energy_", "stress_"))]) == 4
+    page = (folder / "report.html").read_text()
+    for path in folder.glob("*.png"):
+        assert f'src="{path.name}"' in page
+    assert "&lt;sphere&gt;" in page
+    assert str(folder / "report.html") in output
+    assert "peak force" in output
+
+
+def test_a_report_goes_beside_the_results(own_job: Path) -> None:
+    run("report", f"{own_job}.vtkhdf", "--plain")
+    assert (own_job.parent / "plate_report" / "report.html").is_file()
+
+
+def test_a_report_tells_what_it_could_not_draw(own_job: Path) -> None:
+    own_job.with_name("plate.vtkhdf").unlink()
+    path = own_job.with_name("plate.energy.csv")
+    path.write_text(path.read_text()[:-5])
+    output = run("report", own_job)
+    assert "plate.vtkhdf: there is no such file" in output
+    assert "plate.energy.csv: the last line was cut short" in output
+    page = (own_job.parent / "plate_report" / "report.html").read_text()
+    assert "cut short" in page
+
+
+@pytest.mark.parametrize(
+    ("words", "names"),
+    [
+        (["force"], ["plate_force.png"]),
+        (["force", "--over", "displacement"], ["plate_force_displacement.png"]),
+        (["velocity"], ["plate_velocity.png"]),
+        (["energy", "--stacked"], ["plate_energy.png"]),
+        (["profile"], ["plate_profile_in_plane.png", "plate_profile_interlaminar.png"]),
+        (["profile", "--component", "syz"], ["plate_profile.png"]),
+        (["picture", "--plain", "--show", "szz", "--cut"], ["plate_szz_cut.png"]),
+        (["picture", "--plain", "--limits", "-1", "0", "--view", "30", "40"], ["plate_uz.png"]),
+    ],
+)
+def test_each_command_writes_its_figure(own_job: Path, words: list[str], names: list[str]) -> None:
+    output = run(words[0], own_job, *words[1:])
+    for name in names:
+        assert own_job.with_name(name).is_file()
+        assert name in output
+
+
+def test_numbers_are_printed_and_written(job: Path, tmp_path: Path) -> None:
+    output = run("numbers", job, "-o", tmp_path / "numbers.csv")
+    assert "1.5" in output
+    assert "peak force [kN]" in (tmp_path / "numbers.csv").read_text()
+
+
+def test_a_pvd_lists_states_that_vtk_reads(job: Path, tmp_path: Path) -> None:
+    run("pvd", job, "-o", tmp_path)
+    entries = ElementTree.parse(tmp_path / "plate.pvd").getroot().findall("Collection/DataSet")
+    assert [float(entry.get("timestep")) for entry in entries] == pytest.approx(synthetic.STATES)
+    grid = pv.read(tmp_path / entries[1].get("file"))
+    assert grid.point_data["displacement"][:, 2].min() == pytest.approx(-synthetic.DEPTH)
+    assert set(grid.celltypes) == {29}
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["numbers", "{job}_none"], "plate_none"),
+        (["picture", "{job}", "--show", "heat"], "'heat'"),
+        (["profile", "{job}", "--component", "sqq"], "plate.profile_1.csv"),
+        (["force", "{job}", "--over", "heat"], "'heat'"),
+        (["force", "{job}", "--measured", "{job}.none"], "plate.none"),
+    ],
+)
+def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told: str) -> None:
+    result = runner.invoke(app, [word.format(job=own_job) for word in words])
+    assert result.exit_code == 2
+    assert told in result.stderr
+    assert result.stderr.count("\n") == 1

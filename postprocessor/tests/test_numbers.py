@@ -1,0 +1,127 @@
+"""Numbers of an impact whose force is half a sine."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+import synthetic
+
+from plydyn_post.curves import contact, read_numbers, running_mean
+from plydyn_post.errors import ResultsError
+from plydyn_post.numbers import compare, write_numbers
+from plydyn_post.results import open_results
+from plydyn_post.units import factor, readable
+
+SAMPLE = synthetic.END / 600  # time between two samples
+
+
+def test_the_numbers_of_half_a_sine(job: Path) -> None:
+    numbers = read_numbers(open_results(job))
+    assert numbers.peak_force == pytest.approx(synthetic.PEAK)
+    assert numbers.peak_time == pytest.approx(synthetic.DURATION / 2)
+    assert numbers.contact_duration == pytest.approx(synthetic.DURATION, abs=SAMPLE)
+    whole = 2 * synthetic.PEAK * synthetic.DURATION / np.pi
+    # the trapezoidal rule errs by (pi h / T)^2 / 12 on half a sine
+    assert numbers.impulse == pytest.approx(whole, rel=1e-5)
+    assert numbers.largest_displacement == pytest.approx(synthetic.DEPTH)
+    assert numbers.impact_velocity == pytest.approx(-synthetic.SPEED)
+    assert numbers.rebound_velocity == pytest.approx(synthetic.REBOUND, rel=1e-4)
+    given = 0.5e-3 * (synthetic.SPEED**2 - synthetic.REBOUND**2)
+    assert numbers.absorbed_energy == pytest.approx(given, rel=1e-3)
+    assert numbers.energy_error == pytest.approx(np.abs(open_results(job).energy()["error"]).max())
+    assert numbers.notes == ()
+
+
+def test_a_run_that_ends_in_contact_has_no_rebound(own_job: Path) -> None:
+    path = own_job.with_name("plate.impactor_1.csv")
+    path.write_text("\n".join(path.read_text().splitlines()[:300]) + "\n")
+    numbers = read_numbers(open_results(own_job))
+    assert numbers.rebound_velocity is None
+    assert numbers.absorbed_energy is None
+    assert "still in contact" in numbers.notes[0]
+
+
+def test_an_impactor_that_never_touched_has_no_duration(own_job: Path) -> None:
+    synthetic.write_impactor(own_job.parent, "plate", factor=0.0)
+    numbers = read_numbers(open_results(own_job))
+    assert (numbers.peak_force, numbers.contact_duration) == (0.0, 0.0)
+    assert "never touched" in numbers.notes[0]
+
+
+def test_contact_begins_and_ends_between_samples() -> None:
+    time = np.arange(6.0)
+    start, end = contact(time, np.array([0.0, 0.0, 10.0, 10.0, 0.0, 0.0]))
+    assert (start, end) == pytest.approx((1.001, 3.999))
+
+
+def test_a_contact_lost_and_found_again_is_one() -> None:
+    time = np.arange(8.0)
+    start, end = contact(time, np.array([0.0, 5.0, 0.0, 0.0, 5.0, 5.0, 0.0, 0.0]))
+    assert start < 1.0
+    assert end > 5.0
+
+
+def test_the_running_mean_keeps_straight_lines_and_removes_waves() -> None:
+    time = np.sort(np.random.default_rng(3).uniform(0.0, 1.0, 4000))
+    line = 2.0 + 3.0 * time
+    assert running_mean(time, line, 0.1) == pytest.approx(line, abs=1e-9)
+    wave = np.sin(2 * np.pi * time / 0.05)
+    inside = (time > 0.05) & (time < 0.95)
+    assert np.abs(running_mean(time, wave, 0.1)[inside]).max() < 0.01
+    assert running_mean(time, wave, 0.0) is wave
+
+
+def test_jobs_in_other_units_are_compared_in_the_first_ones(own_job: Path) -> None:
+    names = "time [ms],force [kN],displacement [mm],velocity [m/s],kinetic [J],absorbed [J]"
+    rows = ["0,0,0,-3,4.5,0", "1,3,-1,0,0,4.5", "2,0,0,2,2,2.5", "3,0,2,2,2,2.5"]
+    own_job.with_name("other.impactor_1.csv").write_text("\n".join([names, *rows]) + "\n")
+    comparison = compare([open_results(own_job), open_results(own_job.with_name("other"))])
+    rows = {row.name: row for row in comparison.rows}
+    assert rows["peak force"].unit == "kN"
+    assert rows["peak force"].values == pytest.approx((1.5, 3.0))
+    assert rows["time of peak force"].values == pytest.approx((1.0, 1.0))
+    assert rows["impact velocity"].values == pytest.approx((-3.0, -3.0))
+    assert rows["impulse"].unit == "N.s"
+    assert rows["impulse"].values == pytest.approx((1.9099, 3.0), rel=1e-4)
+    assert rows["energy error"].values[1] is None
+    path = write_numbers(comparison, own_job.with_name("numbers.csv"))
+    lines = list(csv.DictReader(path.open()))
+    assert [line["job"] for line in lines] == ["plate", "other"]
+    assert float(lines[0]["peak force [kN]"]) == pytest.approx(1.5)
+    assert lines[1]["energy error [%]"] == ""
+
+
+def test_a_job_without_impactor_has_no_numbers(own_job: Path) -> None:
+    own_job.with_name("plate.impactor_1.csv").unlink()
+    with pytest.raises(ResultsError, match="plate"):
+        compare([open_results(own_job)])
+
+
+@pytest.mark.parametrize(
+    ("unit", "largest", "shown"),
+    [
+        ("s", 3e-3, "ms"),
+        ("s", 3e-4, "ms"),
+        ("s", 5e-6, "µs"),
+        ("ms", 3.0, "ms"),
+        ("N", 1500.0, "kN"),
+        ("N", 999.0, "N"),
+        ("mJ", 4500.0, "J"),
+        ("mm/s", 3000.0, "m/s"),
+        ("mm/ms", 3.0, "m/s"),
+        ("m", 0.01, "mm"),
+        ("Pa", 1e8, "MPa"),
+        ("lbf", 10.0, "lbf"),
+        ("", 10.0, ""),
+    ],
+)
+def test_units_of_print_read_well(unit: str, largest: float, shown: str) -> None:
+    assert readable(unit, largest).unit == shown
+
+
+def test_units_of_other_kinds_are_not_mixed() -> None:
+    assert factor("mm/s", "m/s") == pytest.approx(1e-3)
+    assert factor("lbf", "lbf") == 1.0
+    with pytest.raises(ResultsError, match=r"\[N\].*\[mm\]"):
+        factor("N", "mm")
