@@ -110,11 +110,11 @@ contains
       !> Multiplier times the step squared, mass times length
       real(wp), intent(in) :: push
       !> Of the surface points along x, y, z, (3, points), zero where held
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
       !> Of the surface points, (3, points), length
-      real(wp), intent(inout) :: motion(:, :)
+      real(wp), contiguous, intent(inout) :: motion(:, :)
       !> Of the impactor, length
       real(wp), intent(inout) :: impactor_motion(3)
 
@@ -124,7 +124,7 @@ contains
       force(:) = push*rows%normal(:, row)
       do i = 1, size(rows%point, 1)
          k = rows%point(i, row)
-         motion(:, k) = motion(:, k) - rows%weight(i, row)*inverse_mass(:, k)*force
+         motion(:3, k) = motion(:3, k) - rows%weight(i, row)*inverse_mass(:3, k)*force
       end do
       impactor_motion(:) = impactor_motion + impactor_inverse*force
    end subroutine add_motion
@@ -136,7 +136,7 @@ contains
       !> Which row
       integer, intent(in) :: row
       !> Of the surface points, (3, points), length
-      real(wp), intent(in) :: motion(:, :)
+      real(wp), contiguous, intent(in) :: motion(:, :)
       !> Of the impactor, length
       real(wp), intent(in) :: impactor_motion(3)
 
@@ -146,27 +146,29 @@ contains
       relative(:) = impactor_motion
       do i = 1, size(rows%point, 1)
          k = rows%point(i, row)
-         relative(:) = relative - rows%weight(i, row)*motion(:, k)
+         relative(:) = relative - rows%weight(i, row)*motion(:3, k)
       end do
       opening = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
          & + relative(3)*rows%normal(3, row)
    end function opening
 
-   !> Bring the points of all rows, and the impactor, back to no motion
-   pure subroutine clear_motion(rows, motion, impactor_motion)
+   !> Bring the points of some rows, and the impactor, back to no motion
+   pure subroutine clear_motion(rows, first, last, motion, impactor_motion)
       !> The constraints
       type(constraints_type), intent(in) :: rows
+      !> Which rows
+      integer, intent(in) :: first, last
       !> Of the surface points, (3, points), length
-      real(wp), intent(inout) :: motion(:, :)
+      real(wp), contiguous, intent(inout) :: motion(:, :)
       !> Of the impactor, length
       real(wp), intent(out) :: impactor_motion(3)
 
       integer :: i, row
 
       impactor_motion(:) = 0.0_wp
-      do row = 1, rows%count
+      do row = first, last
          do i = 1, size(rows%point, 1)
-            motion(:, rows%point(i, row)) = 0.0_wp
+            motion(:3, rows%point(i, row)) = 0.0_wp
          end do
       end do
    end subroutine clear_motion

@@ -76,7 +76,7 @@ contains
       !> Surface points of each facet, (4 or 9, facets), counter-clockwise from above
       integer, intent(in) :: facet(:, :)
       !> Surface points at the start, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
       !> Set when the spacing makes too many nodes
@@ -100,7 +100,7 @@ contains
       !> The pair
       class(contact_pair_type), intent(in) :: self
       !> Surface points, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor, length
       real(wp), intent(in) :: centre(3)
 
@@ -124,23 +124,26 @@ contains
       !> The pair
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Of the surface points along x, y, z, (3, points), zero where held
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Time step
       real(wp), intent(in) :: dt
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
       !> To add to the surface points, (3, points), length
-      real(wp), intent(out) :: correction(:, :)
+      real(wp), contiguous, intent(out) :: correction(:, :)
       !> To add to the centre, length
       real(wp), intent(out) :: centre_correction(3)
       !> Force and more
       type(contact_result_type), intent(out) :: result
 
       logical :: rebuilt
+      integer :: k
 
-      correction(:, :) = 0.0_wp
+      do k = 1, size(correction, 2)
+         correction(:3, k) = 0.0_wp
+      end do
       centre_correction(:) = 0.0_wp
       self%rows%count = 0
       call self%near%update(self%surface, position, centre, rebuilt)
@@ -170,7 +173,7 @@ contains
       !> The pair
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
 
@@ -198,7 +201,7 @@ contains
       !> Time step
       real(wp), intent(in) :: dt
       !> Of the surface points, length
-      real(wp), intent(in) :: correction(:, :)
+      real(wp), contiguous, intent(in) :: correction(:, :)
       !> Of the centre, length
       real(wp), intent(in) :: centre_correction(3)
       !> Force and more

@@ -19,10 +19,10 @@ module plydyn_contact_multiplier
    public :: new_active_set
 
    !> Share by which the diagonal of A is raised
-   real(wp), parameter :: ridge = 1.0e-12_wp
+   real(wp), parameter :: ridge = 1.0e-13_wp
 
    !> Penetration that is taken for none, as a share of the largest one before
-   real(wp), parameter :: tolerance = 1.0e-10_wp
+   real(wp), parameter :: tolerance = 1.0e-11_wp
 
    !> Rows taken in per row of the problem before giving up
    integer, parameter :: most_entries = 3
@@ -66,11 +66,11 @@ contains
       !> The constraints, with a guess of the pushes; the pushes out
       type(constraints_type), intent(inout) :: rows
       !> Of the surface points along x, y, z, (3, points), zero where held
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
       !> Of the surface points, (3, points), length; zero in
-      real(wp), intent(inout) :: motion(:, :)
+      real(wp), contiguous, intent(inout) :: motion(:, :)
       !> Of the impactor, length
       real(wp), intent(out) :: impactor_motion(3)
 
@@ -82,7 +82,7 @@ contains
       newest = 0
       do entry_count = 0, most_entries*rows%count
          call settle(self, rows, newest)
-         call clear_motion(rows, motion, impactor_motion)
+         call clear_motion(rows, 1, rows%count, motion, impactor_motion)
          do row = 1, self%factor%count
             call add_motion(rows, self%row(row), rows%push(self%row(row)), inverse_mass, &
                & impactor_inverse, motion, impactor_motion)
@@ -100,7 +100,7 @@ contains
       !> The constraints, with a guess of the pushes
       type(constraints_type), intent(inout) :: rows
       !> Of the surface points
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
@@ -129,7 +129,7 @@ contains
       !> Which row
       integer, intent(in) :: row
       !> Of the surface points
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
@@ -144,7 +144,7 @@ contains
       do i = 1, n
          column(i) = opening(rows, self%row(i), self%unit_motion, impactor_motion)
       end do
-      self%unit_motion(:, rows%point(:, row)) = 0.0_wp
+      call clear_motion(rows, row, row, self%unit_motion, impactor_motion)
       if (diagonal > 0.0_wp) then
          call self%factor%append(column, (1.0_wp + ridge)*diagonal, ridge*diagonal)
          self%row(n + 1) = row
@@ -216,7 +216,7 @@ contains
       !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Of the surface points
-      real(wp), intent(in) :: motion(:, :)
+      real(wp), contiguous, intent(in) :: motion(:, :)
       !> Of the impactor
       real(wp), intent(in) :: impactor_motion(3)
       !> Gap that counts as closed

@@ -74,7 +74,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
       !> The list is new: what was known of gaps is void
@@ -95,7 +95,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
@@ -117,15 +117,15 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
       integer :: f, i
-      logical :: used(size(position, 2))
+      logical, allocatable :: used(:)
       real(wp) :: arm(3)
 
-      used(:) = .false.
+      allocate (used(size(position, 2)), source=.false.)
       do f = 1, size(self%bound)
          arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
          self%listed(f) = norm2(arm) < sqrt(self%bound(f)) + self%reach
@@ -145,7 +145,7 @@ contains
       !> The list
       type(near_type), intent(inout) :: self
       !> Surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 

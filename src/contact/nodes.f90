@@ -57,7 +57,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points at the start, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
       !> Radius of the sphere, length
@@ -91,15 +91,16 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points at the start, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
       !> Radius of the sphere, length
       real(wp), intent(in) :: radius
 
-      real(wp) :: away(size(surface%facet, 2))
+      real(wp), allocatable :: away(:)
       integer :: f, s
 
+      allocate (away(size(surface%facet, 2)))
       do f = 1, size(away)
          away(f) = norm2(position(:2, surface%facet(surface%nodes, f)) - centre(:2))
       end do
@@ -121,20 +122,23 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor, length
       real(wp), intent(in) :: centre(3)
 
       integer :: f, s
+      integer, allocatable :: facets(:)
       real(wp) :: point(3)
       type(foot_type) :: foot
 
+      allocate (facets(size(surface%facet, 2)))
+      facets(:) = [(f, f=1, size(facets))]
       least_gap = huge(1.0_wp)
       foot%beside = .true.
       do s = 1, size(self%position, 2)
          point(:) = centre + self%position(:, s)
          if (foot%beside) then
-            foot = surface%start_near(position, point, [(f, f=1, size(surface%facet, 2))])
+            foot = surface%start_near(position, point, facets)
          end if
          call surface%project(position, point, foot)
          if (.not. foot%beside) least_gap = min(least_gap, foot%gap)
@@ -160,7 +164,7 @@ contains
       !> Facets near the sphere
       type(near_type), intent(in) :: near
       !> Trial positions of the surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
       !> The constraints
@@ -192,7 +196,7 @@ contains
       !> Facets near the sphere
       type(near_type), intent(in) :: near
       !> Trial positions of the surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial position of the node, length
       real(wp), intent(in) :: point(3)
       !> Its number
@@ -209,10 +213,13 @@ contains
       call surface%project(position, point, foot)
       self%facet(node) = merge(0, foot%facet, foot%beside)
       self%place(:, node) = foot%place
-      if (foot%beside .or. foot%gap >= 0.0_wp) then
+      if (foot%gap >= 0.0_wp) then
          self%wake(node) = near%travel + norm2(foot%gap_vector)
-         self%push(node) = 0.0_wp
+      else if (foot%beside) then
+         ! below the border: how far beyond it
+         self%wake(node) = near%travel + norm2(foot%gap_vector - foot%gap*foot%normal)
       end if
+      if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
    end subroutine look
 
    !> Make a row of a node below the surface
@@ -225,7 +232,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Trial positions of the surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
       !> Foot of the node

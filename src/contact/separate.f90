@@ -31,7 +31,7 @@ contains
       !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Of the surface points along x, y, z, (3, points), zero where held
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
 
@@ -50,11 +50,11 @@ contains
       !> The constraints; the pushes out
       type(constraints_type), intent(inout) :: rows
       !> Of the surface points along x, y, z, (3, points), zero where held
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
       !> Of the surface points, (3, points), length; zero in
-      real(wp), intent(inout) :: motion(:, :)
+      real(wp), contiguous, intent(inout) :: motion(:, :)
       !> Of the impactor, length
       real(wp), intent(out) :: impactor_motion(3)
 
@@ -89,7 +89,7 @@ contains
       !> The constraints; the pushes out
       type(constraints_type), intent(inout) :: rows
       !> Of the surface points
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
       !> Motion of the impactor, zero where held, length
@@ -139,7 +139,7 @@ contains
       !> Which row
       integer, intent(in) :: row
       !> Of the surface points
-      real(wp), intent(in) :: inverse_mass(:, :)
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
 
       own_share = sum(inverse_mass(:, rows%point(1, row))*rows%normal(:, row)**2)
    end function own_share

@@ -86,7 +86,7 @@ contains
       !> Points of each facet, (4 or 9, facets)
       integer, intent(in) :: facet(:, :)
       !> Surface points at the start, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> 1 for the top face of the plate, -1 for the bottom face
       integer, intent(in) :: side
 
@@ -111,7 +111,7 @@ contains
       !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
       !> Facets to look at
@@ -135,7 +135,7 @@ contains
       !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
       !> Start in, foot out
@@ -191,7 +191,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: self
       !> Surface points, length
-      real(wp), intent(in) :: position(:, :)
+      real(wp), contiguous, intent(in) :: position(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
       !> Facet and start in, foot out
