@@ -82,17 +82,16 @@ contains
       integer :: k, p
 
       associate (joint => domain%layers%joint)
-         domain%ties = reshape(pack([(k, k + 1, k=1, size(joint))], &
-            & [(spread(joint(k) == faces_tied, 1, 2), k=1, size(joint))]), &
-            & [2, count(joint == faces_tied)])
+         domain%ties = pack([(k, k=1, size(joint))], joint == faces_tied)
          allocate (domain%interfaces(0))
          if (model%control%kinematics == total_lagrangian .and. any(joint > 0)) then
             call fail(error, exit_input, "elastic interfaces work with linear strain only: " &
                & //"*CONTROL_LAYERWISE with KINEM 0, or tie the plies")
             return
          end if
-         do k = 1, size(domain%ties, 2)
-            call tie_masses(domain, domain%ties(1, k), domain%ties(2, k))
+         allocate (domain%far_ties(2, 0))
+         do k = 1, size(domain%ties)
+            call tie_layers(domain, domain%ties(k))
          end do
          do k = 1, size(joint)
             if (joint(k) <= 0) cycle
@@ -104,18 +103,27 @@ contains
       end associate
    end subroutine build_joints
 
-   !> Both points of a tied face get the inverse of the sum of their masses
-   subroutine tie_masses(domain, lower, upper)
+   !> Let the top of a layer and the bottom of the next move as one: both get the inverse of the sum
+   !> of their masses
+   subroutine tie_layers(domain, layer)
       type(domain_type), intent(inout) :: domain
-      integer, intent(in) :: lower, upper
-      integer :: above, below, n
+      integer, intent(in) :: layer
 
+      integer :: above, below, c, n
+      logical :: side_by_side
+
+      call domain%columns%tie(layer, side_by_side)
       do n = 1, domain%columns%nodes
-         below = domain%columns%mass_of(lower, domain%columns%levels(lower), n)
-         above = domain%columns%mass_of(upper, 1, n)
+         below = domain%columns%mass_of(layer, domain%columns%levels(layer), n)
+         above = domain%columns%mass_of(layer + 1, 1, n)
          domain%inverse_mass([below, above]) = 1.0_wp/(domain%mass(below) + domain%mass(above))
       end do
-   end subroutine tie_masses
+      if (side_by_side) return
+      domain%far_ties = reshape([domain%far_ties, &
+         & ([([domain%columns%freedom(layer, domain%columns%levels(layer), c, n), &
+         & domain%columns%freedom(layer + 1, 1, c, n)], c=1, 3)], n=1, domain%columns%nodes)], &
+         & [2, size(domain%far_ties, 2) + 3*domain%columns%nodes])
+   end subroutine tie_layers
 
    !> Held places and prescribed motions
    subroutine build_supports(model, domain, error)

@@ -5,7 +5,7 @@
 !> So tied faces, open faces and interfaces share one layout. Layers of one order form a family;
 !> its points are stored as (lanes, blocks, levels, 3, nodes), the layers side by side.
 module plydyn_domain_columns
-   use plydyn_base_precision, only : lanes
+   use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
@@ -21,6 +21,8 @@ module plydyn_domain_columns
       integer :: first = 0, first_mass = 0
       !> Layer in each lane, 0 where there is none, (lanes, blocks)
       integer, allocatable :: layer(:, :)
+      !> 1 where the top of a lane is tied to the bottom of the next lane, else 0, (lanes*blocks)
+      real(wp), allocatable :: tied_above(:)
    end type family_type
 
    !> All columns; every node has the same
@@ -34,6 +36,7 @@ module plydyn_domain_columns
       !> Family, block and lane of each layer, (3, layers)
       integer, allocatable :: home(:, :)
    contains
+      procedure :: tie
       procedure :: freedom
       procedure :: mass_of
       procedure :: levels
@@ -67,6 +70,7 @@ contains
             family%first_mass = self%masses + 1
             allocate (family%layer(lanes, family%blocks))
             family%layer(:, :) = 0
+            family%tied_above = spread(0.0_wp, 1, lanes*family%blocks)
             i = 0
             do k = 1, size(order)
                if (order(k) /= p) cycle
@@ -79,6 +83,20 @@ contains
          end associate
       end do
    end function new_columns
+
+   !> Tie the top of a layer to the bottom of the next; false if they are not side by side
+   pure subroutine tie(self, layer, side_by_side)
+      class(columns_type), intent(inout) :: self
+      !> The lower layer, from the bottom up
+      integer, intent(in) :: layer
+      !> Whether both are of one family, and so in lanes side by side
+      logical, intent(out) :: side_by_side
+
+      side_by_side = self%home(1, layer) == self%home(1, layer + 1)
+      if (.not. side_by_side) return
+      self%families(self%home(1, layer))%tied_above(self%home(3, layer) &
+         & + lanes*(self%home(2, layer) - 1)) = 1.0_wp
+   end subroutine tie
 
    !> Place of a point's displacement in the arrays of motion
    elemental integer function freedom(self, layer, level, direction, node)

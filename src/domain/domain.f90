@@ -77,8 +77,11 @@ module plydyn_domain_domain
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
       !> face move as one); zero where there is no point
       real(wp), allocatable :: mass(:), inverse_mass(:)
-      !> Faces that move as one: the layers below and above, (2, ties)
-      integer, allocatable :: ties(:, :)
+      !> Lower layers of the faces that move as one
+      integer, allocatable :: ties(:)
+      !> Those of them whose layers are of different families: points below and above,
+      !> (2, 3*nodes*faces)
+      integer, allocatable :: far_ties(:, :)
       !> Places in the arrays of motion that do not move
       integer, allocatable :: held(:)
       !> Prescribed motions

@@ -162,7 +162,7 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties, 2))
+      freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties))
    end function independent_freedoms
 
    !> The stable step and the quads that have the smallest

@@ -1,4 +1,4 @@
-!> The central difference scheme (de Borst et al., 2012), point by point.
+!> The central difference scheme (de Borst et al., 2012), column by column.
 module plydyn_solver_motion
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
@@ -7,6 +7,16 @@ module plydyn_solver_motion
    private
 
    public :: accelerate, advance
+
+   !> Sums over all points at a full step, where the velocity is v + 1/2 dt a
+   type, public :: sums_type
+      !> Momentum along x, y, z
+      real(wp) :: momentum(3) = 0.0_wp
+      !> Twice the kinetic energy
+      real(wp) :: twice_kinetic = 0.0_wp
+      !> Power of the forces with the velocity of the half step before
+      real(wp) :: power = 0.0_wp
+   end type sums_type
 
 contains
 
@@ -25,7 +35,7 @@ contains
       power = 0.0_wp
       do f = 1, size(domain%columns%families)
          associate (family => domain%columns%families(f))
-            call advance_family(lanes*family%blocks*(family%order + 1), domain%columns%nodes, &
+            call advance_family(family%blocks*(family%order + 1), domain%columns%nodes, &
                & (1.0_wp - brake)/(1.0_wp + brake), middle/(1.0_wp + brake), state%step, &
                & domain%mass(family%first_mass), state%acceleration(family%first), &
                & state%velocity(family%first), state%displacement(family%first), power)
@@ -35,83 +45,116 @@ contains
    end subroutine advance
 
    !> `advance` for the points of one family
-   pure subroutine advance_family(width, nodes, keep, middle, step, mass, a, v, u, power)
-      integer, intent(in) :: width, nodes
-      real(wp), intent(in) :: keep, middle, step, mass(width, nodes), a(width, 3, nodes)
-      real(wp), intent(inout) :: v(width, 3, nodes), u(width, 3, nodes), power
-      real(wp) :: column
-      integer :: c, i, n
+   pure subroutine advance_family(rows, nodes, keep, middle, step, mass, a, v, u, power)
+      integer, intent(in) :: rows, nodes
+      real(wp), intent(in) :: keep, middle, step
+      real(wp), intent(in) :: mass(lanes, rows, nodes), a(lanes, rows, 3, nodes)
+      real(wp), intent(inout) :: v(lanes, rows, 3, nodes), u(lanes, rows, 3, nodes), power
+
+      real(wp) :: column(lanes)
+      integer :: c, l, n, r
 
       do n = 1, nodes
-         column = 0.0_wp
+         column(:) = 0.0_wp
          do c = 1, 3
-            !$omp simd reduction(+:column)
-            do i = 1, width
-               v(i, c, n) = keep*v(i, c, n) + middle*a(i, c, n)
-               u(i, c, n) = u(i, c, n) + step*v(i, c, n)
-               column = column + mass(i, n)*a(i, c, n)*v(i, c, n)
+            do r = 1, rows
+               !$omp simd
+               do l = 1, lanes
+                  v(l, r, c, n) = keep*v(l, r, c, n) + middle*a(l, r, c, n)
+                  u(l, r, c, n) = u(l, r, c, n) + step*v(l, r, c, n)
+                  column(l) = column(l) + mass(l, r, n)*a(l, r, c, n)*v(l, r, c, n)
+               end do
             end do
          end do
-         power = power + column
+         power = power + sum(column)
       end do
    end subroutine advance_family
 
-   !> Forces to accelerations, in place; tied points get one acceleration
-   subroutine accelerate(domain, force)
+   !> Forces to accelerations, in place, with the sums that the energies need.
+   !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
+   !> their accelerations are the same to the last bit.
+   subroutine accelerate(domain, step, velocity, force, sums)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> The step just made
+      real(wp), intent(in) :: step
+      !> Velocity of all points, half a step before
+      real(wp), intent(in), contiguous :: velocity(:)
       !> Force in, acceleration out
       real(wp), intent(inout), contiguous :: force(:)
+      !> Sums over all points
+      type(sums_type), intent(out) :: sums
 
       integer :: f, k
 
-      do k = 1, size(domain%ties, 2)
-         call share_force(domain, domain%ties(1, k), domain%ties(2, k), force)
+      do k = 1, size(domain%far_ties, 2)
+         force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
       end do
       do f = 1, size(domain%columns%families)
          associate (family => domain%columns%families(f))
-            call divide(lanes*family%blocks*(family%order + 1), domain%columns%nodes, &
-               & domain%inverse_mass(family%first_mass), force(family%first:))
+            if (any(family%tied_above > 0.0_wp)) call share_forces(lanes*family%blocks, family%order + 1, &
+               & domain%columns%nodes, family%tied_above, force(family%first:))
+            call divide(family%blocks*(family%order + 1), domain%columns%nodes, 0.5_wp*step, &
+               & domain%mass(family%first_mass), domain%inverse_mass(family%first_mass), &
+               & velocity(family%first:), force(family%first:), sums)
          end associate
       end do
    end subroutine accelerate
 
-   !> Give both points of a tied face the sum of their forces; the inverse mass of both is that of
-   !> their sum
-   pure subroutine share_force(domain, lower, upper, force)
-      type(domain_type), intent(in) :: domain
-      integer, intent(in) :: lower, upper
-      real(wp), intent(inout) :: force(:)
+   !> Give both points of every tied face between lanes side by side the sum of their forces
+   pure subroutine share_forces(width, levels, nodes, tied, force)
+      integer, intent(in) :: width, levels, nodes
+      real(wp), intent(in) :: tied(width)
+      real(wp), intent(inout) :: force(width, levels, 3, nodes)
 
-      integer :: above, below, c, n, stride(2)
-
-      associate (columns => domain%columns)
-         below = columns%freedom(lower, columns%levels(lower), 1, 1)
-         above = columns%freedom(upper, 1, 1, 1)
-         stride(:) = [columns%freedom(lower, 1, 2, 1) - columns%freedom(lower, 1, 1, 1), &
-            & columns%freedom(upper, 1, 2, 1) - columns%freedom(upper, 1, 1, 1)]
-         do n = 1, columns%nodes
-            do c = 1, 3
-               force(below) = force(below) + force(above)
-               force(above) = force(below)
-               below = below + stride(1)
-               above = above + stride(2)
-            end do
-         end do
-      end associate
-   end subroutine share_force
-
-   !> Force over mass
-   pure subroutine divide(width, nodes, inverse_mass, a)
-      integer, intent(in) :: width, nodes
-      real(wp), intent(in) :: inverse_mass(width, nodes)
-      real(wp), intent(inout) :: a(width, 3, nodes)
+      real(wp), dimension(width) :: above, below, tied_below
       integer :: c, n
 
+      tied_below(1) = 0.0_wp
+      tied_below(2:) = tied(:width - 1)
+      above(width) = 0.0_wp
+      below(1) = 0.0_wp
       do n = 1, nodes
          do c = 1, 3
-            a(:, c, n) = a(:, c, n)*inverse_mass(:, n)
+            above(:width - 1) = force(2:, 1, c, n)
+            below(2:) = force(:width - 1, levels, c, n)
+            force(:, levels, c, n) = force(:, levels, c, n) + tied*above
+            force(:, 1, c, n) = force(:, 1, c, n) + tied_below*below
          end do
+      end do
+   end subroutine share_forces
+
+   !> Force over mass, and the sums of one family, node by node
+   pure subroutine divide(rows, nodes, half_step, mass, inverse_mass, v, a, sums)
+      integer, intent(in) :: rows, nodes
+      real(wp), intent(in) :: half_step, mass(lanes, rows, nodes), inverse_mass(lanes, rows, nodes)
+      real(wp), intent(in) :: v(lanes, rows, 3, nodes)
+      real(wp), intent(inout) :: a(lanes, rows, 3, nodes)
+      type(sums_type), intent(inout) :: sums
+
+      real(wp), dimension(lanes) :: kinetic, momentum, power
+      real(wp) :: now
+      integer :: c, l, n, r
+
+      do n = 1, nodes
+         kinetic(:) = 0.0_wp
+         power(:) = 0.0_wp
+         do c = 1, 3
+            momentum(:) = 0.0_wp
+            do r = 1, rows
+               !$omp simd private(now)
+               do l = 1, lanes
+                  a(l, r, c, n) = a(l, r, c, n)*inverse_mass(l, r, n)
+                  now = v(l, r, c, n) + half_step*a(l, r, c, n)
+                  momentum(l) = momentum(l) + mass(l, r, n)*now
+                  kinetic(l) = kinetic(l) + mass(l, r, n)*now*now
+                  power(l) = power(l) + mass(l, r, n)*a(l, r, c, n)*v(l, r, c, n)
+               end do
+            end do
+            sums%momentum(c) = sums%momentum(c) + sum(momentum)
+         end do
+         sums%twice_kinetic = sums%twice_kinetic + sum(kinetic)
+         sums%power = sums%power + sum(power)
       end do
    end subroutine divide
 

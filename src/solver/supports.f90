@@ -34,10 +34,12 @@ contains
       !> What it was: held points first, then those of each motion, zero while that does not act
       real(wp), intent(out) :: support_force(:)
 
-      integer :: first, m
+      integer :: first, i, m
 
-      support_force(:size(domain%held)) = force(domain%held)
-      force(domain%held) = 0.0_wp
+      do i = 1, size(domain%held)
+         support_force(i) = force(domain%held(i))
+         force(domain%held(i)) = 0.0_wp
+      end do
       first = size(domain%held)
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m), n => size(domain%motions(m)%freedom))
