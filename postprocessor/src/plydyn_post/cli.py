@@ -98,7 +98,9 @@ def report(
     measured: Measured = None,
     mean: Window = None,
     time: Time = None,
-    plain: Annotated[bool, typer.Option("--plain", help="Pictures by matplotlib.")] = False,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="Draw pictures by matplotlib, not VTK.")
+    ] = False,
 ) -> None:
     """All figures and pictures, a CSV of the numbers, and a page with them."""
     found = tuple(open_results(job) for job in jobs)
@@ -122,7 +124,7 @@ def force(
     output: Output = None,
     measured: Measured = None,
     mean: Window = None,
-    over: Annotated[str, typer.Option("--over", help="time or displacement.")] = "time",
+    over: Annotated[str, typer.Option("--over", help="Draw over time or displacement.")] = "time",
     impactor: Impactor = None,
 ) -> None:
     """Contact force over time or displacement."""
@@ -158,7 +160,7 @@ def _draw_history(
 def energy(
     job: Job,
     output: Output = None,
-    stacked: Annotated[bool, typer.Option("--stacked", help="Parts on top of each other.")] = False,
+    stacked: Annotated[bool, typer.Option("--stacked", help="Stack the parts.")] = False,
 ) -> None:
     """Energies over time, and the error of their balance."""
     found = open_results(job)
@@ -194,20 +196,26 @@ def profile(
 def picture(
     job: Job,
     output: Output = None,
-    show: Annotated[str, typer.Option("--show", help="uz, sxx, s13, …: the colours.")] = "uz",
+    show: Annotated[
+        str, typer.Option("--show", help="What colours show: uz, sxx, s13, ...")
+    ] = "uz",
     time: Time = None,
-    factor: Annotated[float | None, typer.Option("--factor", help="Of the displacement.")] = None,
-    thickness: Annotated[float | None, typer.Option("--thickness", help="Its factor.")] = None,
+    factor: Annotated[
+        float | None, typer.Option("--factor", help="Factor of displacement.")
+    ] = None,
+    thickness: Annotated[
+        float | None, typer.Option("--thickness", help="Factor of thickness.")
+    ] = None,
     cut: Annotated[bool, typer.Option("--cut", help="Cut a quarter away.")] = False,
-    zoom: Annotated[float, typer.Option("--zoom", help="About the point of impact.")] = 1.0,
-    mesh: Annotated[bool, typer.Option(help="Lines between elements.")] = True,
+    zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 1.0,
+    mesh: Annotated[bool, typer.Option(help="Draw lines between elements.")] = True,
     limits: Annotated[
         tuple[float, float] | None, typer.Option("--limits", help="Ends of the colour bar.")
     ] = None,
     view: Annotated[
         tuple[float, float] | None, typer.Option("--view", help="Azimuth and elevation, degrees.")
     ] = None,
-    plain: Annotated[bool, typer.Option("--plain", help="By matplotlib, without VTK.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
 ) -> None:
     """The deformed plate at an instant, by default that of the largest deflection."""
     found = open_results(job)
