@@ -37,6 +37,7 @@ module plydyn_deck_cards
    contains
       procedure :: sets
       procedure :: has
+      procedure :: is_fine
       procedure :: integer => integer_value
       procedure :: real => real_value
       procedure :: reals
@@ -46,6 +47,7 @@ module plydyn_deck_cards
       procedure :: list
       procedure :: head
       procedure :: place
+      procedure :: line_of
       procedure :: column_width
       procedure :: card_of_row
       procedure, private :: find
@@ -84,6 +86,21 @@ contains
       has = row > 0
       if (has) has = self%state(column, row) == is_given
    end function has
+
+   !> A field is given and right, or absent: nothing has been said about it yet
+   pure logical function is_fine(self, name, nth)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: column, row
+
+      call self%find(name, nth, column, row)
+      is_fine = row == 0
+      if (row > 0) is_fine = self%state(column, row) /= is_wrong
+   end function is_fine
 
    !> Number in a field; its default when it is absent
    pure real(wp) function real_value(self, name, nth) result(number)
@@ -232,6 +249,21 @@ contains
       place%first = sum(self%column_width(place%card, column - 1)) + 1
       place%last = sum(self%column_width(place%card, column))
    end function place
+
+   !> Line of a field
+   pure integer function line_of(self, name, nth) result(line)
+      class(cards_type), intent(in) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: column, row
+
+      call self%find(name, nth, column, row)
+      line = self%line
+      if (row > 0) line = self%row_line(row)
+   end function line_of
 
    !> Columns of the first fields of a card
    pure function column_width(self, card, fields) result(width)

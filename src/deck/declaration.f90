@@ -77,6 +77,8 @@ module plydyn_deck_declaration
       integer :: fate = is_read
       !> The keyword holds as many sets of its cards as the user likes
       logical :: repeated = .false.
+      !> A deck has it at most once
+      logical :: once = .false.
       !> LS-DYNA's number form of the name; empty without one
       character(:), allocatable :: alias
       !> Suffixes that add a card in front, separated by blanks: TITLE, ID

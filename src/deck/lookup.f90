@@ -8,7 +8,7 @@ module plydyn_deck_lookup
    implicit none
    private
 
-   public :: declare, find_keyword
+   public :: declare, find_keyword, keyword_advice
 
    !> Longest name of a keyword
    integer, parameter :: longest_name = 64

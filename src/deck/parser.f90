@@ -61,6 +61,7 @@ contains
          last = next_keyword(source, first + 1) - 1
          call parse_keyword(source, keywords, first, last, context, cards(i), report)
          first = last + 1
+         call check_once(cards(:i), report)
       end do
       call check_end(source, report)
    end subroutine parse
@@ -117,6 +118,26 @@ contains
       call report%refuse(place, "the deck does not end with *END, it may have been cut short", &
          & "*END as the last line")
    end subroutine check_end
+
+   !> Some keywords stand in a deck once
+   subroutine check_once(cards, report)
+      !> The keywords so far
+      type(cards_type), intent(in) :: cards(:)
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: i
+
+      associate (new => cards(size(cards)))
+         if (len(new%name) == 0 .or. .not. new%declaration%once) return
+         do i = 1, size(cards) - 1
+            if (cards(i)%name /= new%name) cycle
+            call report%refuse(new%head(), "the keyword stands in the deck twice", &
+               & "the keyword once", cards(i)%line)
+            return
+         end do
+      end associate
+   end subroutine check_once
 
    !> Read one keyword
    subroutine parse_keyword(source, keywords, first, last, context, cards, report)

@@ -116,7 +116,7 @@ contains
       end if
       advice = number_advice(content, wrong_at)
       if (len(advice) > 0) advice = "; "//advice
-      call blame(fault, wrong_at, "'"//content//"' is not "//noun(field), &
+      call blame(fault, wrong_at, "'"//content//"' is not "//plain_noun(field), &
          & range_words(field)//advice)
    end subroutine take_number
 
@@ -199,14 +199,23 @@ contains
       end if
    end function range_words
 
-   !> Kind of number
-   pure function noun(field) result(words)
+   !> Kind of number without its dimension
+   pure function plain_noun(field) result(words)
       !> What the field declares
       type(field_type), intent(in) :: field
       character(:), allocatable :: words
 
       words = "a number"
       if (field%kind == integer_field) words = "an integer"
+   end function plain_noun
+
+   !> Kind of number
+   pure function noun(field) result(words)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      words = plain_noun(field)
       if (field%kind == real_field .and. len(field%dimension) > 0) then
          words = "a number ("//field%dimension//")"
       end if

@@ -30,6 +30,8 @@ module plydyn_model_control
       integer :: step_curve = 0
       !> The run stops when the step falls below this; 0 for none
       real(wp) :: smallest_step = 0.0_wp
+      !> The run stops when the step falls below this share of the first one; 0 for none
+      real(wp) :: smallest_share = 0.0_wp
       !> `linear_strain` or `total_lagrangian`
       integer :: kinematics = total_lagrangian
       !> Force per mass and velocity that brakes every point, 1/time

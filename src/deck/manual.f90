@@ -1,0 +1,156 @@
+!> Pages of the keyword manual, made from the declarations.
+module plydyn_deck_manual
+   use plydyn_base_text, only : text
+   use plydyn_deck_declaration, only : card_type, field_type, integer_field, is_ignored, &
+      & is_refused, keyword_type, real_field, text_field, word_field, words_field
+   use plydyn_deck_values, only : number_words, range_words
+   implicit none
+   private
+
+   public :: keyword_page, keyword_list
+
+   character(*), parameter :: line_feed = achar(10)
+
+contains
+
+   !> Page of one keyword in markdown
+   function keyword_page(keyword) result(page)
+      !> Its declaration
+      type(keyword_type), intent(in) :: keyword
+      character(:), allocatable :: page
+
+      integer :: i
+
+      page = "## *"//keyword%name//line_feed//line_feed
+      select case (keyword%fate)
+      case (is_ignored)
+         page = page//"Known and ignored: it does not change the results."//line_feed
+      case (is_refused)
+         page = page//"Refused; right would be: "//keyword%remark//"."//line_feed
+      case default
+         page = page//keyword%sentence//line_feed
+         if (len(keyword%remark) > 0) page = page//line_feed//keyword%remark//line_feed
+         page = page//origin_text(keyword)
+         do i = 1, size(keyword%cards)
+            page = page//card_text(keyword, i)
+         end do
+      end select
+      page = page//line_feed
+   end function keyword_page
+
+   !> Names of the keywords with some fate, in one paragraph
+   function keyword_list(keywords, fate) result(words)
+      !> Their declarations
+      type(keyword_type), intent(in) :: keywords(:)
+      !> `is_ignored` or `is_refused`
+      integer, intent(in) :: fate
+      character(:), allocatable :: words
+
+      integer :: i
+
+      words = ""
+      do i = 1, size(keywords)
+         if (keywords(i)%fate /= fate) cycle
+         if (fate == is_ignored) words = words//"`*"//keywords(i)%name//"` "
+         if (fate == is_refused) words = words//"- `*"//keywords(i)%name//"`: right would be " &
+            & //keywords(i)%remark//line_feed
+      end do
+      words = words//line_feed
+   end function keyword_list
+
+   !> Whose keyword it is, and what may be added to its name
+   function origin_text(keyword) result(words)
+      !> Its declaration
+      type(keyword_type), intent(in) :: keyword
+      character(:), allocatable :: words
+
+      words = line_feed//"Cards of LS-DYNA."
+      if (keyword%own) words = line_feed//"A keyword of plydyn."
+      if (len(keyword%alias) > 0) words = words//" Also `*"//keyword%alias//"`."
+      if (keyword%suffixes == "TITLE") words = words//" `_TITLE` adds a line with a title in front."
+      if (keyword%suffixes == "ID") words = words &
+         & //" `_ID` adds a card with a number and a title in front."
+      if (keyword%once) words = words//" Once in a deck."
+      if (keyword%repeated .and. size(keyword%cards) == 1) then
+         words = words//" Any number of cards."
+      else if (keyword%repeated) then
+         words = words//" Any number of sets of the cards."
+      end if
+      words = words//line_feed
+   end function origin_text
+
+   !> Table of one card
+   function card_text(keyword, number) result(words)
+      !> Declaration of the keyword
+      type(keyword_type), intent(in) :: keyword
+      !> Number of the card
+      integer, intent(in) :: number
+      character(:), allocatable :: words
+
+      integer :: begin, i
+
+      associate (card => keyword%cards(number))
+         words = line_feed//"Card "//text(number)
+         if (card%repeated .and. card%optional) then
+            words = words//", any number or none"
+         else if (card%repeated) then
+            words = words//", any number"
+         else if (card%optional) then
+            words = words//", may be missing"
+         end if
+         words = words//line_feed//line_feed &
+            & //"| field | columns | accepts | default | meaning |"//line_feed &
+            & //"|---|---|---|---|---|"//line_feed
+         begin = 1
+         do i = 1, size(card%fields)
+            words = words//field_text(card%fields(i), begin)
+            begin = begin + card%fields(i)%width
+         end do
+      end associate
+   end function card_text
+
+   !> Row of one field
+   function field_text(field, begin) result(row)
+      !> Its declaration
+      type(field_type), intent(in) :: field
+      !> Its first column
+      integer, intent(in) :: begin
+      character(:), allocatable :: row
+
+      row = "| "//trim(field%name)//" | "//text(begin)//"-"//text(begin + field%width - 1)//" | " &
+         & //accepted_text(field)//" | "//default_text(field)//" | "//field%sentence//" |"//line_feed
+   end function field_text
+
+   !> What a field accepts
+   function accepted_text(field) result(words)
+      !> Its declaration
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      select case (field%kind)
+      case (integer_field, real_field)
+         words = range_words(field)
+      case (text_field)
+         words = "text"
+      case (word_field, words_field)
+         words = "text"
+         if (len(field%words) > 0) words = field%words
+      end select
+   end function accepted_text
+
+   !> Value of a blank
+   function default_text(field) result(words)
+      !> Its declaration
+      type(field_type), intent(in) :: field
+      character(:), allocatable :: words
+
+      words = "blank"
+      if (field%required) then
+         words = "required"
+      else if (field%kind == integer_field .or. field%kind == real_field) then
+         if (field%supported) words = number_words(field%default)
+         if (field%zero_is_default) words = words//", also for 0"
+      end if
+   end function default_text
+
+end module plydyn_deck_manual

@@ -1,0 +1,311 @@
+!> Everything in a deck that has a number, and what is wrong with the deck so far.
+!>
+!> Readers define numbers with `define` and resolve references with `find`, which reports an
+!> undefined one at its place in the deck and gives index 0.
+module plydyn_input_catalogue
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_declaration, only : name_length
+   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_input_register, only : register_type
+   implicit none
+   private
+
+   public :: new_catalogue
+
+   !> Kinds of things that have a number
+   integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, a_box = 5, &
+      & a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, an_impactor = 10, &
+      & a_contact = 11, a_profile = 12, a_section = 13
+   integer, parameter :: kinds = 13
+
+   !> Some nodes or quads
+   type, public :: members_type
+      !> Indices into the nodes or quads of the mesh
+      integer, allocatable :: list(:)
+   end type members_type
+
+   !> A stretch of space along the axes
+   type, public :: box_type
+      !> Smallest and largest x, y, z
+      real(wp) :: low(3) = 0.0_wp, high(3) = 0.0_wp
+   end type box_type
+
+   !> Numbers, sets and findings
+   type, public :: catalogue_type
+      !> Numbers of each kind
+      type(register_type) :: registers(kinds)
+      !> Nodes of each node set, in the order of definition
+      type(members_type), allocatable :: node_sets(:)
+      !> Quads of each quad set
+      type(members_type), allocatable :: quad_sets(:)
+      !> Boxes, in the order of definition
+      type(box_type), allocatable :: boxes(:)
+      !> Findings
+      type(report_type) :: report
+   contains
+      procedure :: define
+      procedure :: find
+      procedure :: find_all
+      procedure :: find_set
+      procedure :: add_set
+      procedure :: refuse
+      procedure :: warn
+      procedure :: check_duplicates
+      procedure :: check_unused
+   end type catalogue_type
+
+contains
+
+   !> An empty catalogue
+   function new_catalogue() result(catalogue)
+      type(catalogue_type) :: catalogue
+
+      integer :: i
+
+      call name_kind(a_node, "node", "*NODE")
+      call name_kind(a_quad, "element", "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
+      call name_kind(a_node_set, "node set", "*SET_NODE_LIST or *SET_NODE_GENERAL")
+      call name_kind(a_quad_set, "shell set", "*SET_SHELL_LIST")
+      call name_kind(a_box, "box", "*DEFINE_BOX")
+      call name_kind(a_curve, "curve", "*DEFINE_CURVE")
+      call name_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
+      call name_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
+      call name_kind(a_part, "part", "*PART_COMPOSITE")
+      call name_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
+      call name_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
+      call name_kind(a_profile, "profile", "*DATABASE_PROFILE")
+      call name_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
+      do i = 1, kinds
+         call catalogue%registers(i)%sort()
+      end do
+      allocate (catalogue%node_sets(0), catalogue%quad_sets(0), catalogue%boxes(0))
+
+   contains
+
+      !> Say what the things of a kind are called and which keyword defines them
+      subroutine name_kind(kind, what, keyword)
+         integer, intent(in) :: kind
+         character(*), intent(in) :: what
+         character(*), intent(in) :: keyword
+
+         catalogue%registers(kind)%what = what
+         catalogue%registers(kind)%keyword = keyword
+      end subroutine name_kind
+
+   end function new_catalogue
+
+   !> Define the number in a field; 0 stands for one that is wrong
+   subroutine define(self, kind, cards, name, nth)
+      class(catalogue_type), intent(inout) :: self
+      !> Kind of thing
+      integer, intent(in) :: kind
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      call self%registers(kind)%add(cards%integer(name, nth), cards%line_of(name, nth))
+   end subroutine define
+
+   !> Index of what a field refers to
+   subroutine find(self, kind, cards, name, index, nth)
+      class(catalogue_type), intent(inout) :: self
+      !> Kind of thing
+      integer, intent(in) :: kind
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Index in the order of definition; 0 if there is none, which is reported
+      integer, intent(out) :: index
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      index = 0
+      if (.not. cards%has(name, nth)) return
+      associate (register => self%registers(kind))
+         call register%sort()
+         index = register%index_of(cards%integer(name, nth))
+         if (index > 0) then
+            call register%mark(index)
+         else
+            call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
+               & //" is not defined", range_of(register), nth)
+         end if
+      end associate
+   end subroutine find
+
+   !> Indices of what the members of a list refer to
+   subroutine find_all(self, kind, cards, list, indices)
+      class(catalogue_type), intent(inout) :: self
+      !> Kind of thing
+      integer, intent(in) :: kind
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the list
+      character(*), intent(in) :: list
+      !> Indices in the order of definition
+      integer, allocatable, intent(out) :: indices(:)
+
+      character(name_length), allocatable :: names(:)
+      integer, allocatable :: rows(:)
+      integer :: i
+
+      call cards%list(list, names, rows)
+      allocate (indices(size(names)))
+      do i = 1, size(names)
+         call self%find(kind, cards, trim(names(i)), indices(i), rows(i))
+      end do
+      indices = pack(indices, indices > 0)
+   end subroutine find_all
+
+   !> Members of the set that a field refers to; none if there is no such set, which is reported
+   subroutine find_set(self, kind, cards, name, members, nth)
+      class(catalogue_type), intent(inout) :: self
+      !> `a_node_set` or `a_quad_set`
+      integer, intent(in) :: kind
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Indices of the nodes or quads
+      integer, allocatable, intent(out) :: members(:)
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      integer :: set
+
+      allocate (members(0))
+      call self%find(kind, cards, name, set, nth)
+      if (set == 0) return
+      if (kind == a_node_set) members = self%node_sets(set)%list
+      if (kind == a_quad_set) members = self%quad_sets(set)%list
+   end subroutine find_set
+
+   !> Append a set
+   subroutine add_set(self, kind, list)
+      class(catalogue_type), intent(inout) :: self
+      !> `a_node_set` or `a_quad_set`
+      integer, intent(in) :: kind
+      !> Indices of the nodes or quads
+      integer, intent(in) :: list(:)
+
+      if (kind == a_node_set) call append_members(self%node_sets, list)
+      if (kind == a_quad_set) call append_members(self%quad_sets, list)
+   end subroutine add_set
+
+   !> Append some members without copying the others
+   subroutine append_members(sets, list)
+      !> Sets so far
+      type(members_type), allocatable, intent(inout) :: sets(:)
+      !> Members of the new one
+      integer, intent(in) :: list(:)
+
+      type(members_type), allocatable :: longer(:)
+      integer :: i
+
+      allocate (longer(size(sets) + 1))
+      do i = 1, size(sets)
+         call move_alloc(sets(i)%list, longer(i)%list)
+      end do
+      longer(size(longer))%list = list
+      call move_alloc(longer, sets)
+   end subroutine append_members
+
+   !> Report an error at a field
+   subroutine refuse(self, cards, name, wrong, right, nth)
+      class(catalogue_type), intent(inout) :: self
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> What is wrong
+      character(*), intent(in) :: wrong
+      !> What would be right
+      character(*), intent(in) :: right
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      call self%report%refuse(cards%place(name, nth), wrong, right)
+   end subroutine refuse
+
+   !> Report a warning at a field
+   subroutine warn(self, cards, name, wrong, right, nth)
+      class(catalogue_type), intent(inout) :: self
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> What is suspicious
+      character(*), intent(in) :: wrong
+      !> What to do about it
+      character(*), intent(in) :: right
+      !> Which set of cards; the first if absent
+      integer, intent(in), optional :: nth
+
+      call self%report%warn(cards%place(name, nth), wrong, right)
+   end subroutine warn
+
+   !> Report numbers of a kind that are defined twice
+   subroutine check_duplicates(self, kind)
+      class(catalogue_type), intent(inout) :: self
+      !> Kind of thing
+      integer, intent(in) :: kind
+
+      type(place_type) :: place
+      integer :: k
+
+      associate (register => self%registers(kind))
+         call register%sort()
+         do k = 2, register%count
+            if (.not. register%is_twice(k) .or. register%id(register%order(k)) == 0) cycle
+            place%line = register%line(register%order(k))
+            call self%report%refuse(place, register%what//" "//text(register%id(register%order(k))) &
+               & //" is defined twice", "a number of its own", register%line(register%order(k - 1)))
+         end do
+      end associate
+   end subroutine check_duplicates
+
+   !> Report things of a kind that nothing refers to
+   subroutine check_unused(self, kind, advice)
+      class(catalogue_type), intent(inout) :: self
+      !> Kind of thing
+      integer, intent(in) :: kind
+      !> What would be right
+      character(*), intent(in) :: advice
+
+      type(place_type) :: place
+      integer :: i
+
+      associate (register => self%registers(kind))
+         do i = 1, register%count
+            if (register%used(i)) cycle
+            place%line = register%line(i)
+            call self%report%refuse(place, register%what//" "//text(register%id(i)) &
+               & //" is never used", advice)
+         end do
+      end associate
+   end subroutine check_unused
+
+   !> Numbers that are defined, in words
+   function range_of(register) result(words)
+      !> Numbers of one kind, sorted
+      type(register_type), intent(in) :: register
+      character(:), allocatable :: words
+
+      words = "the number of "//register%keyword
+      if (register%count == 0) then
+         words = words//"; the deck has none"
+      else if (register%count == 1) then
+         words = words//"; there is "//text(register%id(1))
+      else
+         words = words//"; they run from "//text(register%id(register%order(1)))//" to " &
+            & //text(register%id(register%order(register%count)))
+      end if
+   end function range_of
+
+end module plydyn_input_catalogue

@@ -1,0 +1,163 @@
+!> What must hold for a mesh: one plane, quads counter-clockwise and not folded, no stray nodes.
+module plydyn_input_check_mesh
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : place_type
+   use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
+   use plydyn_model_mesh, only : mesh_type
+   implicit none
+   private
+
+   public :: check_mesh
+
+   !> Share of the size of the mesh by which nodes may leave the plane
+   real(wp), parameter :: flat = 1.0e-6_wp
+   !> Smallest sine of a corner of a quad
+   real(wp), parameter :: least_sine = 1.0e-3_wp
+   !> Share of the edge by which a mid-side node may lie off the middle
+   real(wp), parameter :: most_off_middle = 0.25_wp
+   !> Corners of a quad
+   integer, parameter :: corners = 4
+   !> Centre of a quad with nine nodes
+   integer, parameter :: centre = 9
+
+contains
+
+   !> Check a mesh whose references are all resolved
+   subroutine check_mesh(mesh, catalogue)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      call check_plane(mesh, catalogue)
+      call check_strays(mesh, catalogue)
+      do i = 1, size(mesh%quad_id)
+         call check_quad(mesh%position(:, mesh%quad_node(:, i)), i, catalogue)
+      end do
+   end subroutine check_mesh
+
+   !> All nodes have the same z
+   subroutine check_plane(mesh, catalogue)
+      type(mesh_type), intent(in) :: mesh
+      type(catalogue_type), intent(inout) :: catalogue
+
+      real(wp) :: extent
+      integer :: i
+
+      if (size(mesh%node_id) == 0) return
+      extent = maxval(maxval(mesh%position, dim=2) - minval(mesh%position, dim=2))
+      do i = 2, size(mesh%node_id)
+         if (abs(mesh%position(3, i) - mesh%position(3, 1)) <= flat*extent) cycle
+         call catalogue%report%refuse(spot(a_node, i, catalogue), "node "//text(mesh%node_id(i)) &
+            & //" lies at z = "//text(mesh%position(3, i))//", the first node at z = " &
+            & //text(mesh%position(3, 1)), "a laminate in one plane z = const", &
+            & catalogue%registers(a_node)%line(1))
+      end do
+   end subroutine check_plane
+
+   !> Every node belongs to a quad: one that does not would have no mass
+   subroutine check_strays(mesh, catalogue)
+      type(mesh_type), intent(in) :: mesh
+      type(catalogue_type), intent(inout) :: catalogue
+
+      logical :: met(size(mesh%node_id))
+      integer :: i
+
+      met(:) = .false.
+      do i = 1, size(mesh%quad_id)
+         met(mesh%quad_node(:, i)) = .true.
+      end do
+      do i = 1, size(met)
+         if (met(i)) cycle
+         call catalogue%report%refuse(spot(a_node, i, catalogue), "node "//text(mesh%node_id(i)) &
+            & //" belongs to no element", "only nodes of elements in the deck")
+      end do
+   end subroutine check_strays
+
+   !> Corners turn to the left, mid-sides lie near the middle of their sides
+   subroutine check_quad(x, i, catalogue)
+      !> Positions of its nodes
+      real(wp), intent(in) :: x(:, :)
+      !> Index of the quad
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      real(wp) :: edge(2, corners), length(corners), sine(corners)
+      integer :: k
+
+      do k = 1, corners
+         edge(:, k) = x(:2, modulo(k, corners) + 1) - x(:2, k)
+         length(k) = norm2(edge(:, k))
+      end do
+      do k = 1, corners
+         associate (before => modulo(k - 2, corners) + 1)
+            sine(k) = (edge(1, before)*edge(2, k) - edge(2, before)*edge(1, k)) &
+               & /max(length(before)*length(k), tiny(1.0_wp))
+         end associate
+      end do
+      if (minval(sine) > least_sine) then
+         if (size(x, 2) == centre) call check_middles(x, length, i, catalogue)
+      else if (maxval(sine) < -least_sine) then
+         call blame(i, "is clockwise seen from above", &
+            & "its nodes counter-clockwise seen from +z", catalogue)
+      else
+         call blame(i, "has no area, or is folded at a corner", &
+            & "four corners that all turn to the left", catalogue)
+      end if
+   end subroutine check_quad
+
+   !> Mid-sides and centre of a quad with nine nodes
+   subroutine check_middles(x, length, i, catalogue)
+      !> Positions of its nodes
+      real(wp), intent(in) :: x(:, :)
+      !> Lengths of its sides
+      real(wp), intent(in) :: length(corners)
+      !> Index of the quad
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      real(wp) :: middle(2)
+      integer :: k
+
+      do k = 1, corners
+         middle(:) = 0.5_wp*(x(:2, k) + x(:2, modulo(k, corners) + 1))
+         if (norm2(x(:2, corners + k) - middle) <= most_off_middle*length(k)) cycle
+         call blame(i, "has its node "//text(corners + k)//" far from the middle of its side", &
+            & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
+         return
+      end do
+      middle(:) = 0.25_wp*sum(x(:2, :corners), dim=2)
+      if (norm2(x(:2, centre) - middle) <= most_off_middle*minval(length)) return
+      call blame(i, "has its node 9 far from its centre", &
+         & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
+   end subroutine check_middles
+
+   !> Report an error of a quad
+   subroutine blame(i, wrong, right, catalogue)
+      !> Index of the quad
+      integer, intent(in) :: i
+      !> What is wrong
+      character(*), intent(in) :: wrong
+      !> What would be right
+      character(*), intent(in) :: right
+      type(catalogue_type), intent(inout) :: catalogue
+
+      call catalogue%report%refuse(spot(a_quad, i, catalogue), "element " &
+         & //text(catalogue%registers(a_quad)%id(i))//" "//wrong, right)
+   end subroutine blame
+
+   !> Line that defines a node or quad
+   pure type(place_type) function spot(kind, i, catalogue)
+      !> `a_node` or `a_quad`
+      integer, intent(in) :: kind
+      !> Its index
+      integer, intent(in) :: i
+      type(catalogue_type), intent(in) :: catalogue
+
+      spot%line = catalogue%registers(kind)%line(i)
+   end function spot
+
+end module plydyn_input_check_mesh

@@ -1,0 +1,116 @@
+!> What must hold for a model as a whole.
+module plydyn_input_check_model
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : place_type
+   use plydyn_input_catalogue, only : a_box, a_contact, a_curve, a_material, a_node, a_node_set, &
+      & a_part, a_profile, a_quad, a_quad_set, a_section, an_impactor, an_interface_material, &
+      & catalogue_type
+   use plydyn_input_check_mesh, only : check_mesh
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_model
+
+   !> Kinds whose numbers must not repeat
+   integer, parameter :: unique(*) = [a_node, a_quad, a_node_set, a_quad_set, a_box, a_curve, &
+      & a_material, an_interface_material, a_part, an_impactor, a_contact, a_profile, a_section]
+
+contains
+
+   !> Check a model that has been read
+   subroutine check_model(model, catalogue)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      do i = 1, size(unique)
+         call catalogue%check_duplicates(unique(i))
+      end do
+      call check_shared_numbers(catalogue)
+      call check_presence(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_mesh(model%mesh, catalogue)
+      call check_all_used(catalogue)
+      call check_parts(model, catalogue)
+   end subroutine check_model
+
+   !> Ply and interface materials share their numbers
+   subroutine check_shared_numbers(catalogue)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      integer :: i, other
+
+      associate (plies => catalogue%registers(a_material), &
+         & interfaces => catalogue%registers(an_interface_material))
+         do i = 1, interfaces%count
+            other = plies%index_of(interfaces%id(i))
+            if (other == 0 .or. interfaces%id(i) == 0) cycle
+            place%line = interfaces%line(i)
+            call catalogue%report%refuse(place, "material "//text(interfaces%id(i)) &
+               & //" is defined twice", "a number of its own", plies%line(other))
+         end do
+      end associate
+   end subroutine check_shared_numbers
+
+   !> What every deck needs
+   subroutine check_presence(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: nowhere
+
+      if (catalogue%report%has_errors()) return
+      if (size(model%mesh%node_id) == 0) then
+         call catalogue%report%refuse(nowhere, "the deck has no nodes", "*NODE")
+      end if
+      if (size(model%mesh%quad_id) == 0) then
+         call catalogue%report%refuse(nowhere, "the deck has no elements", &
+            & "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
+      end if
+      if (size(model%parts) == 0) then
+         call catalogue%report%refuse(nowhere, "the deck has no part", "*PART_COMPOSITE")
+      end if
+      if (model%control%end_time <= 0.0_wp) then
+         call catalogue%report%refuse(nowhere, "the deck has no end time", &
+            & "*CONTROL_TERMINATION with ENDTIM")
+      end if
+   end subroutine check_presence
+
+   !> What is defined is used
+   subroutine check_all_used(catalogue)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (catalogue%report%has_errors()) return
+      call catalogue%check_unused(a_node_set, "a keyword that uses the set, or no set")
+      call catalogue%check_unused(a_quad_set, "a keyword that uses the set, or no set")
+      call catalogue%check_unused(a_box, "*SET_NODE_GENERAL that uses the box, or no box")
+      call catalogue%check_unused(a_curve, "a keyword that uses the curve, or no curve")
+      call catalogue%check_unused(a_material, "a ply of the material, or no material")
+      call catalogue%check_unused(an_interface_material, &
+         & "*INTERFACE_COHESIVE that uses the material, or no material")
+      call catalogue%check_unused(an_impactor, "*CONTACT_IMPACTOR for the impactor, or no impactor")
+   end subroutine check_all_used
+
+   !> Every part has elements
+   subroutine check_parts(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      integer :: i
+
+      if (catalogue%report%has_errors()) return
+      do i = 1, size(model%parts)
+         if (any(model%mesh%quad_part == i)) cycle
+         place%line = catalogue%registers(a_part)%line(i)
+         call catalogue%report%refuse(place, "part "//text(model%parts(i)%id)//" has no elements", &
+            & "elements with this part, or no part")
+      end do
+   end subroutine check_parts
+
+end module plydyn_input_check_model

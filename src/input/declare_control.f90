@@ -1,0 +1,161 @@
+!> Keywords that frame a deck and say how to run.
+module plydyn_input_declare_control
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   implicit none
+   private
+
+   public :: frame_keywords, control_keywords
+
+contains
+
+   !> Keywords that the deck itself needs
+   function frame_keywords() result(keywords)
+      type(keyword_type) :: keywords(8)
+
+      keywords(1) = new_keyword("KEYWORD", standard, &
+         & "First keyword of a deck; LONG=Y behind it gives every field 20 columns.")
+      keywords(2) = title()
+      keywords(3) = new_keyword("COMMENT", standard, &
+         & "Lines of text that nothing reads, up to the next keyword.")
+      keywords(4) = new_keyword("END", standard, &
+         & "Last keyword of a deck. A deck without it is refused: it may have been cut short.")
+      keywords(5) = new_keyword("INCLUDE", standard, "Files that are read in place of this keyword.")
+      keywords(5)%remark = "One path per line, relative to the file that includes it; the folders " &
+         & //"of *INCLUDE_PATH come next. A file must not include itself."
+      keywords(6) = new_keyword("INCLUDE_PATH", standard, &
+         & "Folders in which include files are looked for, one per line.")
+      keywords(7) = new_keyword("PARAMETER", standard, "Names for numbers.")
+      keywords(7)%remark = "Up to four pairs on a line: in the first field R (real) or I (integer) " &
+         & //"and the name, in the second the number. Any later field may hold &name or -&name."
+      keywords(8) = new_keyword("PARAMETER_EXPRESSION", standard, "Names for computed numbers.")
+      keywords(8)%remark = "One on a line: R or I and the name in the first field, then the " &
+         & //"expression to the end of the line; a line with a blank first field goes on with it. " &
+         & //"Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan (radians), abs, " &
+         & //"exp, log (natural), min and max with two arguments. All arithmetic is real."
+   end function frame_keywords
+
+   !> Keywords that say how to run
+   function control_keywords() result(keywords)
+      type(keyword_type) :: keywords(7)
+
+      keywords(1) = control_units()
+      keywords(2) = control_termination()
+      keywords(3) = control_timestep()
+      keywords(4) = control_energy()
+      keywords(5) = control_parallel()
+      keywords(6) = control_layerwise()
+      keywords(7) = damping_global()
+      keywords%once = .true.
+   end function control_keywords
+
+   !> Title of the run
+   function title() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("TITLE", standard, "Title of the run.")
+      keyword%once = .true.
+      call keyword%add_text_card("TITLE", "title")
+   end function title
+
+   !> Names of units
+   function control_units() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_UNITS", standard, &
+         & "Names of the units of the deck, for listings and result files.")
+      keyword%remark = "Nothing is converted: all numbers of a deck are in one consistent set of " &
+         & //"units. Force, stress and energy follow from length, time and mass. Without the " &
+         & //"keyword: mm, s, t, hence N, MPa, mJ."
+      call keyword%add_card()
+      call keyword%add_word("LENGTH", "unit of length", "M MM CM UM", required=.true.)
+      call keyword%add_word("TIME", "unit of time", "S SEC MS US", required=.true.)
+      call keyword%add_word("MASS", "unit of mass", "KG G MG T TON MTRC_TON", required=.true.)
+      call keyword%add_word("TEMP", "unit of temperature; nothing depends on it", "K C", &
+         & required=.false.)
+   end function control_units
+
+   !> When to stop
+   function control_termination() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_TERMINATION", standard, "When the run ends.")
+      call keyword%add_card()
+      call keyword%add_real("ENDTIM", "time", "last time", above=0.0_wp)
+      call keyword%add_integer("ENDCYC", "last cycle; 0 for none", default=0, least=0)
+      call keyword%add_real("DTMIN", "-", &
+         & "the run stops when the step falls below this share of the first one; 0 for never", &
+         & default=0.0_wp, least=0.0_wp, most=1.0_wp)
+      call keyword%add_unused("ENDENG ENDMAS")
+      call keyword%add_integer("NOSOL", "1 checks the deck and does not run", default=0, &
+         & allowed=[0, 1])
+   end function control_termination
+
+   !> The time step
+   function control_timestep() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_TIMESTEP", standard, "The time step.")
+      call keyword%add_card()
+      call keyword%add_real("DTINIT", "time", "first step; 0 for the stable one", default=0.0_wp, &
+         & least=0.0_wp)
+      call keyword%add_real("TSSFAC", "-", "share of the stable step that is taken", &
+         & default=0.9_wp, above=0.0_wp, most=1.0_wp)
+      call keyword%zero_is_default()
+      call keyword%add_unused("ISDO TSLIMT DT2MS")
+      call keyword%add_integer("LCTM", "curve of the largest step over time; 0 for none", &
+         & default=0, least=0)
+      call keyword%add_unused("ERODE MS1ST")
+   end function control_timestep
+
+   !> Energies
+   function control_energy() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_ENERGY", standard, &
+         & "Which energies LS-DYNA computes; plydyn always computes all that it has.")
+      call keyword%add_card()
+      call keyword%add_unused("HGEN RWEN SLNTEN RYLEN", neutral=[0.0_wp, 1.0_wp, 2.0_wp])
+   end function control_energy
+
+   !> Processors
+   function control_parallel() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_PARALLEL", standard, &
+         & "Processors; the results have the same bits for any number of them.")
+      call keyword%add_card()
+      call keyword%add_integer("NCPU", "without effect: the command line says how many", default=1, &
+         & least=0)
+      call keyword%add_unused("NUMRHS")
+      call keyword%add_unused("CONST", neutral=[0.0_wp, 1.0_wp])
+      call keyword%add_unused("PARA")
+   end function control_parallel
+
+   !> Layer-wise plates
+   function control_layerwise() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics and health of the run.")
+      call keyword%add_card()
+      call keyword%add_integer("KINEM", "0 linear strain, 1 large displacement (total Lagrangian)", &
+         & default=1, allowed=[0, 1])
+      call keyword%add_real("ENGLIM", "-", &
+         & "the run stops when the energy balance is off by more than this share", &
+         & default=0.05_wp, above=0.0_wp)
+   end function control_layerwise
+
+   !> Damping in proportion to mass
+   function damping_global() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DAMPING_GLOBAL", standard, &
+         & "Forces against the velocity of every point of the plate.")
+      call keyword%add_card()
+      call keyword%add_unused("LCID")
+      call keyword%add_real("VALDMP", "1/time", "force per mass and velocity", default=0.0_wp, &
+         & least=0.0_wp)
+      call keyword%add_unused("STX STY STZ SRX SRY SRZ")
+   end function damping_global
+
+end module plydyn_input_declare_control

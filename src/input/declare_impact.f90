@@ -1,0 +1,158 @@
+!> Keywords of impactors and of what is written.
+module plydyn_input_declare_impact
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   implicit none
+   private
+
+   public :: impact_keywords, output_keywords
+
+   !> Nodes on a card
+   integer, parameter :: list_fields = 8
+   !> Names of the fields that can be written
+   character(*), parameter :: field_names = &
+      & "DISPLACEMENT VELOCITY STRESS STRAIN STRESS_PLY STRAIN_PLY"
+
+contains
+
+   !> Keywords of impactors
+   function impact_keywords() result(keywords)
+      type(keyword_type) :: keywords(2)
+
+      keywords(1) = impactor_sphere()
+      keywords(2) = contact_impactor()
+   end function impact_keywords
+
+   !> Keywords of what is written
+   function output_keywords() result(keywords)
+      type(keyword_type) :: keywords(9)
+
+      keywords(1) = database("DATABASE_GLSTAT", standard, "energies", "BINARY LCUR IOOPT")
+      keywords(2) = database("DATABASE_NODOUT", standard, "node histories", "BINARY LCUR IOOPT")
+      keywords(3) = database("DATABASE_SPCFORC", standard, "support forces", "BINARY LCUR IOOPT")
+      keywords(4) = database("DATABASE_BINARY_D3PLOT", standard, "field states", &
+         & "LCDT BEAM NPLTC PSETID")
+      keywords(5) = database("DATABASE_IMPACTOR", ours, "impactor histories", "")
+      keywords(6) = database_history_node()
+      keywords(7) = database_history_node_set()
+      keywords(8) = database_field()
+      keywords(9) = database_profile()
+   end function output_keywords
+
+   !> A rigid sphere
+   function impactor_sphere() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("IMPACTOR_SPHERE", ours, &
+         & "A rigid sphere or hemisphere; it moves and does not turn.", suffixes="TITLE")
+      call keyword%add_card()
+      call keyword%add_integer("IID", "number of the impactor", least=1)
+      call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
+      call keyword%add_real("MASS", "mass", "mass", above=0.0_wp)
+      call keyword%add_real("XC", "length", "x of the centre at time zero")
+      call keyword%add_real("YC", "length", "y of the centre at time zero")
+      call keyword%add_real("ZC", "length", "z of the centre at time zero")
+      call keyword%add_card()
+      call keyword%add_real("VX", "length/time", "velocity along x at time zero")
+      call keyword%add_real("VY", "length/time", "velocity along y at time zero")
+      call keyword%add_real("VZ", "length/time", "velocity along z at time zero")
+      call keyword%add_integer("DOF", "0 free, 1 guided along z", default=0, allowed=[0, 1])
+      call keyword%add_real("GRAVZ", "length/time2", "acceleration along z at all times", &
+         & default=0.0_wp)
+      call keyword%add_integer("SHAPE", "0 sphere, 1 hemisphere that faces the plate", default=0, &
+         & allowed=[0, 1])
+   end function impactor_sphere
+
+   !> Contact of an impactor and a part
+   function contact_impactor() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTACT_IMPACTOR", ours, &
+         & "An impactor against a face of a part, without friction.", suffixes="TITLE")
+      call keyword%add_card()
+      call keyword%add_integer("CID", "number of the contact", least=1)
+      call keyword%add_integer("IID", "impactor", least=1)
+      call keyword%add_integer("PID", "part", least=1)
+      call keyword%add_integer("FACE", "-1 bottom face, 1 top face", allowed=[-1, 1])
+      call keyword%add_integer("METHOD", "1 nodes on the impactor against the facets of the " &
+         & //"plate, 2 points of the plate against the exact sphere", default=1, allowed=[1, 2])
+      call keyword%add_real("SPACING", "length", &
+         & "distance between nodes on the impactor; 0 for one made from the mesh", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_card(optional=.true.)
+      call keyword%add_unused("FS FD DC")
+   end function contact_impactor
+
+   !> A keyword that asks for one output
+   function database(name, own, what, unused) result(keyword)
+      !> Name of the keyword
+      character(*), intent(in) :: name
+      !> `ours` or `standard`
+      logical, intent(in) :: own
+      !> What is written
+      character(*), intent(in) :: what
+      !> Fields of LS-DYNA without effect here
+      character(*), intent(in) :: unused
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword(name, own, "Time between two "//what//".")
+      keyword%once = .true.
+      call keyword%add_card()
+      call keyword%add_real("DT", "time", "time between two "//what, above=0.0_wp)
+      if (index(unused, "BINARY") == 1) then
+         call keyword%add_unused("BINARY", neutral=[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp])
+         call keyword%add_unused("LCUR")
+         call keyword%add_unused("IOOPT", neutral=[0.0_wp, 1.0_wp])
+      else
+         call keyword%add_unused(unused)
+      end if
+   end function database
+
+   !> Nodes with a history
+   function database_history_node() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_HISTORY_NODE", standard, "Nodes whose history is written.")
+      call keyword%add_card(repeated=.true.)
+      call keyword%add_list("ID", list_fields, "node")
+   end function database_history_node
+
+   !> Sets of nodes with a history
+   function database_history_node_set() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_HISTORY_NODE_SET", standard, &
+         & "Sets of nodes whose history is written.")
+      call keyword%add_card(repeated=.true.)
+      call keyword%add_list("ID", list_fields, "node set")
+   end function database_history_node_set
+
+   !> Fields of the field states
+   function database_field() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_FIELD", ours, "Which fields the field states hold.")
+      keyword%remark = "Names with blanks or commas between them, any number of lines. Without the " &
+         & //"keyword: displacement, velocity and stress."
+      call keyword%add_card(repeated=.true.)
+      call keyword%add_words("NAME", "name of a field", field_names)
+   end function database_field
+
+   !> Stress through the thickness
+   function database_profile() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_PROFILE", ours, &
+         & "Displacement, strain and stress through the thickness at a place of the plate.", &
+         & repeated=.true.)
+      call keyword%add_card()
+      call keyword%add_integer("ID", "number of the profile", least=1)
+      call keyword%add_real("X", "length", "x of the place")
+      call keyword%add_real("Y", "length", "y of the place")
+      call keyword%add_integer("NPT", "points in each numerical layer, its faces included", &
+         & default=5, least=2)
+      call keyword%add_real("DT", "time", "time between two profiles; 0 for every step", &
+         & default=0.0_wp, least=0.0_wp)
+   end function database_profile
+
+end module plydyn_input_declare_impact

@@ -1,0 +1,86 @@
+!> Keywords of LS-DYNA that are known and not read: some do not matter, some are refused with advice.
+module plydyn_input_declare_known
+   use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, standard
+   implicit none
+   private
+
+   public :: ignored_keywords, refused_keywords
+
+   !> Longest name in the lists below
+   integer, parameter :: longest_name = 40
+
+   !> Output and display only: a warning
+   character(longest_name), parameter :: ignored(*) = [character(longest_name) :: &
+      & "CONTROL_OUTPUT", "CONTROL_SOLUTION", "DATABASE_ABSTAT", "DATABASE_ATDOUT", &
+      & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_D3PART", "DATABASE_BINARY_D3THDT", &
+      & "DATABASE_BINARY_INTFOR", "DATABASE_BINARY_RUNRSF", "DATABASE_BNDOUT", &
+      & "DATABASE_DEFORC", "DATABASE_DISBOUT", "DATABASE_ELOUT", "DATABASE_EXTENT_BINARY", &
+      & "DATABASE_EXTENT_INTFOR", "DATABASE_FORMAT", "DATABASE_HISTORY_SHELL", &
+      & "DATABASE_HISTORY_SHELL_SET", "DATABASE_HISTORY_SOLID", "DATABASE_JNTFORC", &
+      & "DATABASE_MATSUM", "DATABASE_NCFORC", "DATABASE_NODFOR", "DATABASE_RBDOUT", &
+      & "DATABASE_RCFORC", "DATABASE_RWFORC", "DATABASE_SECFORC", "DATABASE_SLEOUT", &
+      & "DATABASE_SWFORC", "DATABASE_TRHIST"]
+
+   !> Would change the results: an error with advice
+   character(longest_name), parameter :: whole_laminates(*) = [character(longest_name) :: &
+      & "PART", "SECTION_SHELL", "INTEGRATION_SHELL", "ELEMENT_SHELL_COMPOSITE", &
+      & "ELEMENT_SHELL_THICKNESS", "ELEMENT_SHELL_BETA", "SECTION_TSHELL", "ELEMENT_TSHELL"]
+   character(longest_name), parameter :: no_solids(*) = [character(longest_name) :: &
+      & "ELEMENT_SOLID", "SECTION_SOLID", "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
+      & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
+   character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
+      & "MAT_CODAM2", "MAT_PLASTIC_KINEMATIC", "MAT_PIECEWISE_LINEAR_PLASTICITY", &
+      & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
+   character(longest_name), parameter :: only_springs(*) = [character(longest_name) :: &
+      & "MAT_COHESIVE_MIXED_MODE", "MAT_COHESIVE_GENERAL"]
+   character(longest_name), parameter :: own_impactor(*) = [character(longest_name) :: &
+      & "MAT_RIGID", "RIGIDWALL_GEOMETRIC_SPHERE_MOTION", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &
+      & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &
+      & "CONTACT_ENTITY", "INITIAL_VELOCITY_GENERATION", "INITIAL_VELOCITY_RIGID_BODY"]
+   character(longest_name), parameter :: other_elements(*) = [character(longest_name) :: &
+      & "CONTROL_SHELL", "CONTROL_HOURGLASS", "CONTROL_ACCURACY", "CONTROL_BULK_VISCOSITY", &
+      & "CONTROL_CONTACT", "HOURGLASS"]
+
+contains
+
+   !> Keywords that do not change the results
+   function ignored_keywords() result(keywords)
+      type(keyword_type) :: keywords(size(ignored))
+
+      keywords = listed(ignored, is_ignored, "")
+   end function ignored_keywords
+
+   !> Keywords that plydyn has another way for
+   function refused_keywords() result(keywords)
+      type(keyword_type), allocatable :: keywords(:)
+
+      keywords = [listed(whole_laminates, is_refused, &
+         & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
+         & listed(no_solids, is_refused, "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
+         & listed(only_elastic, is_refused, "a linear elastic ply such as *MAT_PLY_ELASTIC"), &
+         & listed(only_springs, is_refused, "elastic springs, *MAT_COHESIVE_ELASTIC"), &
+         & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
+         & listed(other_elements, is_refused, &
+         & "nothing: plydyn has no elements that this keyword is for")]
+   end function refused_keywords
+
+   !> Declarations of the names in a list
+   function listed(names, fate, advice) result(keywords)
+      !> Names of keywords
+      character(*), intent(in) :: names(:)
+      !> `is_ignored` or `is_refused`
+      integer, intent(in) :: fate
+      !> What would be right
+      character(*), intent(in) :: advice
+      type(keyword_type) :: keywords(size(names))
+
+      integer :: i
+
+      do i = 1, size(names)
+         keywords(i) = new_keyword(trim(names(i)), standard, "")
+         keywords(i)%fate = fate
+         keywords(i)%remark = advice
+      end do
+   end function listed
+
+end module plydyn_input_declare_known

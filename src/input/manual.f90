@@ -1,0 +1,60 @@
+!> The keyword manual.
+module plydyn_input_manual
+   use plydyn_base_text, only : upper_case
+   use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
+   use plydyn_deck_lookup, only : find_keyword, keyword_advice
+   use plydyn_deck_manual, only : keyword_list, keyword_page
+   use plydyn_input_keywords, only : all_keywords
+   implicit none
+   private
+
+   public :: keyword_manual
+
+   character(*), parameter :: line_feed = achar(10)
+
+contains
+
+   !> Pages of all keywords, or the page of one, in markdown
+   function keyword_manual(name) result(pages)
+      !> Name of a keyword with or without star, in either case; empty for all
+      character(*), intent(in) :: name
+      character(:), allocatable :: pages
+
+      character(:), allocatable :: bare
+      type(keyword_type), allocatable :: keywords(:)
+      integer :: i
+
+      keywords = all_keywords()
+      if (len_trim(name) == 0) then
+         pages = all_pages(keywords)
+         return
+      end if
+      bare = upper_case(trim(name))
+      if (bare(1:1) == "*") bare = bare(2:)
+      i = find_keyword(bare, keywords)
+      if (i > 0) then
+         pages = keyword_page(keywords(i))
+      else
+         pages = "There is no keyword *"//bare//". Right would be: "//keyword_advice(bare, keywords)
+      end if
+   end function keyword_manual
+
+   !> Pages of all keywords
+   function all_pages(keywords) result(pages)
+      !> Their declarations
+      type(keyword_type), intent(in) :: keywords(:)
+      character(:), allocatable :: pages
+
+      integer :: i
+
+      pages = "# Keywords"//line_feed//line_feed
+      do i = 1, size(keywords)
+         if (keywords(i)%fate == is_read) pages = pages//keyword_page(keywords(i))
+      end do
+      pages = pages//"# Keywords that are known and ignored"//line_feed//line_feed &
+         & //keyword_list(keywords, is_ignored) &
+         & //line_feed//"# Keywords that are refused with advice"//line_feed//line_feed &
+         & //keyword_list(keywords, is_refused)
+   end function all_pages
+
+end module plydyn_input_manual

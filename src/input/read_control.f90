@@ -1,0 +1,73 @@
+!> Readers of what frames a run: title, units, time step, end.
+module plydyn_input_read_control
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_report, only : report_type
+   use plydyn_input_catalogue, only : a_curve, catalogue_type
+   use plydyn_input_units, only : derived_units
+   use plydyn_model_control, only : control_type, units_type
+   implicit none
+   private
+
+   public :: read_control_units, read_control_termination, read_control_timestep, &
+      & read_control_parallel, read_control_layerwise
+
+contains
+
+   !> *CONTROL_UNITS: names of units
+   subroutine read_control_units(cards, units)
+      type(cards_type), intent(in) :: cards
+      type(units_type), intent(inout) :: units
+
+      if (.not. (cards%has("LENGTH") .and. cards%has("TIME") .and. cards%has("MASS"))) return
+      units = derived_units(cards%word("LENGTH"), cards%word("TIME"), cards%word("MASS"))
+   end subroutine read_control_units
+
+   !> *CONTROL_TERMINATION: last time and cycle
+   subroutine read_control_termination(cards, report, control)
+      type(cards_type), intent(in) :: cards
+      type(report_type), intent(inout) :: report
+      type(control_type), intent(inout) :: control
+
+      control%end_time = cards%real("ENDTIM")
+      control%end_cycle = cards%integer("ENDCYC")
+      control%smallest_share = cards%real("DTMIN")
+      control%check_only = cards%integer("NOSOL") == 1
+      if (control%check_only) then
+         call report%note(cards%place("NOSOL"), "NOSOL is 1", "the deck is checked and not run")
+      end if
+   end subroutine read_control_termination
+
+   !> *CONTROL_TIMESTEP: first step, share of the stable one, bound
+   subroutine read_control_timestep(cards, catalogue, control)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(control_type), intent(inout) :: control
+
+      control%first_step = cards%real("DTINIT")
+      control%step_factor = cards%real("TSSFAC")
+      if (cards%integer("LCTM") > 0) then
+         call catalogue%find(a_curve, cards, "LCTM", control%step_curve)
+      end if
+   end subroutine read_control_timestep
+
+   !> *CONTROL_PARALLEL: accepted, the command line decides
+   subroutine read_control_parallel(cards, report)
+      type(cards_type), intent(in) :: cards
+      type(report_type), intent(inout) :: report
+
+      if (cards%integer("NCPU") > 1) then
+         call report%note(cards%place("NCPU"), "NCPU is without effect", &
+            & "the command line decides how many processors are used")
+      end if
+   end subroutine read_control_parallel
+
+   !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance
+   subroutine read_control_layerwise(cards, control)
+      type(cards_type), intent(in) :: cards
+      type(control_type), intent(inout) :: control
+
+      control%kinematics = cards%integer("KINEM")
+      control%energy_limit = cards%real("ENGLIM")
+   end subroutine read_control_layerwise
+
+end module plydyn_input_read_control

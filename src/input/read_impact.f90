@@ -1,0 +1,143 @@
+!> Readers of impactors, contacts and output.
+module plydyn_input_read_impact
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : longest_word
+   use plydyn_input_catalogue, only : a_contact, a_node, a_node_set, a_part, a_profile, &
+      & an_impactor, catalogue_type
+   use plydyn_model_control, only : profile_type, request_type
+   use plydyn_model_impactor, only : contact_type, impactor_type
+   implicit none
+   private
+
+   public :: read_impactor_sphere, read_contact_impactor, read_database_history_node, &
+      & read_database_history_node_set, read_database_field, read_database_profile
+
+contains
+
+   !> *IMPACTOR_SPHERE: a rigid sphere
+   subroutine read_impactor_sphere(cards, catalogue, impactors)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(impactor_type), allocatable, intent(inout) :: impactors(:)
+
+      type(impactor_type) :: impactor
+
+      call catalogue%define(an_impactor, cards, "IID")
+      impactor%id = cards%integer("IID")
+      impactor%title = cards%word("TITLE")
+      impactor%radius = cards%real("RADIUS")
+      impactor%mass = cards%real("MASS")
+      impactor%centre(:) = cards%reals(["XC", "YC", "ZC"])
+      impactor%velocity(:) = cards%reals(["VX", "VY", "VZ"])
+      impactor%guided = cards%integer("DOF") == 1
+      impactor%gravity = cards%real("GRAVZ")
+      impactor%hemisphere = cards%integer("SHAPE") == 1
+      if (impactor%guided .and. any(abs(impactor%velocity(:2)) > 0.0_wp)) then
+         call catalogue%refuse(cards, "VX", "a guided impactor moves along z only", &
+            & "VX = VY = 0, or DOF 0 for a free impactor")
+      end if
+      impactors = [impactors, impactor]
+   end subroutine read_impactor_sphere
+
+   !> *CONTACT_IMPACTOR: an impactor against a face of a part
+   subroutine read_contact_impactor(cards, catalogue, contacts)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(contact_type), allocatable, intent(inout) :: contacts(:)
+
+      type(contact_type) :: contact
+
+      call catalogue%define(a_contact, cards, "CID")
+      call catalogue%find(an_impactor, cards, "IID", contact%impactor)
+      call catalogue%find(a_part, cards, "PID", contact%part)
+      if (contact%impactor > 0 .and. any(contacts%impactor == contact%impactor)) then
+         call catalogue%refuse(cards, "IID", "the impactor has a contact already", &
+            & "one contact for each impactor")
+      end if
+      contact%id = cards%integer("CID")
+      contact%face = cards%integer("FACE")
+      contact%method = cards%integer("METHOD")
+      contact%spacing = cards%real("SPACING")
+      contacts = [contacts, contact]
+   end subroutine read_contact_impactor
+
+   !> *DATABASE_HISTORY_NODE: nodes with a history
+   subroutine read_database_history_node(cards, catalogue, request)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(request_type), intent(inout) :: request
+
+      integer, allocatable :: nodes(:)
+
+      call catalogue%find_all(a_node, cards, "ID", nodes)
+      call add_nodes(nodes, request)
+   end subroutine read_database_history_node
+
+   !> *DATABASE_HISTORY_NODE_SET: sets of nodes with a history
+   subroutine read_database_history_node_set(cards, catalogue, request)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(request_type), intent(inout) :: request
+
+      integer, allocatable :: sets(:)
+      integer :: i
+
+      call catalogue%find_all(a_node_set, cards, "ID", sets)
+      do i = 1, size(sets)
+         call add_nodes(catalogue%node_sets(sets(i))%list, request)
+      end do
+   end subroutine read_database_history_node_set
+
+   !> Nodes that have no history yet
+   subroutine add_nodes(nodes, request)
+      !> Indices of nodes
+      integer, intent(in) :: nodes(:)
+      type(request_type), intent(inout) :: request
+
+      integer :: i
+
+      do i = 1, size(nodes)
+         if (any(request%nodes == nodes(i))) cycle
+         request%nodes = [request%nodes, nodes(i)]
+      end do
+   end subroutine add_nodes
+
+   !> *DATABASE_FIELD: fields of the field states
+   subroutine read_database_field(cards, request)
+      type(cards_type), intent(in) :: cards
+      type(request_type), intent(inout) :: request
+
+      character(longest_word), allocatable :: words(:)
+      character(len(request%fields)), allocatable :: names(:)
+      integer :: i
+
+      words = cards%words("NAME")
+      allocate (names(0))
+      do i = 1, size(words)
+         names = [names, [character(len(names)) :: lower_case(words(i))]]
+      end do
+      request%fields = [request%fields, names]
+   end subroutine read_database_field
+
+   !> *DATABASE_PROFILE: stress through the thickness
+   subroutine read_database_profile(cards, catalogue, profiles)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(profile_type), allocatable, intent(inout) :: profiles(:)
+
+      type(profile_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call catalogue%define(a_profile, cards, "ID", nth)
+         new(nth)%id = cards%integer("ID", nth)
+         new(nth)%position(:) = cards%reals(["X", "Y"], nth)
+         new(nth)%points = cards%integer("NPT", nth)
+         new(nth)%interval = cards%real("DT", nth)
+      end do
+      profiles = [profiles, new]
+   end subroutine read_database_profile
+
+end module plydyn_input_read_impact

@@ -1,0 +1,189 @@
+!> Readers of loads.
+module plydyn_input_read_load
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, a_quad_set, catalogue_type
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_support, only : top_face
+   implicit none
+   private
+
+   public :: read_load_node_set, read_load_node_point, read_load_face_point, read_load_face_line, &
+      & read_load_shell_set, read_load_face_pressure, read_load_body, find_curve
+
+contains
+
+   !> *LOAD_NODE_SET: a force at each node of a set
+   subroutine read_load_node_set(cards, catalogue, loads)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(point_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(point_load_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call catalogue%find_set(a_node_set, cards, "NSID", new(nth)%nodes, nth)
+         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+         new(nth)%direction = cards%integer("DOF", nth)
+         new(nth)%scale = cards%real("SF", nth)
+      end do
+      loads = [loads, new]
+   end subroutine read_load_node_set
+
+   !> *LOAD_NODE_POINT: a force at a node
+   subroutine read_load_node_point(cards, catalogue, loads)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(point_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(point_load_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call read_node(cards, nth, catalogue, new(nth))
+         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+      end do
+      loads = [loads, new]
+   end subroutine read_load_node_point
+
+   !> *LOAD_FACE_POINT: a force at a node of a face
+   subroutine read_load_face_point(cards, catalogue, curves, loads)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), allocatable, intent(inout) :: curves(:)
+      type(point_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(point_load_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call read_node(cards, nth, catalogue, new(nth))
+         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         new(nth)%face = cards%integer("FACE", nth)
+      end do
+      loads = [loads, new]
+   end subroutine read_load_face_point
+
+   !> *LOAD_FACE_LINE: a force per length along element edges
+   subroutine read_load_face_line(cards, catalogue, curves, loads)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), allocatable, intent(inout) :: curves(:)
+      type(line_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(line_load_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call catalogue%find_set(a_node_set, cards, "NSID", new(nth)%nodes, nth)
+         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         new(nth)%direction = cards%integer("DOF", nth)
+         new(nth)%scale = cards%real("SF", nth)
+         new(nth)%face = cards%integer("FACE", nth)
+      end do
+      loads = [loads, new]
+   end subroutine read_load_face_line
+
+   !> *LOAD_SHELL_SET: a pressure onto the top face
+   subroutine read_load_shell_set(cards, catalogue, pressures)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(pressure_type), allocatable, intent(inout) :: pressures(:)
+
+      type(pressure_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call catalogue%find_set(a_quad_set, cards, "ESID", new(nth)%quads, nth)
+         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+         new(nth)%scale = cards%real("SF", nth)
+         new(nth)%face = top_face
+      end do
+      pressures = [pressures, new]
+   end subroutine read_load_shell_set
+
+   !> *LOAD_FACE_PRESSURE: a pressure onto a face
+   subroutine read_load_face_pressure(cards, catalogue, quads, curves, pressures)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Quads of the mesh
+      integer, intent(in) :: quads
+      type(curve_type), allocatable, intent(inout) :: curves(:)
+      type(pressure_type), allocatable, intent(inout) :: pressures(:)
+
+      type(pressure_type) :: new(cards%sets())
+      integer :: i, nth
+
+      do nth = 1, cards%sets()
+         if (cards%integer("SSID", nth) == 0) then
+            new(nth)%quads = [(i, i=1, quads)]
+         else
+            call catalogue%find_set(a_quad_set, cards, "SSID", new(nth)%quads, nth)
+         end if
+         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         new(nth)%scale = cards%real("SF", nth)
+         new(nth)%face = cards%integer("FACE", nth)
+      end do
+      pressures = [pressures, new]
+   end subroutine read_load_face_pressure
+
+   !> *LOAD_BODY_X, _Y, _Z: an acceleration of the frame
+   subroutine read_load_body(cards, direction, catalogue, loads)
+      type(cards_type), intent(in) :: cards
+      !> 1, 2, 3 for x, y, z
+      integer, intent(in) :: direction
+      type(catalogue_type), intent(inout) :: catalogue
+      type(body_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(body_load_type) :: load
+
+      load%direction = direction
+      load%scale = cards%real("SF")
+      call catalogue%find(a_curve, cards, "LCID", load%curve)
+      loads = [loads, load]
+   end subroutine read_load_body
+
+   !> Node, direction and factor of a force
+   subroutine read_node(cards, nth, catalogue, load)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The force
+      type(point_load_type), intent(inout) :: load
+
+      allocate (load%nodes(1))
+      call catalogue%find(a_node, cards, "NID", load%nodes(1), nth)
+      load%direction = cards%integer("DOF", nth)
+      load%scale = cards%real("SF", nth)
+   end subroutine read_node
+
+   !> Curve of our own keywords, where 0 is the constant 1
+   subroutine find_curve(cards, nth, catalogue, curves, curve)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets the constant when it is needed first
+      type(curve_type), allocatable, intent(inout) :: curves(:)
+      !> Index of the curve
+      integer, intent(out) :: curve
+
+      type(curve_type) :: constant
+
+      if (cards%integer("LCID", nth) /= 0) then
+         call catalogue%find(a_curve, cards, "LCID", curve, nth)
+         return
+      end if
+      do curve = size(curves), 1, -1
+         if (curves(curve)%id == 0) return
+      end do
+      constant%x = [0.0_wp]
+      constant%y = [1.0_wp]
+      curves = [curves, constant]
+      curve = size(curves)
+   end subroutine find_curve
+
+end module plydyn_input_read_load

@@ -1,0 +1,152 @@
+!> Readers of materials.
+module plydyn_input_read_material
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_input_catalogue, only : a_material, an_interface_material, catalogue_type
+   use plydyn_model_material, only : interface_material_type, material_type
+   implicit none
+   private
+
+   public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
+      & read_mat_cohesive_elastic
+
+   !> Poisson's ratio of an isotropic material lies between these
+   real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
+   real(wp), parameter :: degrees = 180.0_wp/acos(-1.0_wp)
+
+contains
+
+   !> *MAT_ELASTIC: isotropic
+   subroutine read_mat_elastic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+      real(wp) :: poisson
+
+      call begin_material(cards, catalogue, material)
+      poisson = cards%real("PR")
+      material%young(:) = cards%real("E")
+      material%poisson(:) = poisson
+      if (poisson > least_poisson .and. poisson < most_poisson) then
+         material%shear(:) = cards%real("E")/(2.0_wp*(1.0_wp + poisson))
+      else
+         call catalogue%refuse(cards, "PR", "PR cannot be "//text(poisson), &
+            & "a number above -1 and below 0.5, or a strain would give energy")
+      end if
+      materials = [materials, material]
+   end subroutine read_mat_elastic
+
+   !> *MAT_PLY_ELASTIC: a ply by its engineering constants
+   subroutine read_mat_ply_elastic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      material%young(:) = cards%reals(["E1", "E2", "E3"])
+      material%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
+      material%shear(:) = cards%reals(["G12", "G13", "G23"])
+      call check_stability(cards, ["NU12", "NU13", "NU23"], material, catalogue)
+      materials = [materials, material]
+   end subroutine read_mat_ply_elastic
+
+   !> *MAT_ORTHOTROPIC_ELASTIC: a ply by its minor Poisson's ratios and its axes
+   subroutine read_mat_orthotropic_elastic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+      real(wp) :: a(2), d(2), minor(3)
+
+      call begin_material(cards, catalogue, material)
+      material%young(:) = cards%reals(["EA", "EB", "EC"])
+      material%shear(:) = cards%reals(["GAB", "GCA", "GBC"])
+      minor(:) = cards%reals(["PRBA", "PRCA", "PRCB"])
+      if (all(material%young > 0.0_wp)) then
+         material%poisson(:) = minor*material%young([1, 1, 2])/material%young([2, 3, 3])
+         call check_stability(cards, ["PRBA", "PRCA", "PRCB"], material, catalogue)
+      end if
+      a(:) = cards%reals(["A1", "A2"])
+      d(:) = cards%reals(["D1", "D2"])
+      if (a(1)*d(2) - a(2)*d(1) > 0.0_wp) then
+         material%axis_angle = degrees*atan2(a(2), a(1))
+      else if (cards%has("A1") .and. cards%has("A2") .and. cards%has("D1") .and. cards%has("D2")) then
+         call catalogue%refuse(cards, "D1", "d is not counter-clockwise from a", &
+            & "a and d in the plane of the plate, d between 0 and 180 degrees from a")
+      end if
+      materials = [materials, material]
+   end subroutine read_mat_orthotropic_elastic
+
+   !> *MAT_COHESIVE_ELASTIC: springs between plies
+   subroutine read_mat_cohesive_elastic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+
+      type(interface_material_type) :: material
+
+      call catalogue%define(an_interface_material, cards, "MID")
+      material%id = cards%integer("MID")
+      material%title = cards%word("TITLE")
+      material%normal_stiffness = cards%real("EN")
+      material%shear_stiffness = cards%real("ET")
+      if (cards%real("RO") > 0.0_wp) then
+         call catalogue%report%note(cards%place("RO"), "RO is without effect", &
+            & "an interface has no mass")
+      end if
+      materials = [materials, material]
+   end subroutine read_mat_cohesive_elastic
+
+   !> Number, title and density of a ply material
+   subroutine begin_material(cards, catalogue, material)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The material
+      type(material_type), intent(inout) :: material
+
+      call catalogue%define(a_material, cards, "MID")
+      material%id = cards%integer("MID")
+      material%keyword = cards%name
+      material%title = cards%word("TITLE")
+      material%density = cards%real("RO")
+   end subroutine begin_material
+
+   !> A strain must cost energy: the compliance must be positive definite
+   subroutine check_stability(cards, names, material, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Fields of the Poisson's ratios 12, 13, 23
+      character(*), intent(in) :: names(3)
+      !> Elastic constants
+      type(material_type), intent(in) :: material
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer, parameter :: first(3) = [1, 1, 2], second(3) = [2, 3, 3]
+      real(wp) :: bound, determinant, share(3)
+      integer :: i
+
+      if (any(material%young <= 0.0_wp)) return
+      do i = 1, size(names)
+         bound = sqrt(material%young(first(i))/material%young(second(i)))
+         share(i) = material%poisson(i)/bound
+         if (abs(share(i)) < 1.0_wp) cycle
+         call catalogue%refuse(cards, names(i), "Poisson's ratio nu"//text(first(i)) &
+            & //text(second(i))//" = "//text(material%poisson(i))//" is too large for these moduli", &
+            & "less than sqrt(E"//text(first(i))//"/E"//text(second(i))//") = "//text(bound) &
+            & //" in size, or a strain would give energy")
+         return
+      end do
+      determinant = 1.0_wp - sum(share**2) - 2.0_wp*product(share)
+      if (determinant > 0.0_wp) return
+      call catalogue%refuse(cards, names(3), &
+         & "the three Poisson's ratios together are too large for these moduli", &
+         & "a positive definite compliance: 1 - nu12 nu21 - nu13 nu31 - nu23 nu32 " &
+         & //"- 2 nu12 nu23 nu31 above 0, here it is "//text(determinant))
+   end subroutine check_stability
+
+end module plydyn_input_read_material

@@ -1,0 +1,311 @@
+!> From a deck to a model: every keyword has one reader, and what it refers to is read before it.
+module plydyn_input_read_model
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_deck, only : conclude, deck_type, read_deck
+   use plydyn_input_catalogue, only : catalogue_type, new_catalogue
+   use plydyn_input_check_model, only : check_model
+   use plydyn_input_keywords, only : all_keywords
+   use plydyn_input_manual, only : keyword_manual
+   use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
+      & read_control_termination, read_control_timestep, read_control_units
+   use plydyn_input_read_impact, only : read_contact_impactor, read_database_field, &
+      & read_database_history_node, read_database_history_node_set, read_database_profile, &
+      & read_impactor_sphere
+   use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
+      & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
+   use plydyn_input_read_material, only : read_mat_cohesive_elastic, read_mat_elastic, &
+      & read_mat_orthotropic_elastic, read_mat_ply_elastic
+   use plydyn_input_read_mesh, only : new_mesh, read_element_plate_q9, read_element_shell, &
+      & read_node
+   use plydyn_input_read_part, only : read_interface_cohesive, read_part_composite, &
+      & read_part_composite_long, read_section_layerwise
+   use plydyn_input_read_set, only : read_define_box, read_define_curve, read_set_node_general, &
+      & read_set_node_list, read_set_shell_list
+   use plydyn_input_read_support, only : read_boundary_face, read_boundary_face_motion, &
+      & read_boundary_prescribed_motion_set, read_boundary_spc_set, read_initial_velocity, &
+      & read_initial_velocity_node
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: read_model, keyword_manual
+
+   !> Field states of a run that does not say how many
+   integer, parameter :: usual_states = 20
+
+   abstract interface
+      !> Take the cards of one keyword into the model, if the keyword is one of the stage
+      subroutine stage(cards, catalogue, model)
+         import :: cards_type, catalogue_type, model_type
+         implicit none
+         !> The keyword
+         type(cards_type), intent(in) :: cards
+         !> Numbers of everything so far; gets new ones, and findings
+         type(catalogue_type), intent(inout) :: catalogue
+         !> The model
+         type(model_type), intent(inout) :: model
+      end subroutine stage
+   end interface
+
+contains
+
+   !> Read a deck and check it
+   subroutine read_model(path, model, messages, error)
+      !> Path of the deck
+      character(*), intent(in) :: path
+      !> The model
+      type(model_type), intent(out) :: model
+      !> Warnings and notes for the listing, empty without any
+      character(:), allocatable, intent(out) :: messages
+      !> Everything that is wrong with the deck, in one text
+      type(error_type), allocatable, intent(out) :: error
+
+      type(catalogue_type) :: catalogue
+      type(deck_type) :: deck
+
+      catalogue = new_catalogue()
+      call read_deck(path, all_keywords(), deck, catalogue%report)
+      call begin_model(model)
+      call read_stage(deck, read_independent, catalogue, model)
+      call read_stage(deck, read_part, catalogue, model)
+      call read_stage(deck, read_element, catalogue, model)
+      call read_stage(deck, read_set, catalogue, model)
+      call read_stage(deck, read_laminate, catalogue, model)
+      call read_stage(deck, read_support, catalogue, model)
+      call read_stage(deck, read_load, catalogue, model)
+      call read_stage(deck, read_run, catalogue, model)
+      call end_model(model)
+      call check_model(model, catalogue)
+      call conclude(deck, catalogue%report, messages, error)
+   end subroutine read_model
+
+   !> Let one stage see all keywords of the deck in their order
+   subroutine read_stage(deck, take, catalogue, model)
+      !> The deck
+      type(deck_type), intent(in) :: deck
+      !> The stage
+      procedure(stage) :: take
+      !> Numbers of everything so far
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The model
+      type(model_type), intent(inout) :: model
+
+      integer :: i
+
+      do i = 1, size(deck%keywords)
+         call take(deck%keywords(i), catalogue, model)
+      end do
+   end subroutine read_stage
+
+   !> Keywords that refer to nothing
+   subroutine read_independent(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("TITLE")
+         model%title = cards%word("TITLE")
+      case ("CONTROL_UNITS")
+         call read_control_units(cards, model%control%units)
+      case ("NODE")
+         call read_node(cards, catalogue, model%mesh)
+      case ("DEFINE_CURVE")
+         call read_define_curve(cards, catalogue, model%curves)
+      case ("DEFINE_BOX")
+         call read_define_box(cards, catalogue)
+      case ("MAT_ELASTIC")
+         call read_mat_elastic(cards, catalogue, model%materials)
+      case ("MAT_ORTHOTROPIC_ELASTIC")
+         call read_mat_orthotropic_elastic(cards, catalogue, model%materials)
+      case ("MAT_PLY_ELASTIC")
+         call read_mat_ply_elastic(cards, catalogue, model%materials)
+      case ("MAT_COHESIVE_ELASTIC")
+         call read_mat_cohesive_elastic(cards, catalogue, model%interface_materials)
+      case ("IMPACTOR_SPHERE")
+         call read_impactor_sphere(cards, catalogue, model%impactors)
+      end select
+   end subroutine read_independent
+
+   !> Keywords that refer to materials
+   subroutine read_part(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("PART_COMPOSITE")
+         call read_part_composite(cards, catalogue, model%materials, model%parts)
+      case ("PART_COMPOSITE_LONG")
+         call read_part_composite_long(cards, catalogue, model%materials, model%parts)
+      end select
+   end subroutine read_part
+
+   !> Keywords that refer to nodes and parts
+   subroutine read_element(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("ELEMENT_SHELL")
+         call read_element_shell(cards, catalogue, model%mesh)
+      case ("ELEMENT_PLATE_Q9")
+         call read_element_plate_q9(cards, catalogue, model%mesh)
+      end select
+   end subroutine read_element
+
+   !> Keywords that refer to nodes and elements by their numbers
+   subroutine read_set(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("SET_NODE_LIST")
+         call read_set_node_list(cards, catalogue)
+      case ("SET_NODE_GENERAL")
+         call read_set_node_general(cards, catalogue, model%mesh)
+      case ("SET_SHELL_LIST")
+         call read_set_shell_list(cards, catalogue)
+      end select
+   end subroutine read_set
+
+   !> Keywords that refer to plies
+   subroutine read_laminate(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("SECTION_LAYERWISE")
+         call read_section_layerwise(cards, catalogue, model%mesh, model%parts)
+      case ("INTERFACE_COHESIVE")
+         call read_interface_cohesive(cards, catalogue, model%parts)
+      case ("CONTACT_IMPACTOR")
+         call read_contact_impactor(cards, catalogue, model%contacts)
+      end select
+   end subroutine read_laminate
+
+   !> Keywords that hold or move the plate
+   subroutine read_support(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("BOUNDARY_SPC_SET")
+         call read_boundary_spc_set(cards, catalogue, model%holds)
+      case ("BOUNDARY_FACE")
+         call read_boundary_face(cards, catalogue, model%holds)
+      case ("BOUNDARY_PRESCRIBED_MOTION_SET")
+         call read_boundary_prescribed_motion_set(cards, catalogue, model%motions)
+      case ("BOUNDARY_FACE_MOTION")
+         call read_boundary_face_motion(cards, catalogue, model%curves, model%motions)
+      case ("INITIAL_VELOCITY")
+         call read_initial_velocity(cards, catalogue, size(model%mesh%node_id), &
+            & model%initial_velocities)
+      case ("INITIAL_VELOCITY_NODE")
+         call read_initial_velocity_node(cards, catalogue, model%initial_velocities)
+      end select
+   end subroutine read_support
+
+   !> Keywords that load the plate
+   subroutine read_load(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("LOAD_NODE_SET")
+         call read_load_node_set(cards, catalogue, model%point_loads)
+      case ("LOAD_NODE_POINT")
+         call read_load_node_point(cards, catalogue, model%point_loads)
+      case ("LOAD_FACE_POINT")
+         call read_load_face_point(cards, catalogue, model%curves, model%point_loads)
+      case ("LOAD_FACE_LINE")
+         call read_load_face_line(cards, catalogue, model%curves, model%line_loads)
+      case ("LOAD_SHELL_SET")
+         call read_load_shell_set(cards, catalogue, model%pressures)
+      case ("LOAD_FACE_PRESSURE")
+         call read_load_face_pressure(cards, catalogue, size(model%mesh%quad_id), model%curves, &
+            & model%pressures)
+      case ("LOAD_BODY_X")
+         call read_load_body(cards, 1, catalogue, model%body_loads)
+      case ("LOAD_BODY_Y")
+         call read_load_body(cards, 2, catalogue, model%body_loads)
+      case ("LOAD_BODY_Z")
+         call read_load_body(cards, 3, catalogue, model%body_loads)
+      end select
+   end subroutine read_load
+
+   !> Keywords that say how to run and what to write
+   subroutine read_run(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("CONTROL_TERMINATION")
+         call read_control_termination(cards, catalogue%report, model%control)
+      case ("CONTROL_TIMESTEP")
+         call read_control_timestep(cards, catalogue, model%control)
+      case ("CONTROL_PARALLEL")
+         call read_control_parallel(cards, catalogue%report)
+      case ("CONTROL_LAYERWISE")
+         call read_control_layerwise(cards, model%control)
+      case ("DAMPING_GLOBAL")
+         model%control%damping = cards%real("VALDMP")
+      case ("DATABASE_GLSTAT")
+         model%request%energy_interval = cards%real("DT")
+      case ("DATABASE_IMPACTOR")
+         model%request%impactor_interval = cards%real("DT")
+      case ("DATABASE_NODOUT")
+         model%request%node_interval = cards%real("DT")
+      case ("DATABASE_SPCFORC")
+         model%request%support_interval = cards%real("DT")
+      case ("DATABASE_BINARY_D3PLOT")
+         model%request%field_interval = cards%real("DT")
+      case ("DATABASE_FIELD")
+         call read_database_field(cards, model%request)
+      case ("DATABASE_PROFILE")
+         call read_database_profile(cards, catalogue, model%request%profiles)
+      case ("DATABASE_HISTORY_NODE")
+         call read_database_history_node(cards, catalogue, model%request)
+      case ("DATABASE_HISTORY_NODE_SET")
+         call read_database_history_node_set(cards, catalogue, model%request)
+      end select
+   end subroutine read_run
+
+   !> An empty model
+   subroutine begin_model(model)
+      !> The model
+      type(model_type), intent(inout) :: model
+
+      model%title = ""
+      model%mesh = new_mesh()
+      allocate (model%parts(0), model%materials(0), model%interface_materials(0))
+      allocate (model%curves(0), model%holds(0), model%motions(0), model%initial_velocities(0))
+      allocate (model%point_loads(0), model%line_loads(0), model%pressures(0), model%body_loads(0))
+      allocate (model%impactors(0), model%contacts(0))
+      allocate (model%request%fields(0), model%request%nodes(0), model%request%profiles(0))
+   end subroutine begin_model
+
+   !> What the deck does not say
+   subroutine end_model(model)
+      !> The model
+      type(model_type), intent(inout) :: model
+
+      associate (request => model%request)
+         if (size(request%fields) == 0) then
+            request%fields = [character(len(request%fields)) :: "displacement", "velocity", "stress"]
+         end if
+         if (request%field_interval <= 0.0_wp) then
+            request%field_interval = model%control%end_time/usual_states
+         end if
+      end associate
+   end subroutine end_model
+
+end module plydyn_input_read_model

@@ -1,0 +1,172 @@
+!> Readers of supports, prescribed motions and initial velocities.
+module plydyn_input_read_support
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, catalogue_type
+   use plydyn_input_read_load, only : find_curve
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_support, only : hold_type, initial_velocity_type, motion_type, one_plane
+   implicit none
+   private
+
+   public :: read_boundary_spc_set, read_boundary_face, read_boundary_prescribed_motion_set, &
+      & read_boundary_face_motion, read_initial_velocity, read_initial_velocity_node
+
+   !> Fields of directions, of rotations and of a velocity
+   character(4), parameter :: direction_names(3) = ["DOFX", "DOFY", "DOFZ"]
+   character(5), parameter :: rotation_names(3) = ["DOFRX", "DOFRY", "DOFRZ"]
+   character(2), parameter :: velocity_names(3) = ["VX", "VY", "VZ"]
+
+contains
+
+   !> *BOUNDARY_SPC_SET: nodes held over the whole thickness
+   subroutine read_boundary_spc_set(cards, catalogue, holds)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(hold_type), allocatable, intent(inout) :: holds(:)
+
+      type(hold_type) :: hold
+      integer :: i, nth
+
+      do nth = 1, cards%sets()
+         call read_hold(cards, nth, catalogue, hold)
+         do i = 1, size(rotation_names)
+            if (cards%integer(rotation_names(i), nth) == 0 .or. all(hold%direction)) cycle
+            call catalogue%refuse(cards, rotation_names(i), &
+               & "the points of the plate have no rotations to hold", &
+               & "0, or DOFX = DOFY = DOFZ = 1 to clamp the nodes", nth)
+         end do
+         holds = [holds, hold]
+      end do
+   end subroutine read_boundary_spc_set
+
+   !> *BOUNDARY_FACE: one face or plane held
+   subroutine read_boundary_face(cards, catalogue, holds)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(hold_type), allocatable, intent(inout) :: holds(:)
+
+      type(hold_type) :: hold
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call read_hold(cards, nth, catalogue, hold)
+         hold%face = cards%integer("FACE", nth)
+         hold%height = cards%real("Z", nth)
+         if (hold%face /= one_plane .and. abs(hold%height) > 0.0_wp) then
+            call catalogue%refuse(cards, "Z", "Z is given for a face", &
+               & "0; a height is for FACE 0 only", nth)
+         end if
+         holds = [holds, hold]
+      end do
+   end subroutine read_boundary_face
+
+   !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
+   subroutine read_boundary_prescribed_motion_set(cards, catalogue, motions)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(motion_type), allocatable, intent(inout) :: motions(:)
+
+      type(motion_type) :: motion
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call read_motion(cards, nth, catalogue, motion)
+         call catalogue%find(a_curve, cards, "LCID", motion%curve, nth)
+         motion%birth = cards%real("BIRTH", nth)
+         if (cards%real("DEATH", nth) > 0.0_wp) motion%death = cards%real("DEATH", nth)
+         if (motion%death <= motion%birth) then
+            call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
+               & "a time behind BIRTH, or 0 for ever", nth)
+         end if
+         motions = [motions, motion]
+      end do
+   end subroutine read_boundary_prescribed_motion_set
+
+   !> *BOUNDARY_FACE_MOTION: one face moved
+   subroutine read_boundary_face_motion(cards, catalogue, curves, motions)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), allocatable, intent(inout) :: curves(:)
+      type(motion_type), allocatable, intent(inout) :: motions(:)
+
+      type(motion_type) :: motion
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call read_motion(cards, nth, catalogue, motion)
+         call find_curve(cards, nth, catalogue, curves, motion%curve)
+         motion%face = cards%integer("FACE", nth)
+         motions = [motions, motion]
+      end do
+   end subroutine read_boundary_face_motion
+
+   !> *INITIAL_VELOCITY: velocity of a set
+   subroutine read_initial_velocity(cards, catalogue, nodes, velocities)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Nodes of the mesh
+      integer, intent(in) :: nodes
+      type(initial_velocity_type), allocatable, intent(inout) :: velocities(:)
+
+      type(initial_velocity_type) :: velocity
+      integer :: i
+
+      if (cards%integer("NSID") == 0) then
+         velocity%nodes = [(i, i=1, nodes)]
+      else
+         call catalogue%find_set(a_node_set, cards, "NSID", velocity%nodes)
+      end if
+      velocity%velocity(:) = cards%reals(velocity_names)
+      velocities = [velocities, velocity]
+   end subroutine read_initial_velocity
+
+   !> *INITIAL_VELOCITY_NODE: velocities of nodes
+   subroutine read_initial_velocity_node(cards, catalogue, velocities)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(initial_velocity_type), allocatable, intent(inout) :: velocities(:)
+
+      type(initial_velocity_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         allocate (new(nth)%nodes(1))
+         call catalogue%find(a_node, cards, "NID", new(nth)%nodes(1), nth)
+         new(nth)%velocity(:) = cards%reals(velocity_names, nth)
+      end do
+      velocities = [velocities, new]
+   end subroutine read_initial_velocity_node
+
+   !> Nodes and directions of a support
+   subroutine read_hold(cards, nth, catalogue, hold)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The support
+      type(hold_type), intent(out) :: hold
+
+      call catalogue%find_set(a_node_set, cards, "NSID", hold%nodes, nth)
+      hold%direction(:) = cards%integers(direction_names, nth) == 1
+      if (any(hold%direction) .or. .not. cards%is_fine("DOFX", nth)) return
+      call catalogue%refuse(cards, "DOFX", "the support holds nothing", &
+         & "1 for at least one of DOFX, DOFY, DOFZ", nth)
+   end subroutine read_hold
+
+   !> Nodes, direction, quantity and factor of a motion
+   subroutine read_motion(cards, nth, catalogue, motion)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The motion
+      type(motion_type), intent(out) :: motion
+
+      call catalogue%find_set(a_node_set, cards, "NSID", motion%nodes, nth)
+      motion%direction = cards%integer("DOF", nth)
+      motion%quantity = cards%integer("VAD", nth)
+      motion%scale = cards%real("SF", nth)
+   end subroutine read_motion
+
+end module plydyn_input_read_support

@@ -1,0 +1,70 @@
+!> Names of derived units, from those of length, time and mass.
+module plydyn_input_units
+   use plydyn_base_text, only : text
+   use plydyn_model_control, only : units_type
+   implicit none
+   private
+
+   public :: derived_units
+
+   !> Names of lengths, times and masses that a deck may use
+   character(*), parameter :: names(*) = [character(8) :: "M", "MM", "CM", "UM", "S", "SEC", "MS", &
+      & "US", "KG", "G", "MG", "T", "TON", "MTRC_TON"]
+   !> Power of ten of each against m, s, kg
+   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3]
+   !> Names as they are printed
+   character(*), parameter :: printed(*) = [character(8) :: "m", "mm", "cm", "um", "s", "s", "ms", &
+      & "us", "kg", "g", "mg", "t", "t", "t"]
+   !> Prefixes in steps of a thousand, from 1e-9 to 1e12
+   character(*), parameter :: prefixes(-3:4) = ["n", "u", "m", " ", "k", "M", "G", "T"]
+
+contains
+
+   !> All names of units
+   pure function derived_units(length, time, mass) result(units)
+      !> Names in capitals
+      character(*), intent(in) :: length, time, mass
+      type(units_type) :: units
+
+      integer :: l, m, t
+
+      l = findname(length)
+      t = findname(time)
+      m = findname(mass)
+      if (min(l, t, m) == 0) return
+      units%length = printed(l)
+      units%time = printed(t)
+      units%mass = printed(m)
+      associate (force => powers(m) + powers(l) - 2*powers(t))
+         units%force = with_prefix(force, "N")
+         units%stress = with_prefix(force - 2*powers(l), "Pa")
+         units%energy = with_prefix(force + powers(l), "J")
+      end associate
+   end function derived_units
+
+   !> Place of a name in the list; 0 if it is not there
+   pure integer function findname(name) result(i)
+      !> Name in capitals
+      character(*), intent(in) :: name
+
+      do i = size(names), 1, -1
+         if (names(i) == name) return
+      end do
+   end function findname
+
+   !> A unit times a power of ten
+   pure function with_prefix(power, unit) result(name)
+      !> Power of ten
+      integer, intent(in) :: power
+      !> Name of the unit
+      character(*), intent(in) :: unit
+      character(8) :: name
+
+      if (modulo(power, 3) == 0 .and. power/3 >= -3 .and. power/3 <= 4) then
+         name = trim(prefixes(power/3))//unit
+      else
+         name = "1e"//text(power)//unit
+      end if
+   end function with_prefix
+
+end module plydyn_input_units
