@@ -15,6 +15,8 @@ module plydyn_output_history
 
    !> Longest text of a number
    integer, parameter, public :: number_length = 18
+   !> Significant digits of a number
+   integer, parameter :: significant = 10
    !> Share of an interval by which an instant may come too early
    real(wp), parameter :: slack = 1.0e-6_wp
    !> Whole numbers below this are written without exponent
@@ -240,13 +242,46 @@ contains
          return
       end if
       magnitude = abs(value)
-      if (magnitude < whole_limit .and. value == anint(value)) then
+      if (magnitude < whole_limit .and. abs(value - anint(value)) <= 0.0_wp) then
          write (word, "(i18)") int(value, int64)
       else if (magnitude < short_from .or. magnitude >= short_to) then
          write (word, "(es18.9e3)") value
       else
-         write (word, "(es18.9)") value
+         word = short_text(value)
       end if
    end function number_text
+
+   !> A number with an exponent of two digits, by integers: what Fortran's own formatting does for
+   !> many more digits would take most of a short run
+   pure function short_text(value) result(word)
+      !> The number, not zero
+      real(wp), intent(in) :: value
+      character(number_length) :: word
+
+      integer, parameter :: ten = 10, zero = iachar("0"), point = 5, mark = 15
+      integer(int64) :: digits
+      integer :: exponent, i, rest
+
+      exponent = floor(log10(abs(value)))
+      digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      if (digits >= int(ten, int64)**significant) then
+         exponent = exponent + 1
+         digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      else if (digits < int(ten, int64)**(significant - 1)) then
+         exponent = exponent - 1
+         digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      end if
+      word = ""
+      do i = mark - 1, point - 1, -1
+         if (i == point) cycle
+         word(i:i) = achar(zero + int(mod(digits, int(ten, int64))))
+         digits = digits/ten
+      end do
+      word(point:point) = "."
+      if (value < 0.0_wp) word(point - 2:point - 2) = "-"
+      rest = abs(exponent)
+      word(mark:) = merge("E-", "E+", exponent < 0)//achar(zero + rest/ten) &
+         & //achar(zero + mod(rest, ten))
+   end function short_text
 
 end module plydyn_output_history
