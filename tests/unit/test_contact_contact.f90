@@ -152,7 +152,8 @@ contains
       scale = maxval(abs(down))
       call check(result%active > 4, "more than the pole presses")
       call check(lift(:2), spread(0.0_wp, 1, 2), round_off*lift(3), "nothing aside")
-      call check(maxval(abs(down - transpose(down))), 0.0_wp, 1.0e-9_wp*scale, "across the diagonal")
+      call check(maxval(abs(down - transpose(down))), 0.0_wp, 1.0e-9_wp*scale, &
+         & "across the diagonal")
       call check(maxval(abs(down - down(line:1:-1, :))), 0.0_wp, 1.0e-9_wp*scale, "left and right")
    end subroutine check_symmetry
 
@@ -194,7 +195,8 @@ contains
       call pair%enforce(position, inverse, dt, centre, correction, lift, result)
       call check(lift(:2), spread(0.0_wp, 1, 2), 0.0_wp, "moves along the guide only")
       call check(result%force(1) < 0.0_wp, "the slope pushes down its way")
-      call check(result%force(3), mass*lift(3)/dt**2, 1.0e-6_wp*result%force(3), "the rest moves it")
+      call check(result%force(3), mass*lift(3)/dt**2, 1.0e-6_wp*result%force(3), &
+         & "the rest moves it")
       call check(sum(correction(1, :)/inverse(1, :)), -result%force(1)*dt**2, &
          & round_off*abs(result%force(1))*dt**2, "the plate feels the guide")
    end subroutine check_guide

@@ -10,8 +10,8 @@ program test_contact_multiplier
    implicit none
 
    !> Masses of the points of a facet: corners, mid-sides and centre as 1 to 4 to 16
-   real(wp), parameter :: inverse(9) = [36.0_wp, 36.0_wp, 36.0_wp, 36.0_wp, 9.0_wp, 9.0_wp, 9.0_wp, &
-      & 9.0_wp, 2.25_wp]
+   real(wp), parameter :: inverse(9) = &
+      & [36.0_wp, 36.0_wp, 36.0_wp, 36.0_wp, 9.0_wp, 9.0_wp, 9.0_wp, 9.0_wp, 2.25_wp]
 
    !> Impactor of 50 facets' mass
    real(wp), parameter :: impactor_inverse(3) = 0.02_wp

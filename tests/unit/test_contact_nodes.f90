@@ -1,0 +1,107 @@
+!> Contact nodes on the impactor: their spacing, and how long they may sleep.
+program test_contact_nodes
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_near, only : near_type, new_near
+   use plydyn_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_surface, only : new_surface, surface_type
+   use plydyn_fem_shape, only : local_nodes
+   use testing, only : begin, check, finish
+   implicit none
+
+   integer, parameter :: squares = 12, line = 2*squares + 1, points = line**2
+   real(wp), parameter :: radius = 5.0_wp
+
+   real(wp) :: flat(3, points)
+   integer :: facet(9, squares**2)
+   type(surface_type) :: surface
+
+   call make_plate()
+   call new_surface(surface, facet, flat, 1)
+   call check_spacing()
+   call check_travel()
+   call finish()
+
+contains
+
+   !> Nodes are as far apart as asked, or half as far as the points of the plate
+   subroutine check_spacing()
+      type(node_set_type) :: nodes
+      type(error_type), allocatable :: error
+
+      call begin("new_nodes")
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call check(.not. allocated(error), "a spacing can be given")
+      call check_first_ring(nodes, 0.4_wp)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.0_wp, error)
+      call check(.not. allocated(error), "a spacing is made from the mesh")
+      call check_first_ring(nodes, 0.25_wp)
+   end subroutine check_spacing
+
+   !> The first ring is a spacing from the pole, or a little less
+   subroutine check_first_ring(nodes, spacing)
+      !> The nodes
+      type(node_set_type), intent(in) :: nodes
+      !> Distance asked for
+      real(wp), intent(in) :: spacing
+
+      real(wp) :: apart
+
+      apart = norm2(nodes%position(:, 2) - nodes%position(:, 1))
+      call check(apart <= spacing .and. apart > 0.9_wp*spacing, "distance from the pole")
+   end subroutine check_first_ring
+
+   !> No gap shrinks by more than the travel grows, unless the list is new; outside is far away
+   subroutine check_travel()
+      type(near_type) :: near
+      type(node_set_type) :: nodes
+      type(error_type), allocatable :: error
+      real(wp) :: after, before, centre(3), position(3, points), travel
+      integer :: f, rebuilds, step
+      logical :: rebuilt
+
+      call begin("update")
+      call new_near(near, surface, radius)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      before = huge(1.0_wp)
+      rebuilds = 0
+      do step = 1, 200
+         position(:, :) = flat
+         position(3, :) = 0.1_wp*sin(0.3_wp*step - flat(1, :))*cos(flat(2, :) + 0.1_wp*step)
+         centre(:) = [0.01_wp*step - 1.0_wp, 0.0_wp, radius + 0.5_wp + 0.3_wp*cos(0.05_wp*step)]
+         travel = near%travel
+         call near%update(surface, position, centre, rebuilt)
+         after = nodes%least_gap(surface, position, centre)
+         if (rebuilt) then
+            rebuilds = rebuilds + 1
+         else
+            call check(before - after <= near%travel - travel + 1.0e-12_wp, "travel bounds the gap")
+         end if
+         before = after
+         do f = 1, squares**2
+            if (any(near%facet == f)) cycle
+            call check(minval(norm2(position(:, facet(:, f)) - spread(centre, 2, 9), dim=1)) &
+               & - radius > near%reach, "no point outside the list is within reach")
+         end do
+      end do
+      call check(rebuilds > 0 .and. rebuilds < 100, "the list is new now and then")
+   end subroutine check_travel
+
+   !> Points and facets of a flat plate around the origin, squares of side one
+   subroutine make_plate()
+      integer :: f, i, j, place(2, 9)
+
+      do j = 1, line
+         do i = 1, line
+            flat(:, i + (j - 1)*line) = [0.5_wp*(i - 1) - 0.5_wp*squares, &
+               & 0.5_wp*(j - 1) - 0.5_wp*squares, 0.0_wp]
+         end do
+      end do
+      place(:, :) = nint(local_nodes(9)) + 1
+      do f = 1, squares**2
+         facet(:, f) = 1 + 2*modulo(f - 1, squares) + place(1, :) &
+            & + line*(2*((f - 1)/squares) + place(2, :))
+      end do
+   end subroutine make_plate
+
+end program test_contact_nodes
