@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from plydyn_post.curves import contact, is_noisy, mean_window, running_mean
+from plydyn_post.curves import is_noisy, mean_window, running_mean, touching
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, labels
 from plydyn_post.style import (
@@ -127,10 +127,12 @@ def _draw_curve(
         for column, scale in zip(columns, scales, strict=True)
     )
     if columns[0] == "displacement" and not curve.measured:
-        # the free flight after the contact says nothing here
-        start, end = contact(curve.table["time"], curve.table["force"])
-        during = (curve.table["time"] >= start) & (curve.table["time"] <= end)
-        x = np.where(during, x, np.nan)
+        # the free flight before and after the contact says nothing here
+        inside = touching(curve.table["force"])
+        if len(inside):
+            x = x.copy()
+            x[: max(inside[0] - 1, 0)] = np.nan
+            x[inside[-1] + 2 :] = np.nan
     look = {"color": MEASURED, "linestyle": "-"} if curve.measured else look_of(place)
     look["linewidth"] = 1.0 if curve.measured else 1.3
     if columns[1] != "force" or curve.measured:

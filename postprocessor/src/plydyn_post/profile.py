@@ -111,15 +111,23 @@ def draw_profiles(profiles: Sequence[Profile], components: Sequence[str], path: 
     with figure(1, len(components), size=(width, 3.5), sharey=True, squeeze=False) as (made, grid):
         panels = list(grid[0])
         made.get_layout_engine().set(w_pad=0.08)
+        times = [_instant(profile) for profile in profiles]
+        common = times[0] if len(set(times)) == 1 else None
+        names = [
+            profile.label if common else f"{profile.label}, {instant}"
+            for profile, instant in zip(profiles, times, strict=True)
+        ]
         for axes, name in zip(panels, components, strict=True):
-            _draw_panel(axes, profiles, name, height)
+            _draw_panel(axes, profiles, name, height, names)
         panels[0].set_ylabel(in_brackets("$z$", height.unit))
         _write_angles(panels[-1], profiles[0], height)
-        legend_above(made, panels[0], longest=int(11 * width))
+        legend_above(made, panels[0], longest=int(11 * width), title=common)
         return save(made, path)
 
 
-def _draw_panel(axes: Axes, profiles: Sequence[Profile], name: str, height: Scale) -> None:
+def _draw_panel(
+    axes: Axes, profiles: Sequence[Profile], name: str, height: Scale, names: Sequence[str]
+) -> None:
     unit = profiles[0].table.unit(name)
     largest = max(float(np.max(np.abs(profile.table[name]))) for profile in profiles)
     scale = readable(unit, largest)
@@ -129,16 +137,17 @@ def _draw_panel(axes: Axes, profiles: Sequence[Profile], name: str, height: Scal
     for place, profile in enumerate(profiles):
         values = profile.table[name] * factor(profile.table.unit(name), scale.unit)
         z = profile.z * factor(profile.table.unit("z"), height.unit)
-        axes.plot(values, z, label=_legend(profile), **look_of(place))
+        axes.plot(values, z, label=names[place], **look_of(place))
     axes.grid(False)
     axes.margins(y=0.0)
     axes.locator_params(axis="x", nbins=4)
     axes.set_xlabel(in_brackets(symbol(name), scale.unit))
 
 
-def _legend(profile: Profile) -> str:
+def _instant(profile: Profile) -> str:
+    """The time of a profile in print."""
     scale = readable(profile.time_unit, profile.time)
-    return f"{profile.label}, t = {profile.time * scale.factor:.4g} {scale.unit}".rstrip()
+    return f"t = {profile.time * scale.factor:.4g} {scale.unit}".rstrip()
 
 
 def _write_angles(axes: Axes, profile: Profile, height: Scale) -> None:

@@ -32,6 +32,7 @@ LOOK = {
     "font.size": 8.5,
     "axes.labelsize": 9,
     "legend.fontsize": 8,
+    "legend.title_fontsize": 8,
     "xtick.labelsize": 8,
     "ytick.labelsize": 8,
     "axes.linewidth": 0.7,
@@ -82,13 +83,21 @@ def save(made: Figure, path: Path) -> Path:
     return path
 
 
-def legend_above(made: Figure, axes: Axes, longest: int = 52) -> None:
+def legend_above(made: Figure, axes: Axes, longest: int = 52, title: str | None = None) -> None:
     """A legend over the axes, where it covers no curve, with lines up to ``longest`` letters."""
     handles, names = axes.get_legend_handles_labels()
     columns = max(1, min(len(names), longest // (max(map(len, names), default=0) + 6)))
     if len(names) <= 4 and sum(len(name) + 6 for name in names) <= 1.25 * longest:
         columns = max(1, len(names))
-    made.legend(handles, names, loc="outside upper left", ncols=columns, borderpad=0.2)
+    made.legend(
+        handles,
+        names,
+        loc="outside upper left",
+        ncols=columns,
+        borderpad=0.2,
+        title=title,
+        alignment="left",
+    )
 
 
 def look_of(place: int) -> dict[str, object]:
