@@ -176,8 +176,8 @@ contains
          call report%refuse(spot(i, column + 1, keyword), "'"//name//"' is no name", &
             & "a letter, then letters, digits and _, at most 32 in all")
       else if (known > 0) then
-         call report%refuse(spot(i, column, keyword), "the parameter '"//name//"' is defined twice", &
-            & "a name of its own", parameters%list(known)%line)
+         call report%refuse(spot(i, column, keyword), "the parameter '"//name &
+            & //"' is defined twice", "a name of its own", parameters%list(known)%line)
       else if (index("Ii", letter) > 0 .and. is_broken(parameter%value)) then
          call report%refuse(spot(i, column, keyword), "the parameter '"//name &
             & //"' is an integer (I) with a fraction", "a whole value, or R in place of I")

@@ -314,7 +314,8 @@ contains
       if (scan%wrong_at > 0) return
       if ((name == "sqrt" .and. first < 0.0_wp) .or. (name == "log" .and. first <= 0.0_wp) &
          & .or. (name == "exp" .and. first > largest_power)) then
-         call stop_at(scan, begin, name//" has no value there", "an argument that it is defined for")
+         call stop_at(scan, begin, name//" has no value there", &
+            & "an argument that it is defined for")
          return
       end if
       select case (name)
@@ -338,7 +339,8 @@ contains
       !> Any character
       character(1), intent(in) :: c
 
-      is_name_part = is_digit(c) .or. c == "_" .or. (lower_case(c) >= "a" .and. lower_case(c) <= "z")
+      is_name_part = is_digit(c) .or. c == "_" &
+         & .or. (lower_case(c) >= "a" .and. lower_case(c) <= "z")
    end function is_name_part
 
    !> Step over a character that must come next

@@ -2,7 +2,7 @@
 module plydyn_deck_manual
    use plydyn_base_text, only : text
    use plydyn_deck_declaration, only : card_type, field_type, integer_field, is_ignored, &
-      & is_refused, keyword_type, real_field, text_field, word_field, words_field
+      & is_refused, keyword_type, real_field, word_field, words_field
    use plydyn_deck_values, only : number_words, range_words
    implicit none
    private
@@ -118,7 +118,8 @@ contains
       character(:), allocatable :: row
 
       row = "| "//trim(field%name)//" | "//text(begin)//"-"//text(begin + field%width - 1)//" | " &
-         & //accepted_text(field)//" | "//default_text(field)//" | "//field%sentence//" |"//line_feed
+         & //accepted_text(field)//" | "//default_text(field)//" | "//field%sentence//" |" &
+         & //line_feed
    end function field_text
 
    !> What a field accepts
@@ -130,11 +131,11 @@ contains
       select case (field%kind)
       case (integer_field, real_field)
          words = range_words(field)
-      case (text_field)
-         words = "text"
       case (word_field, words_field)
+         words = field%words
+         if (len(words) == 0) words = "text"
+      case default
          words = "text"
-         if (len(field%words) > 0) words = field%words
       end select
    end function accepted_text
 

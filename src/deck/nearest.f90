@@ -27,7 +27,7 @@ contains
       end do
    end function nearest_word
 
-   !> Letters to insert, remove, replace or swap with their neighbour to get from one word to another
+   !> Letters to insert, remove, replace or swap with a neighbour on the way to another word
    pure integer function edit_distance(from, to) result(distance)
       !> One word
       character(*), intent(in) :: from

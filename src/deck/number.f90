@@ -109,6 +109,8 @@ contains
          advice = "NaN and Inf are not numbers that a deck can hold"
       case ("0":"9")
          advice = "it is too large"
+      case default
+         advice = ""
       end select
    end function number_advice
 

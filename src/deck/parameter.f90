@@ -78,7 +78,8 @@ contains
       words = "a parameter that *PARAMETER defines further up"
       if (self%count == 0) return
       i = nearest_word(lower_case(name), self%list(:self%count)%name)
-      if (i > 0) words = "perhaps "//trim(self%list(i)%name)//"; a parameter is defined above its use"
+      if (i == 0) return
+      words = "perhaps "//trim(self%list(i)%name)//"; a parameter is defined above its use"
    end function advice
 
 end module plydyn_deck_parameter

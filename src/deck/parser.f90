@@ -112,9 +112,13 @@ contains
       type(report_type), intent(inout) :: report
 
       type(place_type) :: place
+      integer :: i
 
       if (source%ended .or. source%file_count == 0) return
-      place%line = source%line_count
+      do i = source%line_count, 1, -1
+         if (source%lines(i)%file == 1) exit
+      end do
+      place%line = i
       call report%refuse(place, "the deck does not end with *END, it may have been cut short", &
          & "*END as the last line")
    end subroutine check_end

@@ -75,7 +75,7 @@ contains
       if (more > 0) words = "... and "//text(more)//" more of this kind"//line_feed//line_feed
    end function more_text
 
-   !> Order of the findings by line, those without a line last; findings of one line keep their order
+   !> Order of the findings by line, those without a line last
    pure subroutine sort_by_line(report, order)
       !> The findings
       type(report_type), intent(in) :: report

@@ -7,8 +7,8 @@ module plydyn_deck_rows
    use plydyn_deck_layout, only : is_free, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : place_type, report_type
-   use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, &
-      & read_number, split_words
+   use plydyn_deck_values, only : check_word, fault_type, longest_word, number_words, &
+      & range_words, read_number, split_words
    implicit none
    private
 
@@ -206,7 +206,7 @@ contains
       else if (allocated(field%allowed)) then
          words = range_words(field)
       else
-         words = text(field%default)
+         words = number_words(field%default)
       end if
    end function default_words
 

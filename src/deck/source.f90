@@ -169,10 +169,11 @@ contains
       open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
          & action="read", iostat=status)
       if (status /= 0) return
-      allocate (character(length + 1) :: content)
-      read (unit, iostat=status) content(:length)
+      allocate (character(length) :: content)
+      read (unit, iostat=status) content
       close (unit)
-      content(length + 1:) = line_feed
+      if (length == 0) content = line_feed
+      if (content(len(content):) /= line_feed) content = content//line_feed
       if (length >= len(byte_order_mark)) then
          if (content(:len(byte_order_mark)) == byte_order_mark) content(:len(byte_order_mark)) = "$"
       end if
@@ -240,6 +241,8 @@ contains
             return
          case ("*INCLUDE", "*INCLUDE_PATH")
             pending = source%line_count
+         case default
+            pending = 0
          end select
       end do
       call include_pending(source, pending, report)

@@ -62,8 +62,8 @@ contains
       else if (cards%declaration%repeated) then
          if (modulo(rows, most) == 0) return
          place%line = place%line + rows
-         call report%refuse(place, "card "//text(modulo(rows, most) + 1)//" is missing behind this", &
-            & "sets of "//text(most)//" cards")
+         call report%refuse(place, "card "//text(modulo(rows, most) + 1) &
+            & //" is missing behind this", "sets of "//text(most)//" cards")
          rows = rows - modulo(rows, most)
       else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then
          place%line = place%line + most + 1
@@ -98,7 +98,9 @@ contains
       do i = 1, size(cards%declaration%cards)
          fields = max(fields, size(cards%declaration%cards(i)%fields))
          associate (kind => cards%declaration%cards(i)%fields%kind)
-            if (any(kind == word_field .or. kind == words_field .or. kind == text_field)) texts = rows
+            if (any(kind == word_field .or. kind == words_field .or. kind == text_field)) then
+               texts = rows
+            end if
          end associate
       end do
       deallocate (cards%row_line)

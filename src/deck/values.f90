@@ -22,7 +22,9 @@ module plydyn_deck_values
    end type fault_type
 
    !> Significant digits of a number in a message
-   integer, parameter :: digits_shown = 7
+   integer, parameter :: digits_shown = 6
+   !> Numbers between these are written without an exponent
+   real(wp), parameter :: least_plain = 1.0e-2_wp, most_plain = 1.0e6_wp
    !> Longest word
    integer, parameter, public :: longest_word = 32
 
@@ -228,16 +230,28 @@ contains
       character(:), allocatable :: words
 
       character(32) :: buffer
+      integer :: power
 
       if (abs(number) < huge(1) .and. abs(number - anint(number)) <= 0.0_wp) then
          words = text(nint(number))
-         return
+      else if (abs(number) >= least_plain .and. abs(number) < most_plain) then
+         words = without_zeros(text(number, digits_shown))
+      else
+         write (buffer, "(es16.6e3)") number
+         read (buffer(13:16), *) power
+         words = without_zeros(trim(adjustl(buffer(:11))))//"e"//text(power)
       end if
-      buffer = text(number, digits_shown)
-      words = trim(buffer)
-      if (index(words, "E") > 0 .or. index(words, ".") == 0) return
-      words = words(:verify(words, "0", back=.true.))
    end function number_words
+
+   !> Digits without the zeros at their end
+   pure function without_zeros(digits) result(words)
+      !> Digits with a point
+      character(*), intent(in) :: digits
+      character(:), allocatable :: words
+
+      words = digits(:verify(digits, "0", back=.true.))
+      if (words(len(words):) == ".") words = words//"0"
+   end function without_zeros
 
    !> The words of a text, separated by blanks or commas
    pure function split_words(words) result(list)

@@ -15,9 +15,9 @@ module plydyn_input_catalogue
    public :: new_catalogue
 
    !> Kinds of things that have a number
-   integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, a_box = 5, &
-      & a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, an_impactor = 10, &
-      & a_contact = 11, a_profile = 12, a_section = 13
+   integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
+      & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
+      & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13
    integer, parameter :: kinds = 13
 
    !> Some nodes or quads
@@ -111,7 +111,8 @@ contains
       call self%registers(kind)%add(cards%integer(name, nth), cards%line_of(name, nth))
    end subroutine define
 
-   !> Index of what a field refers to
+   !> Index of what a field refers to; where nothing of the kind is defined in a deck with errors,
+   !> the cause has been told and is not repeated at every reference
    subroutine find(self, kind, cards, name, index, nth)
       class(catalogue_type), intent(inout) :: self
       !> Kind of thing
@@ -132,7 +133,7 @@ contains
          index = register%index_of(cards%integer(name, nth))
          if (index > 0) then
             call register%mark(index)
-         else
+         else if (register%count > 0 .or. .not. self%report%has_errors()) then
             call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
                & //" is not defined", range_of(register), nth)
          end if
@@ -264,8 +265,9 @@ contains
          do k = 2, register%count
             if (.not. register%is_twice(k) .or. register%id(register%order(k)) == 0) cycle
             place%line = register%line(register%order(k))
-            call self%report%refuse(place, register%what//" "//text(register%id(register%order(k))) &
-               & //" is defined twice", "a number of its own", register%line(register%order(k - 1)))
+            call self%report%refuse(place, register%what//" " &
+               & //text(register%id(register%order(k)))//" is defined twice", &
+               & "a number of its own", register%line(register%order(k - 1)))
          end do
       end associate
    end subroutine check_duplicates

@@ -3,6 +3,7 @@ module plydyn_input_check_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : place_type
+   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -52,8 +53,8 @@ contains
       do i = 2, size(mesh%node_id)
          if (abs(mesh%position(3, i) - mesh%position(3, 1)) <= flat*extent) cycle
          call catalogue%report%refuse(spot(a_node, i, catalogue), "node "//text(mesh%node_id(i)) &
-            & //" lies at z = "//text(mesh%position(3, i))//", the first node at z = " &
-            & //text(mesh%position(3, 1)), "a laminate in one plane z = const", &
+            & //" lies at z = "//number_words(mesh%position(3, i))//", the first node at z = " &
+            & //number_words(mesh%position(3, 1)), "a laminate in one plane z = const", &
             & catalogue%registers(a_node)%line(1))
       end do
    end subroutine check_plane

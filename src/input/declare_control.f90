@@ -20,19 +20,22 @@ contains
          & "Lines of text that nothing reads, up to the next keyword.")
       keywords(4) = new_keyword("END", standard, &
          & "Last keyword of a deck. A deck without it is refused: it may have been cut short.")
-      keywords(5) = new_keyword("INCLUDE", standard, "Files that are read in place of this keyword.")
-      keywords(5)%remark = "One path per line, relative to the file that includes it; the folders " &
-         & //"of *INCLUDE_PATH come next. A file must not include itself."
+      keywords(5) = new_keyword("INCLUDE", standard, &
+         & "Files that are read in place of this keyword.")
+      keywords(5)%remark = "One path per line, relative to the file that includes it; the " &
+         & //"folders of *INCLUDE_PATH come next. A file must not include itself."
       keywords(6) = new_keyword("INCLUDE_PATH", standard, &
          & "Folders in which include files are looked for, one per line.")
       keywords(7) = new_keyword("PARAMETER", standard, "Names for numbers.")
-      keywords(7)%remark = "Up to four pairs on a line: in the first field R (real) or I (integer) " &
-         & //"and the name, in the second the number. Any later field may hold &name or -&name."
+      keywords(7)%remark = "Up to four pairs on a line: in the first field R (real) or I " &
+         & //"(integer) and the name, in the second the number. Any later field may hold &name " &
+         & //"or -&name."
       keywords(8) = new_keyword("PARAMETER_EXPRESSION", standard, "Names for computed numbers.")
       keywords(8)%remark = "One on a line: R or I and the name in the first field, then the " &
-         & //"expression to the end of the line; a line with a blank first field goes on with it. " &
-         & //"Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan (radians), abs, " &
-         & //"exp, log (natural), min and max with two arguments. All arithmetic is real."
+         & //"expression to the end of the line; a line with a blank first field goes on with " &
+         & //"it. Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan " &
+         & //"(radians), abs, exp, log (natural), min and max with two arguments. All " &
+         & //"arithmetic is real."
    end function frame_keywords
 
    !> Keywords that say how to run
@@ -125,8 +128,8 @@ contains
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
          & "Processors; the results have the same bits for any number of them.")
       call keyword%add_card()
-      call keyword%add_integer("NCPU", "without effect: the command line says how many", default=1, &
-         & least=0)
+      call keyword%add_integer("NCPU", "without effect: the command line says how many", &
+         & default=1, least=0)
       call keyword%add_unused("NUMRHS")
       call keyword%add_unused("CONST", neutral=[0.0_wp, 1.0_wp])
       call keyword%add_unused("PARA")
@@ -138,8 +141,8 @@ contains
 
       keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics and health of the run.")
       call keyword%add_card()
-      call keyword%add_integer("KINEM", "0 linear strain, 1 large displacement (total Lagrangian)", &
-         & default=1, allowed=[0, 1])
+      call keyword%add_integer("KINEM", &
+         & "0 linear strain, 1 large displacement (total Lagrangian)", default=1, allowed=[0, 1])
       call keyword%add_real("ENGLIM", "-", &
          & "the run stops when the energy balance is off by more than this share", &
          & default=0.05_wp, above=0.0_wp)

@@ -132,8 +132,8 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("DATABASE_FIELD", ours, "Which fields the field states hold.")
-      keyword%remark = "Names with blanks or commas between them, any number of lines. Without the " &
-         & //"keyword: displacement, velocity and stress."
+      keyword%remark = "Names with blanks or commas between them, any number of lines. Without " &
+         & //"the keyword: displacement, velocity and stress."
       call keyword%add_card(repeated=.true.)
       call keyword%add_words("NAME", "name of a field", field_names)
    end function database_field

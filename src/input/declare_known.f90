@@ -1,4 +1,4 @@
-!> Keywords of LS-DYNA that are known and not read: some do not matter, some are refused with advice.
+!> Keywords of LS-DYNA that are known and not read: ignored, or refused with advice.
 module plydyn_input_declare_known
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, standard
    implicit none
@@ -56,7 +56,8 @@ contains
 
       keywords = [listed(whole_laminates, is_refused, &
          & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
-         & listed(no_solids, is_refused, "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
+         & listed(no_solids, is_refused, &
+         & "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
          & listed(only_elastic, is_refused, "a linear elastic ply such as *MAT_PLY_ELASTIC"), &
          & listed(only_springs, is_refused, "elastic springs, *MAT_COHESIVE_ELASTIC"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &

@@ -51,8 +51,8 @@ contains
 
       keyword = new_keyword("ELEMENT_SHELL", standard, "Plate elements.", repeated=.true.)
       keyword%remark = "Four nodes counter-clockwise seen from above (+z), or nine on one line " &
-         & //"with commas, as gmsh writes them: corners, mid-sides, centre. All elements of a deck " &
-         & //"have the same number of nodes. Triangles and 8-node elements are refused."
+         & //"with commas, as gmsh writes them: corners, mid-sides, centre. All elements of a " &
+         & //"deck have the same number of nodes. Triangles and 8-node elements are refused."
       keyword%width = element_width
       call keyword%add_card()
       call keyword%add_integer("EID", "number of the element", least=1)
@@ -75,8 +75,8 @@ contains
 
       keyword = new_keyword("ELEMENT_PLATE_Q9", ours, "Plate elements of nine nodes.", &
          & repeated=.true.)
-      keyword%remark = "Corners counter-clockwise seen from above (+z), then the mid-sides from the " &
-         & //"one between N1 and N2 on, then the centre: the order of gmsh and of VTK."
+      keyword%remark = "Corners counter-clockwise seen from above (+z), then the mid-sides from " &
+         & //"the one between N1 and N2 on, then the centre: the order of gmsh and of VTK."
       keyword%width = element_width
       call keyword%add_card()
       call keyword%add_integer("EID", "number of the element", least=1)
@@ -128,8 +128,8 @@ contains
    function set_shell_list() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("SET_SHELL_LIST", standard, "A set of plate elements by their numbers.", &
-         & suffixes="TITLE", alias="SET_SHELL")
+      keyword = new_keyword("SET_SHELL_LIST", standard, &
+         & "A set of plate elements by their numbers.", suffixes="TITLE", alias="SET_SHELL")
       call add_set_card(keyword)
       call keyword%add_card(repeated=.true.)
       call keyword%add_list("EID", list_fields, "element")
@@ -169,8 +169,8 @@ contains
       keyword = new_keyword("DEFINE_CURVE", standard, &
          & "A curve over time: linear between its points, constant before and behind them.", &
          & suffixes="TITLE")
-      keyword%remark = "Abscissa SFA (A1 + OFFA), ordinate SFO (O1 + OFFO). The points are used as " &
-         & //"they are, they are not sampled anew."
+      keyword%remark = "Abscissa SFA (A1 + OFFA), ordinate SFO (O1 + OFFO). The points are used " &
+         & //"as they are, they are not sampled anew."
       call keyword%add_card()
       call keyword%add_integer("LCID", "number of the curve", least=1)
       call keyword%add_unused("SIDR")

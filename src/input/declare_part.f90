@@ -97,8 +97,8 @@ contains
          & allowed=[0, 1])
       call keyword%add_integer("NQPLAN", "quadrature points along an edge; 0 for full quadrature", &
          & default=0, least=0)
-      call keyword%add_integer("NQTHK", "quadrature points through a layer; 0 for full quadrature", &
-         & default=0, least=0)
+      call keyword%add_integer("NQTHK", &
+         & "quadrature points through a layer; 0 for full quadrature", default=0, least=0)
       call keyword%add_integer("LUMP", "0 diagonal mass", default=0, allowed=[0])
       call keyword%add_card(repeated=.true., optional=.true.)
       call keyword%add_integer("PLYID1", "first ply of a range", least=1)
@@ -113,8 +113,8 @@ contains
    function interface_cohesive() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("INTERFACE_COHESIVE", ours, "What lies between the plies of a laminate.", &
-         & repeated=.true.)
+      keyword = new_keyword("INTERFACE_COHESIVE", ours, &
+         & "What lies between the plies of a laminate.", repeated=.true.)
       keyword%remark = "Interface k lies between plies k and k + 1, counted from the bottom. " &
          & //"Interfaces that no card names are perfectly tied."
       call keyword%add_card()

@@ -114,11 +114,12 @@ contains
       integer :: i
 
       words = cards%words("NAME")
-      allocate (names(0))
+      allocate (names(size(request%fields) + size(words)))
+      names(:size(request%fields)) = request%fields
       do i = 1, size(words)
-         names = [names, [character(len(names)) :: lower_case(words(i))]]
+         names(size(request%fields) + i) = lower_case(words(i))
       end do
-      request%fields = [request%fields, names]
+      call move_alloc(names, request%fields)
    end subroutine read_database_field
 
    !> *DATABASE_PROFILE: stress through the thickness

@@ -3,6 +3,7 @@ module plydyn_input_read_material
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, an_interface_material, catalogue_type
    use plydyn_model_material, only : interface_material_type, material_type
    implicit none
@@ -33,7 +34,7 @@ contains
       if (poisson > least_poisson .and. poisson < most_poisson) then
          material%shear(:) = cards%real("E")/(2.0_wp*(1.0_wp + poisson))
       else
-         call catalogue%refuse(cards, "PR", "PR cannot be "//text(poisson), &
+         call catalogue%refuse(cards, "PR", "PR cannot be "//number_words(poisson), &
             & "a number above -1 and below 0.5, or a strain would give energy")
       end if
       materials = [materials, material]
@@ -76,7 +77,7 @@ contains
       d(:) = cards%reals(["D1", "D2"])
       if (a(1)*d(2) - a(2)*d(1) > 0.0_wp) then
          material%axis_angle = degrees*atan2(a(2), a(1))
-      else if (cards%has("A1") .and. cards%has("A2") .and. cards%has("D1") .and. cards%has("D2")) then
+      else if (norm2(a) > 0.0_wp .and. norm2(d) > 0.0_wp) then
          call catalogue%refuse(cards, "D1", "d is not counter-clockwise from a", &
             & "a and d in the plane of the plate, d between 0 and 180 degrees from a")
       end if
@@ -136,9 +137,10 @@ contains
          share(i) = material%poisson(i)/bound
          if (abs(share(i)) < 1.0_wp) cycle
          call catalogue%refuse(cards, names(i), "Poisson's ratio nu"//text(first(i)) &
-            & //text(second(i))//" = "//text(material%poisson(i))//" is too large for these moduli", &
-            & "less than sqrt(E"//text(first(i))//"/E"//text(second(i))//") = "//text(bound) &
-            & //" in size, or a strain would give energy")
+            & //text(second(i))//" = "//number_words(material%poisson(i)) &
+            & //" is too large for these moduli", "less than sqrt(E"//text(first(i))//"/E" &
+            & //text(second(i))//") = "//number_words(bound)//" in size, or a strain " &
+            & //"would give energy")
          return
       end do
       determinant = 1.0_wp - sum(share**2) - 2.0_wp*product(share)
@@ -146,7 +148,7 @@ contains
       call catalogue%refuse(cards, names(3), &
          & "the three Poisson's ratios together are too large for these moduli", &
          & "a positive definite compliance: 1 - nu12 nu21 - nu13 nu31 - nu23 nu32 " &
-         & //"- 2 nu12 nu23 nu31 above 0, here it is "//text(determinant))
+         & //"- 2 nu12 nu23 nu31 above 0, here it is "//number_words(determinant))
    end subroutine check_stability
 
 end module plydyn_input_read_material

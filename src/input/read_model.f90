@@ -126,6 +126,8 @@ contains
          call read_mat_cohesive_elastic(cards, catalogue, model%interface_materials)
       case ("IMPACTOR_SPHERE")
          call read_impactor_sphere(cards, catalogue, model%impactors)
+      case default
+         continue
       end select
    end subroutine read_independent
 
@@ -140,6 +142,8 @@ contains
          call read_part_composite(cards, catalogue, model%materials, model%parts)
       case ("PART_COMPOSITE_LONG")
          call read_part_composite_long(cards, catalogue, model%materials, model%parts)
+      case default
+         continue
       end select
    end subroutine read_part
 
@@ -154,6 +158,8 @@ contains
          call read_element_shell(cards, catalogue, model%mesh)
       case ("ELEMENT_PLATE_Q9")
          call read_element_plate_q9(cards, catalogue, model%mesh)
+      case default
+         continue
       end select
    end subroutine read_element
 
@@ -170,6 +176,8 @@ contains
          call read_set_node_general(cards, catalogue, model%mesh)
       case ("SET_SHELL_LIST")
          call read_set_shell_list(cards, catalogue)
+      case default
+         continue
       end select
    end subroutine read_set
 
@@ -186,6 +194,8 @@ contains
          call read_interface_cohesive(cards, catalogue, model%parts)
       case ("CONTACT_IMPACTOR")
          call read_contact_impactor(cards, catalogue, model%contacts)
+      case default
+         continue
       end select
    end subroutine read_laminate
 
@@ -209,6 +219,8 @@ contains
             & model%initial_velocities)
       case ("INITIAL_VELOCITY_NODE")
          call read_initial_velocity_node(cards, catalogue, model%initial_velocities)
+      case default
+         continue
       end select
    end subroutine read_support
 
@@ -238,6 +250,8 @@ contains
          call read_load_body(cards, 2, catalogue, model%body_loads)
       case ("LOAD_BODY_Z")
          call read_load_body(cards, 3, catalogue, model%body_loads)
+      case default
+         continue
       end select
    end subroutine read_load
 
@@ -276,6 +290,8 @@ contains
          call read_database_history_node(cards, catalogue, model%request)
       case ("DATABASE_HISTORY_NODE_SET")
          call read_database_history_node_set(cards, catalogue, model%request)
+      case default
+         continue
       end select
    end subroutine read_run
 
@@ -300,7 +316,8 @@ contains
 
       associate (request => model%request)
          if (size(request%fields) == 0) then
-            request%fields = [character(len(request%fields)) :: "displacement", "velocity", "stress"]
+            request%fields = [character(len(request%fields)) :: &
+               & "displacement", "velocity", "stress"]
          end if
          if (request%field_interval <= 0.0_wp) then
             request%field_interval = model%control%end_time/usual_states

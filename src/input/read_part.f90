@@ -62,7 +62,8 @@ contains
       do nth = 2, size(part%plies)
          if (all(part%plies(:nth - 1)%id /= part%plies(nth)%id)) cycle
          call catalogue%refuse(cards, "PLYID", "ply "//text(part%plies(nth)%id) &
-            & //" is in the part twice", "a number of its own, or 0 for its place in the stack", nth)
+            & //" is in the part twice", "a number of its own, or 0 for its place in the stack", &
+            & nth)
       end do
       call end_part(part, parts)
    end subroutine read_part_composite_long
@@ -258,7 +259,8 @@ contains
       else if (first < 1 .or. last < first .or. last > count) then
          call catalogue%refuse(cards, merge("IFAC1", "IFAC2", first < 1 .or. first > count), &
             & "interfaces "//text(first)//" to "//text(last)//" do not exist", &
-            & "a range within the "//text(count)//" interfaces of the part, or 0 and 0 for all", nth)
+            & "a range within the "//text(count)//" interfaces of the part, or 0 and 0 for all", &
+            & nth)
          first = 1
          last = 0
       end if

@@ -3,6 +3,7 @@ module plydyn_input_read_set
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_box, a_curve, a_node, a_node_set, a_quad, a_quad_set, &
       & box_type, catalogue_type
    use plydyn_model_curve, only : curve_type
@@ -66,10 +67,13 @@ contains
             call add_nodes(cards, nth, catalogue, member)
          case ("BOX")
             call add_boxes(cards, nth, catalogue, mesh, member)
+         case default
+            continue
          end select
       end do
       if (.not. any(member) .and. .not. catalogue%report%has_errors()) then
-         call catalogue%refuse(cards, "SID", "the set is empty", "rules that name at least one node")
+         call catalogue%refuse(cards, "SID", "the set is empty", &
+            & "rules that name at least one node")
       end if
       call catalogue%add_set(a_node_set, pack([(i, i=1, size(member))], member))
    end subroutine read_set_node_general
@@ -112,7 +116,8 @@ contains
       do nth = 2, size(curve%x)
          if (curve%x(nth) > curve%x(nth - 1) .or. .not. cards%has("A1", nth)) cycle
          call catalogue%refuse(cards, "A1", "the abscissa does not increase", &
-            & "more than the "//text(cards%real("A1", nth - 1))//" of the point before", nth)
+            & "more than the "//number_words(cards%real("A1", nth - 1)) &
+            & //" of the point before", nth)
       end do
       if (size(curve%x) < fewest_points) then
          call catalogue%refuse(cards, "A1", "the curve has one point", "at least two points")
