@@ -213,6 +213,7 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
+      character(:), allocatable :: name
       real(wp), allocatable :: values(:, :)
       integer :: i
 
@@ -221,7 +222,8 @@ contains
          values = recovered_values(self, domain, state%displacement)
       end if
       do i = 1, size(self%names)
-         associate (name => trim(self%names(i)), file => self%file)
+         name = trim(self%names(i))
+         associate (file => self%file)
             select case (name)
             case ("displacement")
                call file%write_point_data(name, motion_values(self, domain, state%displacement), &

@@ -93,9 +93,9 @@ contains
 
       associate (u => model%control%units)
          call self%energy%open(job//".energy.csv", [character(10) :: "cycle", "time", "step", &
-            & "kinetic", "internal", "impactor", "damping", "external", "contact", "total", &
-            & "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", u%time, &
-            & u%time, spread(u%energy, 1, 7), "-", spread(momentum_unit(u), 1, 3)], &
+            & "kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", &
+            & "total", "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", u%time, &
+            & u%time, spread(u%energy, 1, 8), "-", spread(momentum_unit(u), 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy
@@ -257,8 +257,8 @@ contains
       associate (e => state%energies, time => state%time)
          if (self%energy%due(time) .or. is_last) then
             call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
-               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, e%total(), &
-               & e%error(), e%momentum], error)
+               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, e%ripple, &
+               & e%total(), e%error(), e%momentum], error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)

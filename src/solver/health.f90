@@ -11,6 +11,9 @@ module plydyn_solver_health
 
    public :: check_health
 
+   !> Ripple of an unstable motion, as a multiple of the energy that went in: at most 5 times the
+   !> energy of a mode can be ripple while the step is below 0.9 of the stable one
+   real(wp), parameter :: unstable_ripple = 10.0_wp
    !> Names of the directions
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
@@ -32,8 +35,11 @@ contains
          call fail(error, exit_run, "the energy balance is off by " &
             & //text(100.0_wp*state%energies%error(), 3)//" %, more than the " &
             & //text(100.0_wp*domain%control%energy_limit, 3) &
-            & //" % allowed (ENGLIM of *CONTROL_LAYERWISE)"//when(state)//fastest(domain, state) &
-            & //"; a smaller TSSFAC may help")
+            & //" % allowed (ENGLIM of *CONTROL_LAYERWISE)"//when(state)//fastest(domain, state))
+      else if (state%energies%ripple > unstable_ripple*state%energies%reference &
+         & .and. state%energies%reference > 0.0_wp) then
+         call fail(error, exit_run, "the motion is unstable"//when(state)//fastest(domain, state) &
+            & //"; a smaller TSSFAC may help (it is "//text(domain%control%step_factor)//")")
       end if
    end subroutine check_health
 

@@ -12,8 +12,8 @@ module plydyn_solver_motion
    type, public :: sums_type
       !> Momentum along x, y, z
       real(wp) :: momentum(3) = 0.0_wp
-      !> Twice the kinetic energy
-      real(wp) :: twice_kinetic = 0.0_wp
+      !> Twice the kinetic energy; mass times the square of the acceleration
+      real(wp) :: twice_kinetic = 0.0_wp, pull = 0.0_wp
       !> Power of the forces with the velocity of the half step before
       real(wp) :: power = 0.0_wp
    end type sums_type
@@ -132,11 +132,12 @@ contains
       real(wp), intent(inout) :: a(lanes, rows, 3, nodes)
       type(sums_type), intent(inout) :: sums
 
-      real(wp), dimension(lanes) :: kinetic, momentum, power
+      real(wp), dimension(lanes) :: pull, kinetic, momentum, power
       real(wp) :: now
       integer :: c, l, n, r
 
       do n = 1, nodes
+         pull(:) = 0.0_wp
          kinetic(:) = 0.0_wp
          power(:) = 0.0_wp
          do c = 1, 3
@@ -149,12 +150,14 @@ contains
                   momentum(l) = momentum(l) + mass(l, r, n)*now
                   kinetic(l) = kinetic(l) + mass(l, r, n)*now*now
                   power(l) = power(l) + mass(l, r, n)*a(l, r, c, n)*v(l, r, c, n)
+                  pull(l) = pull(l) + mass(l, r, n)*a(l, r, c, n)**2
                end do
             end do
             sums%momentum(c) = sums%momentum(c) + sum(momentum)
          end do
          sums%twice_kinetic = sums%twice_kinetic + sum(kinetic)
          sums%power = sums%power + sum(power)
+         sums%pull = sums%pull + sum(pull)
       end do
    end subroutine divide
 
