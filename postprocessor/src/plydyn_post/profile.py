@@ -140,7 +140,7 @@ def _draw_panel(
         axes.plot(values, z, label=names[place], **look_of(place))
     axes.grid(False)
     axes.margins(y=0.0)
-    axes.locator_params(axis="x", nbins=4)
+    axes.locator_params(axis="x", nbins=4, min_n_ticks=3)
     axes.set_xlabel(in_brackets(symbol(name), scale.unit))
 
 
