@@ -49,7 +49,6 @@ contains
          e%ripple = 0.125_wp*step**2*sums%pull
          e%internal = e%internal + 0.5_wp*step*(state%internal_power + outside - sums%power)
          e%external = e%external + 0.5_wp*step*(state%external_power + outside)
-         e%damping = e%damping + 2.0_wp*step*domain%control%damping*e%kinetic
          e%momentum(:) = sums%momentum
          e%impactor = 0.0_wp
          do i = 1, size(state%impactors)

@@ -24,49 +24,58 @@ contains
    subroutine advance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Velocity and displacement; power of all forces with the new velocity
+      !> Velocity and displacement; power of all forces with the new velocity; work of damping
       type(state_type), intent(inout) :: state
 
-      real(wp) :: brake, middle, power
+      real(wp) :: brake, middle, power, square
       integer :: f
 
       middle = 0.5_wp*(state%step_before + state%step)
       brake = 0.5_wp*domain%control%damping*middle
       power = 0.0_wp
+      square = 0.0_wp
       do f = 1, size(domain%columns%families)
          associate (family => domain%columns%families(f))
             call advance_family(family%blocks*(family%order + 1), domain%columns%nodes, &
                & (1.0_wp - brake)/(1.0_wp + brake), middle/(1.0_wp + brake), state%step, &
                & domain%mass(family%first_mass), state%acceleration(family%first), &
-               & state%velocity(family%first), state%displacement(family%first), power)
+               & state%velocity(family%first), state%displacement(family%first), power, square)
          end associate
       end do
       state%internal_power = -power
+      state%energies%damping = state%energies%damping + 0.5_wp*brake*square
    end subroutine advance
 
    !> `advance` for the points of one family
-   pure subroutine advance_family(rows, nodes, keep, middle, step, mass, a, v, u, power)
+   pure subroutine advance_family(rows, nodes, keep, middle, step, mass, a, v, u, power, &
+      & square)
       integer, intent(in) :: rows, nodes
       real(wp), intent(in) :: keep, middle, step
       real(wp), intent(in) :: mass(lanes, rows, nodes), a(lanes, rows, 3, nodes)
-      real(wp), intent(inout) :: v(lanes, rows, 3, nodes), u(lanes, rows, 3, nodes), power
+      real(wp), intent(inout) :: v(lanes, rows, 3, nodes), u(lanes, rows, 3, nodes)
+      !> Sums of m a v with the new velocity, and of m (v before + v after)^2
+      real(wp), intent(inout) :: power, square
 
-      real(wp) :: column(lanes)
+      real(wp) :: column(lanes), column_square(lanes), new
       integer :: c, l, n, r
 
       do n = 1, nodes
          column(:) = 0.0_wp
+         column_square(:) = 0.0_wp
          do c = 1, 3
             do r = 1, rows
-               !$omp simd
+               !$omp simd private(new)
                do l = 1, lanes
-                  v(l, r, c, n) = keep*v(l, r, c, n) + middle*a(l, r, c, n)
-                  u(l, r, c, n) = u(l, r, c, n) + step*v(l, r, c, n)
-                  column(l) = column(l) + mass(l, r, n)*a(l, r, c, n)*v(l, r, c, n)
+                  new = keep*v(l, r, c, n) + middle*a(l, r, c, n)
+                  column(l) = column(l) + mass(l, r, n)*a(l, r, c, n)*new
+                  column_square(l) = column_square(l) + mass(l, r, n)*(v(l, r, c, n) + new)**2
+                  u(l, r, c, n) = u(l, r, c, n) + step*new
+                  v(l, r, c, n) = new
                end do
             end do
          end do
          power = power + sum(column)
+         square = square + sum(column_square)
       end do
    end subroutine advance_family
 

@@ -68,10 +68,10 @@ contains
       !> Velocity and displacement, already advanced without the supports
       type(state_type), intent(inout) :: state
 
-      real(wp) :: after, before, velocity
+      real(wp) :: before, velocity, work
       integer :: i, m
 
-      after = 0.0_wp
+      work = 0.0_wp
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m))
             if (.not. is_active(motion, state%time)) cycle
@@ -80,15 +80,14 @@ contains
                   & u => state%displacement(motion%freedom(i)))
                   before = u - state%step*v
                   velocity = prescribed_velocity(domain, motion, state, before, v)
+                  work = work + 0.5_wp*domain%mass(motion%mass(i))*(velocity**2 - v**2)
                   u = before + state%step*velocity
                   v = velocity
-                  after = after + 0.5_wp*domain%mass(motion%mass(i))*velocity**2
                end associate
             end do
          end associate
       end do
-      state%energies%external = state%energies%external + after - state%prescribed_kinetic
-      state%prescribed_kinetic = after
+      state%energies%external = state%energies%external + work
    end subroutine move_supports
 
    !> Velocity in the middle of the coming step

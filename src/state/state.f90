@@ -58,8 +58,6 @@ module plydyn_state_state
       real(wp), allocatable :: support_force(:)
       !> Power of the inner forces and of loads and supports at the beginning of the last step
       real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
-      !> Kinetic energy of the points whose motion is prescribed
-      real(wp) :: prescribed_kinetic = 0.0_wp
       !> Energies
       type(energies_type) :: energies
    end type state_type
