@@ -49,6 +49,7 @@ contains
             & //" is folded: its Jacobian is not positive at every Gauss point")
          return
       end do
+      call tabulate(plate)
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
       allocate (plate%batches(size(columns%families)))
@@ -56,6 +57,25 @@ contains
          plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))
       end do
    end subroutine new_plate
+
+   !> Shape functions at the Gauss points
+   pure subroutine tabulate(plate)
+      type(plate_type), intent(inout) :: plate
+
+      real(wp) :: gauss(plate%side)
+      integer :: i, j, q
+
+      gauss(:) = gauss_points(plate%side)
+      plate%reach = gauss(plate%side)
+      allocate (plate%shape(plate%side**2, plate%side**2))
+      allocate (plate%slope(2, plate%side**2, plate%side**2))
+      do j = 1, plate%side
+         do i = 1, plate%side
+            q = i + plate%side*(j - 1)
+            call plane_table(plate%side, gauss(i), gauss(j), plate%shape(q, :), plate%slope(:, :, q))
+         end do
+      end do
+   end subroutine tabulate
 
    !> Layers of one order with their constants
    function new_batch(model, part, layers, family) result(batch)
@@ -117,10 +137,6 @@ contains
       integer, intent(in) :: material
       type(interface_type) :: self
 
-      real(wp) :: gauss(plate%side), slope(2, plate%side**2), value(plate%side**2)
-      integer :: i, j, n
-
-      n = plate%side**2
       self%lower = lower
       self%upper = lower + 1
       self%stiffness(1:2) = model%interface_materials(material)%shear_stiffness
@@ -130,14 +146,7 @@ contains
       self%lower_stride = columns%freedom(lower, 1, 2, 1) - columns%freedom(lower, 1, 1, 1)
       self%upper_stride = columns%freedom(lower + 1, 1, 2, 1) - columns%freedom(lower + 1, 1, 1, 1)
       self%area = plate%metric(5, :, :)
-      allocate (self%shape(n, n))
-      gauss(:) = gauss_points(plate%side)
-      do j = 1, plate%side
-         do i = 1, plate%side
-            call plane_table(plate%side, gauss(i), gauss(j), value, slope)
-            self%shape(i + plate%side*(j - 1), :) = value
-         end do
-      end do
+      self%shape = plate%shape
    end function new_interface
 
 end module plydyn_domain_plates

@@ -50,6 +50,11 @@ module plydyn_element_plate
       integer, allocatable :: node(:, :)
       !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
+      !> Distance of the outer Gauss points from the middle of the quad
+      real(wp) :: reach = 0.0_wp
+      !> Shape functions at the Gauss points, (points, nodes), and their derivatives along xi and
+      !> eta, (2, nodes, points)
+      real(wp), allocatable :: shape(:, :), slope(:, :, :)
       !> Fibre direction of each layer, degrees from the x axis
       real(wp), allocatable :: angle(:)
       !> Layers by their order

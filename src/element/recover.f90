@@ -1,19 +1,19 @@
 !> Strain and stress of a layer, recovered anywhere in it from the Gauss points.
 !>
-!> In the plane the values at the Gauss points are projected onto bilinear functions: that takes out
-!> the quadratic ripple that a biquadratic element carries between its best points (Barlow, 1976).
-!> Through the thickness they are interpolated by the Lagrange polynomials of the Gauss points.
+!> In the plane and through the thickness the values at the Gauss points are interpolated, but for
+!> the shear across the plate: along its own direction it is projected onto polynomials of one degree
+!> less, in the axes of the quad. That takes out the ripple that full integration leaves there
+!> between the best points (Barlow, 1976), by the sampling of the MITC elements (Bathe, 1986).
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate, only : layer_batch_type, plate_type
-   use plydyn_element_quad, only : plane_table
-   use plydyn_fem_expansion, only : lagrange
+      use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
    use plydyn_law_elastic, only : strain_rotation
    implicit none
    private
 
-   public :: layer_values, plane_projection, thickness_interpolation
+   public :: layer_values, new_plane_shares, plane_value, thickness_interpolation
 
    !> Values that are recovered, (24): strain and stress in the axes of the plate, then of the ply;
    !> each xx, yy, zz, xy, xz, yz with engineering shear
@@ -21,6 +21,17 @@ module plydyn_element_recover
    !> Where each of the four begins, less one
    integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
       & ply_stress_at = 18
+
+   !> Shares of the Gauss points of the plane in the values at a place
+   type, public :: plane_shares_type
+      !> Interpolation; projected along xi; projected along eta
+      real(wp), allocatable :: full(:), along_xi(:), along_eta(:)
+   end type plane_shares_type
+
+   !> Where the shear across the plate stands in the recovered values, and whether in ply axes
+   integer, parameter :: shear_at(4) = [strain_at + 5, stress_at + 5, ply_strain_at + 5, &
+      & ply_stress_at + 5]
+   logical, parameter :: in_ply_axes(4) = [.false., .false., .true., .true.]
 
 contains
 
@@ -71,31 +82,33 @@ contains
       real(wp), intent(in) :: displacement(:)
       real(wp) :: h(3, 3, size(plate%node, 1), batch%expansion%order + 1)
 
-      real(wp) :: gauss(plate%side), local(2, 2), point(size(plate%node, 1), size(h, 4))
-      real(wp) :: rise(size(point, 1), size(point, 2)), slope(2, size(point, 1))
-      real(wp) :: value(size(point, 1))
-      integer :: c, i, j, m, q
+      real(wp) :: local(2, 2), point(size(plate%node, 1), size(h, 4))
+      real(wp) :: rise(size(point, 1), size(point, 2))
+      integer :: c, m, q
 
-      gauss(:) = gauss_points(plate%side)
       do c = 1, 3
          point(:, :) = matmul(column_values(batch, block, lane, c, plate%node(:, quad), &
             & displacement), transpose(batch%expansion%to_gauss))
          rise(:, :) = matmul(point, transpose(batch%expansion%gauss_slope)) &
             & *batch%slant(lane, block)
-         do j = 1, plate%side
-            do i = 1, plate%side
-               q = i + plate%side*(j - 1)
-               call plane_table(plate%side, gauss(i), gauss(j), value, slope)
-               local(:, :) = 2.0_wp*gauss(plate%side) &
-                  & *reshape(plate%metric(1:4, q, quad), [2, 2])
-               do m = 1, size(h, 4)
-                  h(c, 1:2, q, m) = matmul(local, matmul(slope, point(:, m)))
-                  h(c, 3, q, m) = dot_product(value, rise(:, m))
-               end do
+         do q = 1, size(point, 1)
+            local(:, :) = gauss_metric(plate, quad, q)
+            do m = 1, size(h, 4)
+               h(c, 1:2, q, m) = matmul(local, matmul(plate%slope(:, :, q), point(:, m)))
+               h(c, 3, q, m) = dot_product(plate%shape(q, :), rise(:, m))
             end do
          end do
       end do
    end function gradients
+
+   !> d(xi, eta)/d(x, y) at a Gauss point, (x or y, xi or eta)
+   pure function gauss_metric(plate, quad, q) result(metric)
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: quad, q
+      real(wp) :: metric(2, 2)
+
+      metric(:, :) = 2.0_wp*plate%reach*reshape(plate%metric(1:4, q, quad), [2, 2])
+   end function gauss_metric
 
    !> One direction of the displacement of a layer at the nodes of a quad, (nodes, levels)
    pure function column_values(batch, block, lane, direction, node, displacement) result(u)
@@ -180,38 +193,119 @@ contains
       turned(:) = matmul(transpose(back), stress)
    end function ply_stress
 
-   !> Shares of the Gauss points of a line in the linear function closest to their values
-   pure function line_projection(side, place) result(share)
-      integer, intent(in) :: side
+   !> Shares of the Gauss points of a line in the polynomial of some degree closest to their values
+   pure function line_projection(side, degree, place) result(share)
+      integer, intent(in) :: side, degree
       real(wp), intent(in) :: place
       real(wp) :: share(side)
 
       real(wp) :: gauss(side), here, slope, there, w(side)
-      integer :: degree, q
+      integer :: k, q
 
       gauss(:) = gauss_points(side)
       w(:) = gauss_weights(side)
       share(:) = 0.0_wp
-      do degree = 0, 1
-         call legendre(degree, place, here, slope)
+      do k = 0, degree
+         call legendre(k, place, here, slope)
          do q = 1, side
-            call legendre(degree, gauss(q), there, slope)
-            share(q) = share(q) + (real(degree, wp) + 0.5_wp)*here*there*w(q)
+            call legendre(k, gauss(q), there, slope)
+            share(q) = share(q) + (real(k, wp) + 0.5_wp)*here*there*w(q)
          end do
       end do
    end function line_projection
 
    !> Shares of the Gauss points of the plane at a place of the quad
-   pure function plane_projection(side, xi, eta) result(share)
+   pure function new_plane_shares(side, xi, eta) result(self)
       !> Nodes along a side
       integer, intent(in) :: side
       !> Place, each from -1 to 1
       real(wp), intent(in) :: xi, eta
-      real(wp) :: share(side*side)
+      type(plane_shares_type) :: self
 
-      share(:) = reshape(spread(line_projection(side, xi), 2, side) &
-         & *spread(line_projection(side, eta), 1, side), [side*side])
-   end function plane_projection
+      associate (full_xi => line_projection(side, side - 1, xi), &
+         & full_eta => line_projection(side, side - 1, eta))
+         self%full = product_shares(full_xi, full_eta)
+         self%along_xi = product_shares(line_projection(side, side - 2, xi), full_eta)
+         self%along_eta = product_shares(full_xi, line_projection(side, side - 2, eta))
+      end associate
+   end function new_plane_shares
+
+   !> Shares of a plane from those of two lines, xi first
+   pure function product_shares(a, b) result(share)
+      real(wp), intent(in) :: a(:), b(:)
+      real(wp) :: share(size(a)*size(b))
+
+      share(:) = reshape(spread(a, 2, size(b))*spread(b, 1, size(a)), [size(share)])
+   end function product_shares
+
+   !> Recovered values at a place of the plane
+   pure function plane_value(plate, quad, layer, shares, at_gauss) result(values)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Quad of the plate, and layer
+      integer, intent(in) :: quad, layer
+      !> The place
+      type(plane_shares_type), intent(in) :: shares
+      !> Values at the Gauss points of the plane, (recovered, points)
+      real(wp), intent(in) :: at_gauss(:, :)
+      real(wp) :: values(recovered)
+
+      real(wp) :: turn(2, 2)
+      integer :: i
+
+      values(:) = matmul(at_gauss, shares%full)
+      do i = 1, size(shear_at)
+         turn(:, :) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+         if (in_ply_axes(i)) turn(:, :) = plane_turn(plate%angle(layer))
+         associate (first => shear_at(i))
+            values(first:first + 1) = matmul(transpose(turn), projected_shear(plate, quad, shares, &
+               & matmul(turn, at_gauss(first:first + 1, :))))
+         end associate
+      end do
+   end function plane_value
+
+   !> From ply axes to the axes of the plate
+   pure function plane_turn(angle) result(turn)
+      real(wp), intent(in) :: angle
+      real(wp) :: turn(2, 2)
+
+      real(wp) :: rotation(6, 6)
+
+      rotation(:, :) = strain_rotation(angle)
+      turn(:, :) = transpose(rotation(5:6, 5:6))
+   end function plane_turn
+
+   !> Shear across the plate, projected along xi and along eta each in its own direction
+   pure function projected_shear(plate, quad, shares, at_gauss) result(shear)
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: quad
+      type(plane_shares_type), intent(in) :: shares
+      real(wp), intent(in) :: at_gauss(:, :)
+      real(wp) :: shear(2)
+
+      real(wp) :: along(2), jacobian(2, 2), place(2, 2)
+      integer :: q
+
+      along(:) = 0.0_wp
+      place(:, :) = 0.0_wp
+      do q = 1, size(at_gauss, 2)
+         ! d(x, y)/d(xi, eta), (x or y, xi or eta)
+         jacobian(:, :) = transpose(inverse(gauss_metric(plate, quad, q)))
+         place(:, :) = place + shares%full(q)*jacobian
+         along(1) = along(1) + shares%along_xi(q)*dot_product(jacobian(:, 1), at_gauss(:, q))
+         along(2) = along(2) + shares%along_eta(q)*dot_product(jacobian(:, 2), at_gauss(:, q))
+      end do
+      shear(:) = matmul(transpose(inverse(place)), along)
+   end function projected_shear
+
+   !> Inverse of a small matrix
+   pure function inverse(a) result(b)
+      real(wp), intent(in) :: a(2, 2)
+      real(wp) :: b(2, 2)
+
+      b(:, :) = reshape([a(2, 2), -a(2, 1), -a(1, 2), a(1, 1)], [2, 2]) &
+         & /(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
+   end function inverse
 
    !> Shares of the Gauss points of the thickness at a height in the layer
    pure function thickness_interpolation(batch, zeta) result(share)

@@ -98,7 +98,12 @@ contains
       keyword = new_keyword(name, own, "Time between two "//what//".")
       keyword%once = .true.
       call keyword%add_card()
-      call keyword%add_real("DT", "time", "time between two "//what, above=0.0_wp)
+      if (name == "DATABASE_BINARY_D3PLOT") then
+         call keyword%add_real("DT", "time", "time between two "//what, above=0.0_wp)
+      else
+         call keyword%add_real("DT", "time", "time between two "//what//"; 0 for every step", &
+            & least=0.0_wp)
+      end if
       if (index(unused, "BINARY") == 1) then
          call keyword%add_unused("BINARY", neutral=[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp])
          call keyword%add_unused("LCUR")

@@ -4,8 +4,9 @@ module plydyn_output_fields
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : quad_node_area
-   use plydyn_element_recover, only : layer_values, ply_strain_at, ply_stress_at, &
-      & plane_projection, recovered, strain_at, stress_at, thickness_interpolation
+   use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
+      & plane_value, ply_strain_at, ply_stress_at, recovered, strain_at, stress_at, &
+      & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
@@ -29,6 +30,8 @@ module plydyn_output_fields
       character(16), allocatable :: names(:)
       !> Weight of each quad at each of its nodes, for every plate: (nodes, quads)
       type(weight_type), allocatable :: weight(:)
+      !> Shares of the Gauss points at the nodes of a quad
+      type(plane_shares_type), allocatable :: at_node(:)
    contains
       procedure :: open => open_fields
       procedure :: write => write_state
@@ -61,6 +64,7 @@ contains
       self%grid = new_grid(domain)
       self%names = model%request%fields
       call find_weights(self, domain)
+      self%at_node = node_shares(domain%plates(1)%side)
       call self%file%create(path, self%grid%position, self%grid%connectivity, self%grid%offset, &
          & self%grid%kind, error)
       if (allocated(error)) return
@@ -203,6 +207,23 @@ contains
       end do
    end subroutine find_weights
 
+   !> Shares of the Gauss points at the nodes of a quad, in tensor order
+   pure function node_shares(side) result(shares)
+      integer, intent(in) :: side
+      type(plane_shares_type) :: shares(side*side)
+
+      integer :: i, j
+      real(wp) :: span
+
+      span = 2.0_wp/real(side - 1, wp)
+      do j = 1, side
+         do i = 1, side
+            shares(i + side*(j - 1)) = new_plane_shares(side, -1.0_wp + span*real(i - 1, wp), &
+               & -1.0_wp + span*real(j - 1, wp))
+         end do
+      end do
+   end function node_shares
+
    !> Write the present state; it is whole in the file when this returns
    subroutine write_state(self, domain, state, error)
       class(fields_type), intent(inout) :: self
@@ -325,7 +346,7 @@ contains
       real(wp), intent(inout) :: values(:, :)
 
       real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :)
-      real(wp) :: height, place
+      real(wp) :: height
       integer :: i, n, t
 
       associate (plate => domain%plates(p), home => domain%columns%home(:, k), &
@@ -336,11 +357,9 @@ contains
             height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp)
             at_level = level_values(at_gauss, thickness_interpolation(plate%batches(home(1)), height))
             do n = 1, size(plate%node, 1)
-               place = 2.0_wp/real(plate%side - 1, wp)
                i = self%grid%first(k) + (t - 1)*domain%columns%nodes + plate%node(n, e)
-               values(:, i) = values(:, i) + self%weight(p)%share(n, e)*matmul(at_level, &
-                  & plane_projection(plate%side, -1.0_wp + place*real(mod(n - 1, plate%side), wp), &
-                  & -1.0_wp + place*real((n - 1)/plate%side, wp)))
+               values(:, i) = values(:, i) + self%weight(p)%share(n, e) &
+                  & *plane_value(plate, e, k, self%at_node(n), at_level)
             end do
          end do
       end associate

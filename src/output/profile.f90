@@ -6,8 +6,8 @@ module plydyn_output_profile
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : plane_table
-   use plydyn_element_recover, only : layer_values, plane_projection, ply_stress_at, recovered, &
-      & thickness_interpolation
+   use plydyn_element_recover, only : layer_values, new_plane_shares, plane_value, ply_stress_at, &
+      & recovered, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
    use plydyn_output_history, only : history_type, schedule_type
@@ -163,6 +163,7 @@ contains
       real(wp) :: values(21)
 
       real(wp) :: all_values(recovered)
+      real(wp), allocatable :: at_level(:, :)
       integer :: i
 
       values(:) = 0.0_wp
@@ -172,12 +173,13 @@ contains
             & home => domain%columns%home(:, layer))
             values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
                & self%local(:, i), height)
-            all_values(:) = all_values + matmul(reshape(matmul(reshape(layer_values(plate, &
-               & home(1), home(2), home(3), e, domain%control%kinematics == total_lagrangian, &
-               & state%displacement), [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
+            at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
+               & domain%control%kinematics == total_lagrangian, state%displacement), &
+               & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
                & thickness_interpolation(plate%batches(home(1)), height)), &
-               & [recovered, size(plate%node, 1)]), &
-               & plane_projection(plate%side, self%local(1, i), self%local(2, i)))
+               & [recovered, size(plate%node, 1)])
+            all_values(:) = all_values + plane_value(plate, e, layer, &
+               & new_plane_shares(plate%side, self%local(1, i), self%local(2, i)), at_level)
          end associate
       end do
       values(4:9) = all_values(7:12)

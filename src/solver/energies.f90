@@ -3,7 +3,8 @@
 !> Inner forces and loads do the work 1/2 (f_n + f_n+1) . (u_n+1 - u_n) over a step, which is what
 !> central differences conserve. The kinetic energy is that of the velocity at the full step,
 !> v_n = v_n-1/2 + 1/2 dt a_n, which is never negative. It differs from the conserved form by the
-!> ripple, 1/8 dt^2 a M a: the balance takes it out, and the guard of stability watches it.
+!> ripple, 1/8 dt^2 a M a: the balance takes it out, and the guard of stability watches it. Where
+!> the step changes, as it does at the start, the ripple does too.
 module plydyn_solver_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
@@ -14,9 +15,18 @@ module plydyn_solver_energies
    implicit none
    private
 
-   public :: balance, begin_work
+   public :: balance, begin_work, change_step
 
 contains
+
+   !> A new step changes the form of energy that the scheme conserves
+   pure subroutine change_step(state)
+      !> The step to come, and the one just made
+      type(state_type), intent(inout) :: state
+
+      state%energies%shift = state%energies%shift &
+         & + 0.125_wp*state%pull*(state%step**2 - state%step_before**2)
+   end subroutine change_step
 
    !> Power at the beginning of a step, with the velocity over it; once supports and contact are in
    subroutine begin_work(domain, state)
@@ -47,6 +57,7 @@ contains
       associate (e => state%energies)
          e%kinetic = 0.5_wp*sums%twice_kinetic
          e%ripple = 0.125_wp*step**2*sums%pull
+         state%pull = sums%pull
          e%internal = e%internal + 0.5_wp*step*(state%internal_power + outside - sums%power)
          e%external = e%external + 0.5_wp*step*(state%external_power + outside)
          e%momentum(:) = sums%momentum

@@ -6,7 +6,7 @@ module plydyn_solver_explicit
    use plydyn_domain_domain, only : domain_type
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type
-   use plydyn_solver_energies, only : balance, begin_work
+   use plydyn_solver_energies, only : balance, begin_work, change_step
    use plydyn_solver_forces, only : add_interface_forces, add_loads, add_ply_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_motion, only : accelerate, advance, sums_type
@@ -45,6 +45,7 @@ contains
 
       do while (.not. domain%is_finished(state%time, state%cycle))
          state%step = next_step(domain, state)
+         call change_step(state)
 
          ! motion
          call advance(domain, state)

@@ -13,6 +13,9 @@ module plydyn_state_state
       real(wp) :: ripple = 0.0_wp
       !> Work of the internal forces: stored in the plies and interfaces
       real(wp) :: internal = 0.0_wp
+      !> What changes of the step have taken from the conserved form, 1/8 a M a times the difference
+      !> of the squares of the steps
+      real(wp) :: shift = 0.0_wp
       !> Taken by damping, and lost where contact nodes meet
       real(wp) :: damping = 0.0_wp, contact = 0.0_wp
       !> Work of loads, supports and gravity
@@ -56,6 +59,8 @@ module plydyn_state_state
       !> Force that each held or prescribed point would feel free, in the order of
       !> `domain%held`, then of `domain%motions`
       real(wp), allocatable :: support_force(:)
+      !> Sum of mass times the square of the acceleration, all points
+      real(wp) :: pull = 0.0_wp
       !> Power of the inner forces and of loads and supports at the beginning of the last step
       real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
       !> Energies
@@ -68,7 +73,7 @@ contains
    pure real(wp) function total(self)
       class(energies_type), intent(in) :: self
 
-      total = self%kinetic - self%ripple + self%internal + self%impactor + self%damping + self%contact
+      total = self%kinetic - self%ripple + self%shift + self%internal + self%impactor + self%damping + self%contact
    end function total
 
    !> Energy that appeared from nowhere, as a share of the largest in play
