@@ -73,11 +73,13 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable :: words
 
+      character(parameter_length) :: known(self%count)
       integer :: i
 
       words = "a parameter that *PARAMETER defines further up"
       if (self%count == 0) return
-      i = nearest_word(lower_case(name), self%list(:self%count)%name)
+      known(:) = self%list(:self%count)%name
+      i = nearest_word(lower_case(name), known)
       if (i == 0) return
       words = "perhaps "//trim(self%list(i)%name)//"; a parameter is defined above its use"
    end function advice

@@ -175,7 +175,9 @@ contains
       if (length == 0) content = line_feed
       if (content(len(content):) /= line_feed) content = content//line_feed
       if (length >= len(byte_order_mark)) then
-         if (content(:len(byte_order_mark)) == byte_order_mark) content(:len(byte_order_mark)) = "$"
+         if (content(:len(byte_order_mark)) == byte_order_mark) then
+            content = content(len(byte_order_mark) + 1:)
+         end if
       end if
       found = status == 0
    end subroutine read_content

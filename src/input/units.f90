@@ -63,7 +63,7 @@ contains
       if (modulo(power, 3) == 0 .and. power/3 >= -3 .and. power/3 <= 4) then
          name = trim(prefixes(power/3))//unit
       else
-         name = "1e"//text(power)//unit
+         name = "1e"//text(power)//" "//unit
       end if
    end function with_prefix
 

@@ -1,0 +1,166 @@
+!> From the text of a deck to cards with values, states and places, and to findings as text.
+program test_deck_deck
+   use plydyn_base_error, only : error_type, exit_input
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_deck, only : conclude, deck_type, read_deck
+   use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, ours
+   use plydyn_deck_report, only : place_type, report_type
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   character(*), parameter :: path = "deck_test.k"
+   type(keyword_type) :: known(7)
+   type(deck_type) :: deck
+   type(error_type), allocatable :: error
+   character(:), allocatable :: messages
+
+   call declare()
+
+   call begin("fixed columns")
+   call read_text("*KEYWORD|*BALL|         1       2.5|       1.0|*END")
+   associate (cards => deck%keywords(2))
+      call check(.not. allocated(error), "a good deck is read")
+      call check(cards%integer("IID"), 1, "an integer by its name")
+      call check(cards%real("RADIUS"), 2.5_wp, 0.0_wp, "a real by its name")
+      call check(cards%has("VX") .and. .not. cards%has("VY"), "absent fields are known as absent")
+      call check(cards%reals(["VX", "VY"]), [1.0_wp, 7.0_wp], 0.0_wp, "and have their default")
+      call check(cards%line_of("VX"), 4, "lines are known")
+   end associate
+
+   call begin("free format, long, suffix and alias")
+   call read_text("*KEYWORD|*ball_title|My ball, red|1, 2.5|*BALL+|                   2" &
+      & //"                 3.0|*BALL_007|3,1.0|*END")
+   call check(.not. allocated(error), "all of them are read")
+   call check(deck%keywords(2)%word("TITLE") == "My ball, red", "a comma in a title is text")
+   call check(deck%keywords(2)%integer("IID"), 1, "cards follow the title")
+   call check(deck%keywords(3)%real("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns behind +")
+   call check(deck%keywords(4)%name == "BALL", "an alias is the keyword")
+   call read_text("*KEYWORD LONG=Y|*BALL|                   2                 3.0|*BALL-" &
+      & //"|         4       5.0|*END")
+   call check(deck%keywords(2)%real("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns by LONG=Y")
+   call check(deck%keywords(3)%real("RADIUS"), 5.0_wp, 0.0_wp, "ten again behind -")
+
+   call begin("sets and lists")
+   call read_text("*KEYWORD|*POINT|       1     0.5|       2     1.5|*LIST|9,|1,2|3,|*END")
+   call check(.not. allocated(error), "are read")
+   call check(deck%keywords(2)%sets(), 2, "sets of cards are counted")
+   call check(deck%keywords(2)%real("X", 2), 1.5_wp, 0.0_wp, "and read by their number")
+   call check_list()
+
+   call begin("parameters")
+   call read_text("*KEYWORD|*PARAMETER|R r, 2.0, I n, 5|*PARAMETER_EXPRESSION|R d       2*r" &
+      & //"|          + 1|*BALL|&n, &d|-&r,|*END")
+   call check(.not. allocated(error), "are read")
+   call check(deck%keywords(4)%integer("IID"), 5, "an integer")
+   call check(deck%keywords(4)%real("RADIUS"), 5.0_wp, 0.0_wp, "an expression on two lines")
+   call check(deck%keywords(4)%real("VX"), -2.0_wp, 0.0_wp, "and a negative one")
+
+   call begin("errors")
+   call read_text("*KEYWORD|*BALL|         1      7O.0|*BLAL|1|*OLD|*END")
+   call check_error(error, "deck_test.k:3: *BALL card 1 RADIUS: '7O.0' is not a number", &
+      & "a number that is none")
+   call check_error(error, "    |          1      7O.0"//achar(10)//"    |                  ^", &
+      & "with a caret under the O")
+   call check_error(error, "'*BLAL' is not a keyword", "an unknown keyword")
+   call check_error(error, "perhaps *BALL", "with the nearest one")
+   call check_error(error, "'*OLD' is not supported"//achar(10)//"    | *OLD"//achar(10) &
+      & //"  right would be: a *BALL", "a refused keyword with advice")
+   call check_error(error, "3 errors", "and a count")
+   call check(error%code, exit_input, "the exit code is that of input")
+   call read_text("*KEYWORD|*BALL|         1|*END")
+   call check_error(error, "RADIUS is blank", "a blank field")
+   call read_text("*KEYWORD|*BALL|1, 2.5|, 3.0|*END")
+   call check_error(error, "VX is blank between filled fields", "a blank between")
+   call read_text("*KEYWORD|*POINT|       1     0.5      77|*END")
+   call check_error(error, "nothing is read from here", "a field too many")
+   call read_text("*KEYWORD|*BALL|1, 2.5|1.0|2.0|*END")
+   call check_error(error, "deck_test.k:5: *BALL: a card too many", "a card too many")
+   call read_text("*KEYWORD|*BALL|*END")
+   call check_error(error, "card 1 is missing", "a missing card")
+   call read_text("*KEYWORD|*BALL|"//achar(9)//"1|*END")
+   call check_error(error, "a tab in fixed columns", "a tab")
+   call read_text("*KEYWORD|*BALL|         1  2.5|*PARAMETER|R a b|*END")
+   call check_error(error, "the value is blank", "a parameter without value")
+   call read_text("*KEYWORD|*ONCE|1,|*ONCE|2,|*END")
+   call check_error(error, "twice (see deck_test.k:2)", "a keyword twice")
+
+   call begin("warnings")
+   call read_text("*KEYWORD MEMORY=20m|*SHOW|1 2 3|*BALL|1,2.5|*END")
+   call check(.not. allocated(error), "are no errors")
+   call check(index(messages, "'*SHOW' is known, ignored") > 0, "ignored keywords are told")
+   call check(index(messages, "'MEMORY=20M' is known, ignored") > 0, "ignored options too")
+
+   call finish()
+
+contains
+
+   !> Some keywords to read
+   subroutine declare()
+      known(1) = new_keyword("BALL", ours, "A ball.", suffixes="TITLE", alias="BALL_007")
+      call known(1)%add_card()
+      call known(1)%add_integer("IID", "number", least=1)
+      call known(1)%add_real("RADIUS", "length", "radius", above=0.0_wp)
+      call known(1)%add_card(optional=.true.)
+      call known(1)%add_real("VX", "length/time", "velocity", default=0.0_wp)
+      call known(1)%add_real("VY", "length/time", "velocity", default=7.0_wp)
+      known(2) = new_keyword("POINT", ours, "Points.", repeated=.true.)
+      known(2)%width = 8
+      call known(2)%add_card()
+      call known(2)%add_integer("NID", "number", least=1)
+      call known(2)%add_real("X", "length", "x")
+      known(3) = new_keyword("LIST", ours, "A list.")
+      call known(3)%add_card()
+      call known(3)%add_integer("SID", "number", least=1)
+      call known(3)%add_card(repeated=.true.)
+      call known(3)%add_list("NID", 2, "member")
+      known(4) = new_keyword("OLD", ours, "")
+      known(4)%fate = is_refused
+      known(4)%remark = "a *BALL"
+      known(5) = new_keyword("SHOW", ours, "")
+      known(5)%fate = is_ignored
+      known(6) = new_keyword("ONCE", ours, "")
+      known(6)%once = .true.
+      call known(6)%add_card()
+      call known(6)%add_integer("N", "number")
+      known(7) = new_keyword("WORDS", ours, "")
+      call known(7)%add_card(repeated=.true.)
+      call known(7)%add_words("NAME", "names", "STRESS STRAIN")
+   end subroutine declare
+
+   !> Write a deck whose lines are parted by bars, and read it
+   subroutine read_text(text)
+      !> The deck
+      character(*), intent(in) :: text
+
+      type(report_type) :: report
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+      call read_deck(path, known, deck, report)
+      call conclude(deck, report, messages, error)
+   end subroutine read_text
+
+   !> Members of a list with their places
+   subroutine check_list()
+      character(12), allocatable :: names(:)
+      integer, allocatable :: rows(:)
+      type(place_type) :: place
+      integer :: i
+
+      associate (cards => deck%keywords(3))
+         call cards%list("NID", names, rows)
+         call check(size(names), 3, "a list has the members that are given")
+         call check(all([(cards%integer(names(i), rows(i)), i=1, 3)] == [1, 2, 3]), &
+            & "in their order")
+         place = cards%place(names(3), rows(3))
+         call check(place%card == 2 .and. place%field == "NID1" .and. place%comma == 1, &
+            & "each with its place")
+      end associate
+   end subroutine check_list
+
+end program test_deck_deck

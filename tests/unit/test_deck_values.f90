@@ -1,0 +1,110 @@
+!> Texts of fields become numbers and words that the declaration accepts.
+program test_deck_values
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours
+   use plydyn_deck_parameter, only : parameter_table_type, parameter_type
+   use plydyn_deck_values, only : check_word, fault_type, number_words, range_words, read_number, &
+      & split_words
+   use testing, only : begin, check, finish
+   implicit none
+
+   type(keyword_type) :: keyword
+   type(parameter_table_type) :: table
+   type(fault_type) :: fault
+
+   keyword = new_keyword("BALL", ours, "A ball.")
+   call keyword%add_card()
+   call keyword%add_integer("ORDER", "order", least=1, most=4)
+   call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
+   call keyword%add_unused("CID")
+   call keyword%add_integer("FACE", "face", allowed=[-1, 1, 2])
+   call keyword%add_word("UNIT", "unit", "MM CM M", required=.true.)
+   call keyword%add_real("SF", "-", "factor", default=0.9_wp, above=0.0_wp)
+   call keyword%zero_is_default()
+   call table%add(parameter_type("n", 3.0_wp))
+   call table%add(parameter_type("half", 0.5_wp))
+
+   associate (fields => keyword%cards(1)%fields)
+      call begin("read_number")
+      call check_number(1, "3", 3.0_wp)
+      call check_number(1, "&n", 3.0_wp)
+      call check_number(2, "&half", 0.5_wp)
+      call check_number(3, "0", 0.0_wp)
+      call check_number(4, "-1", -1.0_wp)
+      call check_number(6, "0.0", 0.9_wp)
+      call check_number(6, "0.5", 0.5_wp)
+      call check_fault(1, "5", 1, "ORDER cannot be 5")
+      call check_fault(1, "3.0", 2, "not an integer")
+      call check_fault(1, "&half", 1, "ORDER is an integer")
+      call check_fault(1, "&m", 2, "no parameter 'm'")
+      call check_fault(2, "-&half", 1, "RADIUS cannot be -0.5")
+      call check_fault(2, "0.0", 1, "RADIUS cannot be 0")
+      call check_fault(2, "7O.0", 2, "not a number")
+      call check_fault(3, "4", 1, "CID = 4 is not supported")
+      call check_fault(4, "0", 1, "FACE cannot be 0")
+
+      call begin("check_word")
+      call check_word(fields(5), "mm", fault)
+      call check(fault%at, 0, "knows a word in either case")
+      call check_word(fields(5), "mmm", fault)
+      call check(fault%at == 1 .and. index(fault%right, "perhaps MM") > 0, "finds the nearest word")
+      call check_word(fields(5), "furlong", fault)
+      call check(index(fault%right, "one of MM CM M") > 0, "or lists them all")
+
+      call begin("range_words")
+      call check(range_words(fields(1)) == "an integer from 1 to 4", "two bounds")
+      call check(range_words(fields(2)) == "a number (length) above 0", "one bound")
+      call check(range_words(fields(4)) == "-1, 1 or 2", "choices")
+   end associate
+
+   call begin("number_words")
+   call check(number_words(0.25_wp) == "0.25", "no zeros at the end: "//number_words(0.25_wp))
+   call check(number_words(-3.0_wp) == "-3", "no point without need")
+   call check(number_words(1.6e-9_wp) == "1.6e-9", "small: "//number_words(1.6e-9_wp))
+   call check(number_words(2.5e12_wp) == "2.5e12", "large: "//number_words(2.5e12_wp))
+   call check(number_words(1.0e-9_wp) == "1.0e-9", "round: "//number_words(1.0e-9_wp))
+
+   call begin("split_words")
+   call check(size(split_words(" a, b  c,")), 3, "blanks and commas part words")
+   call check(size(split_words("")), 0, "an empty text has none")
+   call check(all(split_words("ab cd") == ["ab", "cd"]), "words as they are")
+
+   call finish()
+
+contains
+
+   !> A text and its number
+   subroutine check_number(place, text, expected)
+      !> Place of the field
+      integer, intent(in) :: place
+      !> What the field holds
+      character(*), intent(in) :: text
+      !> Its number
+      real(wp), intent(in) :: expected
+
+      real(wp) :: number
+
+      call read_number(keyword%cards(1)%fields(place), text, table, number, fault)
+      call check(fault%at, 0, text//" is accepted")
+      call check(number, expected, 0.0_wp, text//" has its value")
+   end subroutine check_number
+
+   !> A text that is refused
+   subroutine check_fault(place, text, at, fragment)
+      !> Place of the field
+      integer, intent(in) :: place
+      !> What the field holds
+      character(*), intent(in) :: text
+      !> Its first wrong character
+      integer, intent(in) :: at
+      !> What the message must say
+      character(*), intent(in) :: fragment
+
+      real(wp) :: number
+
+      call read_number(keyword%cards(1)%fields(place), text, table, number, fault)
+      call check(fault%at, at, text//" is refused there")
+      if (fault%at > 0) call check(index(fault%wrong, fragment) > 0, text//" says "//fragment)
+   end subroutine check_fault
+
+end program test_deck_values

@@ -1,0 +1,74 @@
+!> Declarations are complete, and names do not get in each other's way.
+program test_input_keywords
+   use plydyn_deck_declaration, only : field_type, is_read, keyword_type
+   use plydyn_input_keywords, only : all_keywords
+   use plydyn_input_manual, only : keyword_manual
+   use testing, only : begin, check, finish
+   implicit none
+
+   type(keyword_type), allocatable :: keywords(:)
+   integer :: card, i, k
+
+   keywords = all_keywords()
+
+   call begin("all_keywords")
+   do i = 1, size(keywords)
+      associate (keyword => keywords(i))
+         call check(.not. any([(keywords(k)%name == keyword%name, k=1, i - 1)]), &
+            & keyword%name//" is declared once")
+         if (keyword%fate /= is_read) cycle
+         call check(len(keyword%sentence) > 0, keyword%name//" says what it is for")
+         do card = 1, size(keyword%cards)
+            call check_card(keyword%name, keyword%cards(card)%fields)
+         end do
+         if (keyword%own) call check_stem(keyword%name)
+      end associate
+   end do
+
+   call begin("keyword_manual")
+   call check(index(keyword_manual("impactor_sphere"), &
+      & "| RADIUS | 11-20 | a number (length)") > 0, "has a page with the fields of a keyword")
+   call check(index(keyword_manual("*NODE"), "| X | 9-24 |") > 0, "with their columns")
+   call check(index(keyword_manual("IMPACTOR_SPEHRE"), "perhaps *IMPACTOR_SPHERE") > 0, &
+      & "and advice for a misspelt one")
+   call check(index(keyword_manual(""), "## *DATABASE_PROFILE") > 0, "and holds all pages")
+
+   call finish()
+
+contains
+
+   !> Fields have names of their own and a sentence
+   subroutine check_card(name, fields)
+      !> Name of the keyword
+      character(*), intent(in) :: name
+      !> Fields of one of its cards
+      type(field_type), intent(in) :: fields(:)
+
+      integer :: f
+
+      call check(size(fields) > 0, name//" has no empty card")
+      do f = 1, size(fields)
+         call check(count(fields%name == fields(f)%name), 1, name//" has one "//fields(f)%name)
+         call check(len(fields(f)%sentence) > 0, name//" explains "//fields(f)%name)
+      end do
+   end subroutine check_card
+
+   !> Clients that cut an unknown name at `_` from the right must not end at a known keyword
+   subroutine check_stem(name)
+      !> Name of a keyword of our own
+      character(*), intent(in) :: name
+
+      character(:), allocatable :: stem
+      integer :: k
+
+      stem = name
+      do while (index(stem, "_") > 0)
+         stem = stem(:index(stem, "_", back=.true.) - 1)
+         do k = 1, size(keywords)
+            if (keywords(k)%own) cycle
+            call check(keywords(k)%name /= stem, name//" is not cut to *"//stem)
+         end do
+      end do
+   end subroutine check_stem
+
+end program test_input_keywords

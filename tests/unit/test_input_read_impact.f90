@@ -1,0 +1,93 @@
+!> Impactors, contacts and output requests are as on their cards.
+program test_input_read_impact
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_input_read_model, only : read_model
+   use plydyn_model_impactor, only : nodes_on_impactor, points_on_plate
+   use plydyn_model_model, only : model_type
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   !> A plate of one quad and three plies, and how long
+   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
+      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
+      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
+      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
+   character(*), parameter :: path = "test_input_read_impact.k"
+   type(model_type) :: model
+   type(error_type), allocatable :: error
+   character(:), allocatable :: messages
+   character(*), parameter :: ball = &
+      & "*IMPACTOR_SPHERE_TITLE|ball|2,5.,1.e-3,0.5,0.5,6.|0.,0.,-3.e3,"
+
+   call begin("read_impactor_sphere, read_contact_impactor")
+   call read_plate(ball//"1,-9810.,1|*CONTACT_IMPACTOR|1,2,7,1,2,0.5|0.,0.,0.|")
+   call check(.not. allocated(error), "are read")
+   associate (impactor => model%impactors(1), contact => model%contacts(1))
+      call check(impactor%title == "ball" .and. impactor%id == 2, "title and number")
+      call check([impactor%radius, impactor%mass], [5.0_wp, 1.0e-3_wp], 0.0_wp, "radius and mass")
+      call check(impactor%centre, [0.5_wp, 0.5_wp, 6.0_wp], 0.0_wp, "centre")
+      call check(impactor%velocity, [0.0_wp, 0.0_wp, -3000.0_wp], 0.0_wp, "velocity")
+      call check(impactor%guided .and. impactor%hemisphere, "guided hemisphere")
+      call check(impactor%gravity, -9810.0_wp, 0.0_wp, "gravity")
+      call check(contact%impactor == 1 .and. contact%part == 1, "references by index")
+      call check(contact%method, points_on_plate, "method")
+      call check(contact%spacing, 0.5_wp, 0.0_wp, "spacing")
+   end associate
+   call read_plate(ball//"|*CONTACT_IMPACTOR|1,2,7,1|")
+   call check(.not. allocated(error), "the second card of a contact may be missing")
+   call check(model%contacts(1)%method, nodes_on_impactor, "usual method")
+   call read_plate("*IMPACTOR_SPHERE|2,5.,1.e-3,0.5,0.5,6.|1.,0.,-3.e3,1|" &
+      & //"*CONTACT_IMPACTOR|1,2,7,1|")
+   call check_error(error, "a guided impactor moves along z only", "a guided one that drifts")
+
+   call begin("output")
+   call read_plate("*DATABASE_HISTORY_NODE|4,2|2,|*SET_NODE_LIST|1,|1,2|" &
+      & //"*DATABASE_HISTORY_NODE_SET|1,|*DATABASE_NODOUT|0.1,|" &
+      & //"*DATABASE_FIELD|strain, Stress_Ply|velocity|*DATABASE_PROFILE|3,0.1,0.2,7,0.5|*DATABASE_GLSTAT|0.2,1,0,1|*DATABASE_SPCFORC|0.3,|" &
+      & //"*DATABASE_IMPACTOR|0.4,|*DATABASE_BINARY_D3PLOT|0.5,|")
+   call check(.not. allocated(error), "requests are read")
+   associate (request => model%request)
+      call check(all(request%nodes == [4, 2, 1]), "nodes once")
+      call check(all(request%fields == [character(10) :: "strain", "stress_ply", "velocity"]), &
+         & "fields in small letters")
+      call check([request%energy_interval, request%node_interval, request%support_interval, &
+         & request%impactor_interval, request%field_interval], &
+         & [0.2_wp, 0.1_wp, 0.3_wp, 0.4_wp, 0.5_wp], 0.0_wp, "intervals")
+      call check(request%profiles(1)%position, [0.1_wp, 0.2_wp], 0.0_wp, "place of a profile")
+      call check(request%profiles(1)%points, 7, "points of a profile")
+   end associate
+   call read_plate("")
+   call check(all(model%request%fields == [character(12) :: "displacement", "velocity", &
+      & "stress"]), "usual fields")
+   call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "twenty states")
+
+   call finish()
+
+contains
+
+   !> Write the plate and some more lines, parted by bars, and read it all
+   subroutine read_plate(more)
+      !> Lines behind those of the plate
+      character(*), intent(in) :: more
+
+      call read_text(plate//more//"*END")
+   end subroutine read_plate
+
+   !> Write a deck whose lines are parted by bars, and read it
+   subroutine read_text(text)
+      !> The deck
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+      call read_model(path, model, messages, error)
+   end subroutine read_text
+
+end program test_input_read_impact

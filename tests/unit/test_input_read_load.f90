@@ -1,0 +1,86 @@
+!> Loads act where they are told.
+program test_input_read_load
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_input_read_model, only : read_model
+   use plydyn_model_support, only : all_planes, bottom_face, top_face
+   use plydyn_model_model, only : model_type
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   !> A plate of one quad and three plies, and how long
+   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
+      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
+      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
+      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
+   character(*), parameter :: path = "test_input_read_load.k"
+   type(model_type) :: model
+   type(error_type), allocatable :: error
+   character(:), allocatable :: messages
+   character(*), parameter :: curve = "*DEFINE_CURVE|3,|0.,0.|1.,1.|"
+
+   call begin("point loads")
+   call read_plate(curve//"*SET_NODE_LIST|1,|1,2|*LOAD_NODE_SET|1,3,3,-2.|*LOAD_NODE_POINT|4,1,3|" &
+      & //"*LOAD_FACE_POINT|2,1,3,0,-1.|3,2,3,0,-1.|")
+   call check(.not. allocated(error), "are read")
+   associate (loads => model%point_loads)
+      call check(size(loads), 4, "one for each card")
+      call check(all(loads(1)%nodes == [1, 2]), "nodes of a set")
+      call check(loads%scale, [-2.0_wp, 1.0_wp, -1.0_wp, -1.0_wp], 0.0_wp, "factors")
+      call check(all(loads%direction == [3, 1, 3, 3]), "directions")
+      call check(all(loads%face == [all_planes, all_planes, top_face, all_planes]), "faces")
+      call check(all(loads%curve == [1, 1, 2, 2]), "curves, the constant is made once")
+   end associate
+
+   call begin("line loads")
+   call read_plate("*SET_NODE_LIST|1,|1,2|*LOAD_FACE_LINE|1,-1,2,0,4.|")
+   call check(.not. allocated(error), "are read")
+   call check(model%line_loads(1)%face, bottom_face, "face")
+   call check(model%line_loads(1)%scale, 4.0_wp, 0.0_wp, "factor")
+
+   call begin("pressures")
+   call read_plate(curve//"*SET_SHELL_LIST|4,|11|*LOAD_SHELL_SET|4,3,2.|*LOAD_FACE_PRESSURE|" &
+      & //"0,-1,0,0.5|")
+   call check(.not. allocated(error), "are read")
+   call check(all(model%pressures%face == [top_face, bottom_face]), "faces")
+   call check(all(model%pressures(2)%quads == [1]), "all elements")
+
+   call begin("body loads")
+   call read_plate(curve//"*LOAD_BODY_X|3,|*LOAD_BODY_Z|3,9810.|")
+   call check(.not. allocated(error), "are read")
+   call check(all(model%body_loads%direction == [1, 3]), "directions")
+   call check(model%body_loads(2)%scale, 9810.0_wp, 0.0_wp, "factor")
+   call read_plate(curve//"*LOAD_BODY_Z|3,|*LOAD_BODY_Z|3,|")
+   call check_error(error, "stands in the deck twice", "one direction twice")
+   call read_plate("*LOAD_BODY_Z|0,|")
+   call check_error(error, "LCID cannot be 0", "no curve")
+
+   call finish()
+
+contains
+
+   !> Write the plate and some more lines, parted by bars, and read it all
+   subroutine read_plate(more)
+      !> Lines behind those of the plate
+      character(*), intent(in) :: more
+
+      call read_text(plate//more//"*END")
+   end subroutine read_plate
+
+   !> Write a deck whose lines are parted by bars, and read it
+   subroutine read_text(text)
+      !> The deck
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+      call read_model(path, model, messages, error)
+   end subroutine read_text
+
+end program test_input_read_load

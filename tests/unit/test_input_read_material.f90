@@ -1,0 +1,104 @@
+!> Materials have the constants of their cards, if these are possible.
+program test_input_read_material
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_input_read_model, only : read_model
+   use plydyn_model_model, only : model_type
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   !> A plate of one quad and three plies, and how long
+   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
+      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
+      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
+      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
+   character(*), parameter :: path = "test_input_read_material.k"
+   type(model_type) :: model
+   type(error_type), allocatable :: error
+   character(:), allocatable :: messages
+
+   call begin("read_mat_ply_elastic")
+   call read_plate("")
+   associate (material => model%materials(1))
+      call check(material%density, 1.6e-9_wp, 0.0_wp, "density")
+      call check(material%young, [1.4e5_wp, 1.0e4_wp, 1.0e4_wp], 0.0_wp, "Young's moduli")
+      call check(material%poisson, [0.3_wp, 0.3_wp, 0.45_wp], 0.0_wp, "Poisson's ratios")
+      call check(material%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "G12, G13, G23")
+      call check(material%keyword == "MAT_PLY_ELASTIC", "keyword")
+   end associate
+
+   call begin("read_mat_elastic")
+   call read_with("*MAT_ELASTIC_TITLE|steel|5,7.8e-9,2.6e5,0.3|")
+   call check(.not. allocated(error), "is read")
+   call check(model%materials(1)%shear, spread(1.0e5_wp, 1, 3), 1.0e-9_wp, "G = E/2(1 + nu)")
+   call check(model%materials(1)%title == "steel", "title")
+   call read_with("*MAT_001|5,7.8e-9,2.6e5,0.5|")
+   call check_error(error, "PR cannot be 0.5", "an incompressible material")
+
+   call begin("read_mat_orthotropic_elastic")
+   call read_with("*MAT_ORTHOTROPIC_ELASTIC|5,1.6e-9,1.4e5,1.0e4,7.0e3,0.02,0.01,0.3|" &
+      & //"5000.,3500.,4000.,2.0|0.,0.,0.,1.0,1.0,0.|0.,0.,0.,0.,1.0,0.|")
+   call check(.not. allocated(error), "is read")
+   associate (material => model%materials(1))
+      call check(material%poisson, [0.28_wp, 0.2_wp, 0.3_wp/0.7_wp], 1.0e-14_wp, &
+         & "nu_ij = nu_ji E_i/E_j")
+      call check(material%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "GAB, GCA, GBC")
+      call check(material%axis_angle, 45.0_wp, 1.0e-12_wp, "axis angle from a")
+   end associate
+   call check(model%parts(1)%plies%angle, [45.0_wp, 135.0_wp, 45.0_wp], 1.0e-12_wp, &
+      & "which the angles of plies are measured from")
+
+   call begin("check_stability")
+   call read_with("*MAT_PLY_ELASTIC|5,1.6e-9,1.4e5,1.0e4,1.0e4,3.73,0.,0.|5000.,4000.,3500.|")
+   call check(.not. allocated(error), "a Poisson's ratio just below its bound is possible")
+   call read_with("*MAT_PLY_ELASTIC|5,1.6e-9,1.4e5,1.0e4,1.0e4,3.75,0.,0.|5000.,4000.,3500.|")
+   call check_error(error, "nu12 = 3.75 is too large", "one above it is not")
+   call read_with("*MAT_PLY_ELASTIC|5,1.6e-9,1.0e4,1.0e4,1.0e4,0.6,0.6,0.6|5000.,4000.,3500.|")
+   call check_error(error, "the three Poisson's ratios together", "nor are three large ones")
+
+   call begin("read_mat_cohesive_elastic")
+   call read_plate("*MAT_COHESIVE_ELASTIC|6,1.0e-9,0,0,2.0e5,3.0e5|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check(.not. allocated(error), "is read")
+   call check(model%interface_materials(1)%normal_stiffness, 3.0e5_wp, 0.0_wp, "normal stiffness")
+   call check(model%interface_materials(1)%shear_stiffness, 2.0e5_wp, 0.0_wp, "shear stiffness")
+   call check(index(messages, "RO is without effect") > 0, "a density makes a note")
+
+   call finish()
+
+contains
+
+   !> Write the plate and some more lines, parted by bars, and read it all
+   subroutine read_plate(more)
+      !> Lines behind those of the plate
+      character(*), intent(in) :: more
+
+      call read_text(plate//more//"*END")
+   end subroutine read_plate
+
+   !> Write a deck whose lines are parted by bars, and read it
+   subroutine read_text(text)
+      !> The deck
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+      call read_model(path, model, messages, error)
+   end subroutine read_text
+
+   !> Read the plate with another material
+   subroutine read_with(material)
+      !> Lines of the material
+      character(*), intent(in) :: material
+
+      integer, parameter :: begin = index(plate, "*MAT"), finish = index(plate, "*PART")
+
+      call read_text(plate(:begin - 1)//material//plate(finish:)//"*END")
+   end subroutine read_with
+
+end program test_input_read_material

@@ -1,0 +1,93 @@
+!> Supports, motions and initial velocities act where they are told.
+program test_input_read_support
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_input_read_model, only : read_model
+   use plydyn_model_support, only : all_planes, bottom_face, one_plane, prescribes_acceleration, &
+      & prescribes_displacement, top_face
+   use plydyn_model_model, only : model_type
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   !> A plate of one quad and three plies, and how long
+   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
+      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
+      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
+      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
+   character(*), parameter :: path = "test_input_read_support.k"
+   type(model_type) :: model
+   type(error_type), allocatable :: error
+   character(:), allocatable :: messages
+   character(*), parameter :: edge = "*SET_NODE_LIST|1,|1,2|", &
+      & curve = "*DEFINE_CURVE|3,|0.,0.|1.,1.|"
+
+   call begin("read_boundary_spc_set")
+   call read_plate(edge//"*BOUNDARY_SPC_SET_ID|4,clamp|1,0,1,1,1,1,1,1|")
+   call check(.not. allocated(error), "is read")
+   call check(all(model%holds(1)%direction), "all directions")
+   call check(model%holds(1)%face, all_planes, "all planes")
+   call read_plate(edge//"*BOUNDARY_SPC_SET|1,0,1,0,0,0,1,0|")
+   call check_error(error, "DOFRY: the points of the plate have no rotations", "a rotation alone")
+
+   call begin("read_boundary_face")
+   call read_plate(edge//"*BOUNDARY_FACE|1,-1,0.0,0,0,1|1,0,0.25,1,0,0|")
+   call check(.not. allocated(error), "is read")
+   call check(all(model%holds%face == [bottom_face, one_plane]), "faces")
+   call check(model%holds(2)%height, 0.25_wp, 0.0_wp, "height")
+   call check(all(model%holds(1)%direction .eqv. [.false., .false., .true.]), "directions")
+
+   call begin("read_boundary_prescribed_motion_set")
+   call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,-2.0,0,0.5,0.1|1,1,1,3|")
+   call check(.not. allocated(error), "is read")
+   call check(all(model%motions%direction == [3, 1]), "directions")
+   call check(all(model%motions%quantity == [prescribes_displacement, prescribes_acceleration]), &
+      & "quantities")
+   call check(model%motions%scale, [-2.0_wp, 1.0_wp], 0.0_wp, "factors")
+   call check(model%motions(1)%birth, 0.1_wp, 0.0_wp, "begin")
+   call check(model%motions(1)%death, 0.5_wp, 0.0_wp, "end")
+   call check(model%motions(2)%death > 1.0e300_wp, "or no end")
+   call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,1.0,0,0.1,0.5|")
+   call check_error(error, "the motion ends before it begins", "an end before the begin")
+
+   call begin("read_boundary_face_motion")
+   call read_plate(edge//"*BOUNDARY_FACE_MOTION|1,1,3,0,0,5.0|")
+   call check(.not. allocated(error), "is read")
+   call check(model%motions(1)%face, top_face, "face")
+   call check(model%curves(model%motions(1)%curve)%at(7.0_wp), 1.0_wp, 0.0_wp, "curve 0 is 1")
+
+   call begin("read_initial_velocity")
+   call read_plate("*INITIAL_VELOCITY|0,|0.,0.,-5.|*INITIAL_VELOCITY_NODE|3,1.,2.,3.|")
+   call check(.not. allocated(error), "is read")
+   call check(size(model%initial_velocities(1)%nodes), 4, "all nodes")
+   call check(all(model%initial_velocities(2)%nodes == [3]), "one node")
+   call check(model%initial_velocities(2)%velocity, [1.0_wp, 2.0_wp, 3.0_wp], 0.0_wp, "velocity")
+
+   call finish()
+
+contains
+
+   !> Write the plate and some more lines, parted by bars, and read it all
+   subroutine read_plate(more)
+      !> Lines behind those of the plate
+      character(*), intent(in) :: more
+
+      call read_text(plate//more//"*END")
+   end subroutine read_plate
+
+   !> Write a deck whose lines are parted by bars, and read it
+   subroutine read_text(text)
+      !> The deck
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+      call read_model(path, model, messages, error)
+   end subroutine read_text
+
+end program test_input_read_support
