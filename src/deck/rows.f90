@@ -120,7 +120,9 @@ contains
       width(:) = cards%column_width(cards%card_of_row(row), size(fields))
       call locate(line, width, spans, behind)
       cards%row_free(row) = is_free(line)
-      if (.not. cards%row_free(row)) call check_borders(line, row, width, spans, cards, report)
+      if (.not. cards%row_free(row)) then
+         call check_borders(line, row, width, spans, fields, cards, report)
+      end if
       do last_filled = size(fields), 1, -1
          if (spans(last_filled)%last >= spans(last_filled)%first) exit
       end do
@@ -138,7 +140,7 @@ contains
    end subroutine read_fields
 
    !> A number that runs across the border of two fields would be read as two
-   subroutine check_borders(line, row, width, spans, cards, report)
+   subroutine check_borders(line, row, width, spans, fields, cards, report)
       !> Text of the line
       character(*), intent(in) :: line
       !> Number of the row
@@ -147,6 +149,8 @@ contains
       integer, intent(in) :: width(:)
       !> Where each field is
       type(span_type), intent(in) :: spans(:)
+      !> What the card declares
+      type(field_type), intent(in) :: fields(:)
       !> The keyword
       type(cards_type), intent(in) :: cards
       !> Findings
@@ -159,6 +163,7 @@ contains
          border = border + width(i)
          if (border >= len(line)) return
          if (spans(i)%last /= border .or. spans(i + 1)%first /= border + 1) cycle
+         if (any(fields(i:i + 1)%kind == word_field)) cycle
          if (spans(i)%last - spans(i)%first + 1 == width(i)) cycle
          if (spans(i + 1)%last - spans(i + 1)%first + 1 == width(i + 1)) cycle
          call report%refuse(at_column(cards, row, border), &
@@ -183,7 +188,7 @@ contains
       !> Place of the field on the card
       integer, intent(in) :: i
 
-      if (.not. (field%required .or. filled_behind)) return
+      if (.not. (field%required .or. (filled_behind .and. field%supported))) return
       cards%state(i, row) = is_wrong
       if (field%required) then
          call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &

@@ -7,6 +7,9 @@ module plydyn_input_declare_control
 
    public :: frame_keywords, control_keywords
 
+   !> LS-DYNA's value for no limit on added mass
+   real(wp), parameter :: no_mass_limit = 1.0e8_wp
+
 contains
 
    !> Keywords that the deck itself needs
@@ -89,7 +92,8 @@ contains
       call keyword%add_real("DTMIN", "-", &
          & "the run stops when the step falls below this share of the first one; 0 for never", &
          & default=0.0_wp, least=0.0_wp, most=1.0_wp)
-      call keyword%add_unused("ENDENG ENDMAS")
+      call keyword%add_unused("ENDENG")
+      call keyword%add_unused("ENDMAS", neutral=[0.0_wp, no_mass_limit])
       call keyword%add_integer("NOSOL", "1 checks the deck and does not run", default=0, &
          & allowed=[0, 1])
    end function control_termination
@@ -109,6 +113,8 @@ contains
       call keyword%add_integer("LCTM", "curve of the largest step over time; 0 for none", &
          & default=0, least=0)
       call keyword%add_unused("ERODE MS1ST")
+      call keyword%add_card(optional=.true.)
+      call keyword%add_unused("DT2MSF DT2MSLC IMSCL UNUSED1 UNUSED2 RMSCL UNUSED3 IHDO")
    end function control_timestep
 
    !> Energies
@@ -118,7 +124,8 @@ contains
       keyword = new_keyword("CONTROL_ENERGY", standard, &
          & "Which energies LS-DYNA computes; plydyn always computes all that it has.")
       call keyword%add_card()
-      call keyword%add_unused("HGEN RWEN SLNTEN RYLEN", neutral=[0.0_wp, 1.0_wp, 2.0_wp])
+      call keyword%add_unused("HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN", &
+         & neutral=[0.0_wp, 1.0_wp, 2.0_wp])
    end function control_energy
 
    !> Processors

@@ -108,9 +108,13 @@ contains
          call keyword%add_unused("BINARY", neutral=[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp])
          call keyword%add_unused("LCUR")
          call keyword%add_unused("IOOPT", neutral=[0.0_wp, 1.0_wp])
+         call keyword%add_unused("OPTION1 OPTION2 OPTION3 OPTION4")
       else
          call keyword%add_unused(unused)
       end if
+      if (index(unused, "LCDT") /= 1) return
+      call keyword%add_card(optional=.true.)
+      call keyword%add_unused("IOOPT RATE CUTOFF WINDOW TYPE PSET")
    end function database
 
    !> Nodes with a history

@@ -144,6 +144,7 @@ contains
       call keyword%add_integer("SID", "number of the set", least=1)
       call keyword%add_unused("DA1 DA2 DA3 DA4")
       call keyword%add_unused("SOLVER", word="MECH")
+      call keyword%add_unused("ITS", neutral=[0.0_wp, 1.0_wp])
    end subroutine add_set_card
 
    !> A box along the axes

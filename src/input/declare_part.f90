@@ -170,6 +170,7 @@ contains
       call keyword%add_real("A2", "-", "y of a")
       call keyword%add_real("A3", "-", "z of a, zero", default=0.0_wp, least=0.0_wp, most=0.0_wp)
       call keyword%add_unused("MACF", neutral=[0.0_wp, 1.0_wp])
+      call keyword%add_unused("IHIS")
       call keyword%add_card()
       call keyword%add_unused("V1 V2 V3")
       call keyword%add_real("D1", "-", "x of d")

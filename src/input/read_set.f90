@@ -119,7 +119,7 @@ contains
             & "more than the "//number_words(cards%real("A1", nth - 1)) &
             & //" of the point before", nth)
       end do
-      if (size(curve%x) < fewest_points) then
+      if (size(curve%x) > 0 .and. size(curve%x) < fewest_points) then
          call catalogue%refuse(cards, "A1", "the curve has one point", "at least two points")
       end if
       curves = [curves, curve]

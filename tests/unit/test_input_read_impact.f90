@@ -44,7 +44,8 @@ program test_input_read_impact
    call begin("output")
    call read_plate("*DATABASE_HISTORY_NODE|4,2|2,|*SET_NODE_LIST|1,|1,2|" &
       & //"*DATABASE_HISTORY_NODE_SET|1,|*DATABASE_NODOUT|0.1,|" &
-      & //"*DATABASE_FIELD|strain, Stress_Ply|velocity|*DATABASE_PROFILE|3,0.1,0.2,7,0.5|*DATABASE_GLSTAT|0.2,1,0,1|*DATABASE_SPCFORC|0.3,|" &
+      & //"*DATABASE_FIELD|strain, Stress_Ply|velocity|" &
+      & //"*DATABASE_PROFILE|3,0.1,0.2,7,0.5|*DATABASE_GLSTAT|0.2,1,0,1|*DATABASE_SPCFORC|0.3,|" &
       & //"*DATABASE_IMPACTOR|0.4,|*DATABASE_BINARY_D3PLOT|0.5,|")
    call check(.not. allocated(error), "requests are read")
    associate (request => model%request)
