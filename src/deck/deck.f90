@@ -45,13 +45,13 @@ contains
       type(report_type), intent(in) :: report
       !> Warnings and notes, empty without any
       character(:), allocatable, intent(out) :: messages
-      !> All errors with their count
+      !> All findings with their count, if there are errors among them
       type(error_type), allocatable, intent(out) :: error
 
       messages = findings_text(report, deck%source, [grave_warning, grave_note])
       if (.not. report%has_errors()) return
-      call fail(error, exit_input, findings_text(report, deck%source, [grave_error]) &
-         & //count_text(report))
+      call fail(error, exit_input, findings_text(report, deck%source, [grave_error, grave_warning, &
+         & grave_note])//count_text(report))
    end subroutine conclude
 
 end module plydyn_deck_deck

@@ -7,6 +7,7 @@ module plydyn_input_check_model
       & a_part, a_profile, a_quad, a_quad_set, a_section, an_impactor, an_interface_material, &
       & catalogue_type
    use plydyn_input_check_mesh, only : check_mesh
+   use plydyn_input_check_units, only : check_units
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -36,6 +37,7 @@ contains
       if (.not. catalogue%report%has_errors()) call check_mesh(model%mesh, catalogue)
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 
    !> Ply and interface materials share their numbers

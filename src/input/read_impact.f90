@@ -110,16 +110,14 @@ contains
       type(request_type), intent(inout) :: request
 
       character(longest_word), allocatable :: words(:)
-      character(len(request%fields)), allocatable :: names(:)
+      character(len(request%fields)) :: name
       integer :: i
 
       words = cards%words("NAME")
-      allocate (names(size(request%fields) + size(words)))
-      names(:size(request%fields)) = request%fields
       do i = 1, size(words)
-         names(size(request%fields) + i) = lower_case(words(i))
+         name = lower_case(words(i))
+         if (all(request%fields /= name)) request%fields = [request%fields, name]
       end do
-      call move_alloc(names, request%fields)
    end subroutine read_database_field
 
    !> *DATABASE_PROFILE: stress through the thickness

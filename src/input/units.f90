@@ -1,11 +1,11 @@
 !> Names of derived units, from those of length, time and mass.
 module plydyn_input_units
-   use plydyn_base_text, only : text
+   use plydyn_base_text, only : text, upper_case
    use plydyn_model_control, only : units_type
    implicit none
    private
 
-   public :: derived_units
+   public :: derived_units, si_power
 
    !> Names of lengths, times and masses that a deck may use
    character(*), parameter :: names(*) = [character(8) :: "M", "MM", "CM", "UM", "S", "SEC", "MS", &
@@ -41,6 +41,18 @@ contains
          units%energy = with_prefix(force + powers(l), "J")
       end associate
    end function derived_units
+
+   !> Power of ten by which a quantity differs from the one in m, s, kg
+   pure integer function si_power(units, length, time, mass) result(power)
+      !> Names as they are printed
+      type(units_type), intent(in) :: units
+      !> Exponents of length, time and mass in the quantity
+      integer, intent(in) :: length, time, mass
+
+      power = length*powers(findname(upper_case(trim(units%length)))) &
+         & + time*powers(findname(upper_case(trim(units%time)))) &
+         & + mass*powers(findname(upper_case(trim(units%mass))))
+   end function si_power
 
    !> Place of a name in the list; 0 if it is not there
    pure integer function findname(name) result(i)

@@ -16,7 +16,7 @@ program test_input_read_model
    call begin("order")
    call write_text(path, "*KEYWORD|*CONTACT_IMPACTOR|1,1,1,1|*IMPACTOR_SPHERE|1,5.,1.,0.,0.,6.|" &
       & //"0.,0.,-1.|*BOUNDARY_SPC_SET|1,0,1|*SET_NODE_LIST|1,|1,|*SECTION_LAYERWISE|1,|" &
-      & //"*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|*MAT_ELASTIC|1,1.,1.,0.|" &
+      & //"*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|*MAT_ELASTIC|1,1.e-9,1.e5,0.|" &
       & //"*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|*CONTROL_TERMINATION|1.0,|*END")
    call read_model(path, model, messages, error)
    call check(.not. allocated(error), "a deck upside down is read")
@@ -68,7 +68,7 @@ contains
 
       open (newunit=unit, file=path, status="replace", action="write")
       write (unit, "(a)") "*KEYWORD", "*CONTROL_TERMINATION", "1.0,", "*MAT_ELASTIC", &
-         & "1,1.,1.,0.", "*PART_COMPOSITE", "p", "1,", "1,0.1", "*NODE"
+         & "1,1.e-9,1.e5,0.", "*PART_COMPOSITE", "p", "1,", "1,0.1", "*NODE"
       do j = 0, many
          do i = 0, many
             write (unit, "(i8,3es16.8)") j*(many + 1) + i + 1, real(i), real(j), 0.0

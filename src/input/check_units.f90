@@ -1,0 +1,80 @@
+!> Numbers that no material or impactor has in the units of the deck: a warning.
+module plydyn_input_check_units
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_report, only : place_type
+   use plydyn_deck_values, only : number_words
+   use plydyn_input_catalogue, only : a_material, an_impactor, catalogue_type
+   use plydyn_input_units, only : si_power
+   use plydyn_model_control, only : units_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_units
+
+   !> Young's moduli of solids from soft rubber to diamond, Pa
+   real(wp), parameter :: least_young = 1.0e5_wp, most_young = 2.0e12_wp
+   !> Densities from aerogel to osmium, kg/m3
+   real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
+   !> Velocity beyond which nothing here is elastic, m/s
+   real(wp), parameter :: most_velocity = 1.0e4_wp
+
+contains
+
+   !> Look at moduli, densities and velocities
+   subroutine check_units(model, catalogue)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      real(wp) :: density, stress, velocity
+      integer :: i
+
+      associate (units => model%control%units)
+         stress = 10.0_wp**si_power(units, -1, -2, 1)
+         density = 10.0_wp**si_power(units, -3, 0, 1)
+         velocity = 10.0_wp**si_power(units, 1, -1, 0)
+         do i = 1, size(model%materials)
+            associate (material => model%materials(i))
+               call look(catalogue, catalogue%registers(a_material)%line(i), material%young(1) &
+                  & *stress, [least_young, most_young], "a Young's modulus of", "Pa", units)
+               call look(catalogue, catalogue%registers(a_material)%line(i), material%density &
+                  & *density, [least_density, most_density], "a density of", "kg/m3", units)
+            end associate
+         end do
+         do i = 1, size(model%impactors)
+            call look(catalogue, catalogue%registers(an_impactor)%line(i), &
+               & norm2(model%impactors(i)%velocity)*velocity, [0.0_wp, most_velocity], &
+               & "a velocity of", "m/s", units)
+         end do
+      end associate
+   end subroutine check_units
+
+   !> Warn about a number out of its range
+   subroutine look(catalogue, line, number, range, what, unit, units)
+      !> Gets the warning
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Line of the definition
+      integer, intent(in) :: line
+      !> The number in SI units
+      real(wp), intent(in) :: number
+      !> Smallest and largest number
+      real(wp), intent(in) :: range(2)
+      !> What it is
+      character(*), intent(in) :: what
+      !> Its SI unit
+      character(*), intent(in) :: unit
+      !> Units of the deck
+      type(units_type), intent(in) :: units
+
+      type(place_type) :: place
+
+      if (number >= range(1) .and. number <= range(2)) return
+      place%line = line
+      call catalogue%report%warn(place, what//" "//number_words(number)//" "//unit &
+         & //" in the units "//trim(units%length)//", "//trim(units%time)//", "//trim(units%mass), &
+         & "numbers in these units, or *CONTROL_UNITS with others")
+   end subroutine look
+
+end module plydyn_input_check_units
