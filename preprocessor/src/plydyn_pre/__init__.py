@@ -1,0 +1,102 @@
+"""plydyn-pre: recipes of impacts on laminates, made into plydyn decks.
+
+```python
+from pathlib import Path
+import plydyn_pre as pre
+
+study = pre.load_recipe(Path("le2.toml"), ["mesh.n=6"])
+mesh = pre.make_mesh(study.mesh)
+print(pre.count(study, mesh))
+pre.write_deck(pre.deck_text(study, mesh), Path("le2.k"))
+```
+"""
+
+from __future__ import annotations
+
+from plydyn_pre.counts import Counts, count
+from plydyn_pre.deck import deck_text, write_deck
+from plydyn_pre.errors import LayupError, MeshError, PreError, RecipeError
+from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
+from plydyn_pre.mesh import (
+    GmshFile,
+    Mesh,
+    OgridDisc,
+    OgridSquare,
+    Quality,
+    Rectangle,
+    make_mesh,
+    quality,
+)
+from plydyn_pre.recipe import example_recipe, load_recipe
+from plydyn_pre.study import (
+    Contact,
+    Control,
+    Curve,
+    Elastic,
+    Force,
+    FrameAcceleration,
+    Impactor,
+    InitialVelocity,
+    Laminate,
+    LineForce,
+    Motion,
+    NodeSet,
+    Outputs,
+    PlyElastic,
+    PlyRange,
+    Pressure,
+    Profile,
+    Springs,
+    Study,
+    Support,
+    Units,
+)
+from plydyn_pre.version import VERSION
+
+__version__ = VERSION
+
+__all__ = [
+    "Contact",
+    "Control",
+    "Counts",
+    "Curve",
+    "Elastic",
+    "Force",
+    "FrameAcceleration",
+    "GmshFile",
+    "Impactor",
+    "InitialVelocity",
+    "Laminate",
+    "LayupError",
+    "LineForce",
+    "Mesh",
+    "MeshError",
+    "Motion",
+    "NodeSet",
+    "OgridDisc",
+    "OgridSquare",
+    "Outputs",
+    "Ply",
+    "PlyElastic",
+    "PlyRange",
+    "PreError",
+    "Pressure",
+    "Profile",
+    "Quality",
+    "RecipeError",
+    "Rectangle",
+    "Springs",
+    "Study",
+    "Support",
+    "Units",
+    "count",
+    "deck_text",
+    "example_recipe",
+    "is_balanced",
+    "is_symmetric",
+    "load_recipe",
+    "make_mesh",
+    "parse",
+    "quality",
+    "write_deck",
+]

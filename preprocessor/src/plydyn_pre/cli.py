@@ -1,0 +1,187 @@
+"""The command plydyn-pre."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.progress import track
+from rich.table import Table
+from rich.text import Text
+
+from plydyn_pre.counts import count
+from plydyn_pre.deck import deck_text, write_deck
+from plydyn_pre.errors import PreError
+from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
+from plydyn_pre.mesh import Mesh, make_mesh, quality
+from plydyn_pre.recipe import blaming, example_recipe, load_recipe
+from plydyn_pre.study import Study
+from plydyn_pre.version import VERSION
+
+#: Exit code of an error in what the user wrote, as that of the solver
+INPUT_ERROR = 2
+
+app = typer.Typer(
+    add_completion=False,
+    no_args_is_help=True,
+    help="Recipes of impacts on laminates, made into plydyn decks.",
+)
+out = Console(highlight=False)
+err = Console(stderr=True, highlight=False)
+
+Recipe = Annotated[Path, typer.Argument(help="The recipe, a TOML file.", show_default=False)]
+Overrides = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="KEY=VALUE", help="Replace a value, such as mesh.n=6."),
+]
+
+
+def main() -> None:
+    """Run the command; errors in what the user wrote are told in words."""
+    try:
+        app()
+    except PreError as error:
+        err.print(Text("error: ", style="bold red") + Text(str(error)), soft_wrap=True)
+        sys.exit(INPUT_ERROR)
+
+
+@app.callback(invoke_without_command=True)
+def common(
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """Options of all commands."""
+    if version:
+        out.print(f"plydyn-pre {VERSION}")
+        raise typer.Exit
+
+
+@app.command()
+def deck(
+    recipe: Recipe,
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="The deck; else the recipe's name with .k, here."),
+    ] = None,
+    overrides: Overrides = None,
+) -> None:
+    """Make a deck from a recipe."""
+    study, mesh = _study_and_mesh(recipe, overrides)
+    path = output or Path(recipe.with_suffix(".k").name)
+    with blaming(recipe):
+        write_deck(_with_progress(deck_text(study, mesh), mesh), path)
+        _tell_counts(study, mesh)
+    _tell("deck", path)
+
+
+@app.command()
+def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
+    """Mesh a recipe, and tell how large and how good the mesh is."""
+    study, grid = _study_and_mesh(recipe, overrides)
+    with blaming(recipe):
+        _tell_counts(study, grid)
+    measures = quality(grid)
+    unit = study.units.length
+    _tell("area", f"{measures.area:.9g} {unit}2")
+    _tell("sides of quads", f"{measures.shortest_side:.4g} to {measures.longest_side:.4g} {unit}")
+    _tell("least Jacobian", f"{measures.smallest_jacobian:.3f} x mean, quad {measures.worst_quad}")
+    for kind, sets in (("parts", grid.parts), ("node sets", grid.node_sets)):
+        _tell(kind, ", ".join(f"{name} ({len(members)})" for name, members in sets.items()))
+
+
+@app.command()
+def layup(
+    notation: Annotated[str, typer.Argument(help="Such as '[0/90]2s'.", show_default=False)],
+    thickness: Annotated[
+        float | None, typer.Option(help="Of a ply; adds its heights above the bottom face.")
+    ] = None,
+) -> None:
+    """Show the plies of a stacking sequence; the first one in the notation is at the bottom."""
+    plies = parse(notation)
+    out.print(_ply_table(plies, thickness))
+    words = [f"{len(plies)} plies", "ply 1, the first of the notation, is the bottom one"]
+    words.append("symmetric" if is_symmetric(plies) else "not symmetric")
+    words.append("balanced" if is_balanced(plies) else "not balanced")
+    out.print("; ".join(words), soft_wrap=True)
+
+
+@app.command()
+def new(
+    path: Annotated[Path, typer.Argument(help="The recipe to write.")] = Path("recipe.toml"),
+) -> None:
+    """Write a recipe that explains itself."""
+    try:
+        with path.open("x", encoding="utf-8") as stream:
+            stream.write(example_recipe())
+    except FileExistsError:
+        raise PreError(f"{path} is there already; give another name") from None
+    except OSError as error:
+        raise PreError(f"{path} cannot be written: {error.strerror}") from error
+    _tell("recipe", path)
+
+
+def _with_progress(pieces: Iterator[str], mesh: Mesh) -> Iterator[str]:
+    """The pieces of a deck, with a bar on the screen where there is one."""
+    lines = len(mesh.nodes) + len(mesh.quads)
+    return iter(
+        track(
+            pieces,
+            description="writing",
+            total=lines // 1000,
+            console=err,
+            transient=True,
+            disable=not err.is_terminal,
+        )
+    )
+
+
+@contextmanager
+def _waiting(words: str) -> Iterator[None]:
+    """Show that something takes its time, where there is a screen."""
+    if err.is_terminal:
+        with err.status(words):
+            yield
+    else:
+        yield
+
+
+def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, Mesh]:
+    """Read a recipe and make its mesh."""
+    study = load_recipe(recipe, overrides or [])
+    with _waiting("meshing"):
+        return study, make_mesh(study.mesh)
+
+
+def _tell_counts(study: Study, mesh: Mesh) -> None:
+    """Print how large the model is."""
+    counts = count(study, mesh)
+    _tell("quads", f"{counts.quads} of {mesh.quads.shape[1]} nodes")
+    _tell("nodes", f"{counts.nodes}")
+    _tell("thickness levels", f"{counts.levels}")
+    _tell("DOF", f"{counts.freedoms:,}")
+
+
+def _tell(what: str, words: object) -> None:
+    """Print a line of a listing."""
+    out.print(f"{what:<16} {words}", markup=False, soft_wrap=True)
+
+
+def _ply_table(plies: tuple[Ply, ...], thickness: float | None) -> Table:
+    """The plies as a table, the top one first, as they lie."""
+    table = Table()
+    for heading in ("ply", "angle", "material", *(("from z", "to z") if thickness else ())):
+        table.add_column(heading, justify="right")
+    for number, ply in reversed(list(enumerate(plies, start=1))):
+        heights = ()
+        if thickness:
+            heights = (f"{(number - 1) * thickness:.6g}", f"{number * thickness:.6g}")
+        table.add_row(str(number), f"{ply.angle:g}", Text(ply.material or "-"), *heights)
+    return table
+
+
+if __name__ == "__main__":
+    main()

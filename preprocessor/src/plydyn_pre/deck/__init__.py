@@ -1,0 +1,50 @@
+"""Decks: keyword files of fixed columns that need nothing else to run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import chain
+from pathlib import Path
+
+from plydyn_pre.deck import conditions, control, grid, plates
+from plydyn_pre.deck.names import Names
+from plydyn_pre.errors import PreError
+from plydyn_pre.mesh import Mesh
+from plydyn_pre.study import Study
+from plydyn_pre.version import VERSION
+
+__all__ = ["deck_text", "write_deck"]
+
+
+def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
+    """The deck in pieces, each of some lines without the last line's end."""
+    names = Names(study, mesh)
+    yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
+    # sets, curves and materials come after all that uses them, since only those in use are written
+    yield from chain(
+        control.control_keywords(names),
+        control.output_keywords(names),
+        plates.part_keywords(names),
+        plates.material_keywords(names),
+        conditions.impactor_keywords(names),
+        conditions.support_keywords(names),
+        conditions.load_keywords(names),
+        conditions.curve_keywords(names),
+        conditions.set_keywords(names),
+        grid.node_keyword(names),
+        grid.quad_keyword(names),
+    )
+    yield "*END"
+
+
+def write_deck(pieces: Iterator[str], path: Path) -> None:
+    """Write a deck; nothing is left of one that fails on the way."""
+    part = path.with_name(f".{path.name}.part")
+    try:
+        with part.open("w", encoding="utf-8", newline="\n") as stream:
+            stream.writelines(f"{piece}\n" for piece in pieces)
+        part.replace(path)
+    except OSError as error:
+        raise PreError(f"{path} cannot be written: {error.strerror}") from error
+    finally:
+        part.unlink(missing_ok=True)

@@ -1,0 +1,100 @@
+"""Cards of fixed columns.
+
+A keyword is written in fields of 10 columns. Where one of its numbers would lose digits there, the
+keyword as a whole gets a ``+`` behind its name and fields of 20 columns. Numbers keep 13 digits,
+coordinates of nodes 10 or more in their 16 columns; a blank column is left between fields.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from plydyn_pre.errors import PreError
+
+Value = int | float | str
+#: Fields of a card by their names, in order
+Card = Mapping[str, Value]
+
+SHORT, LONG = 10, 20
+_DIGITS = 13
+_LINE = 80
+
+
+def keyword(name: str, *cards: Card | str) -> str:
+    """A keyword with its cards; text is a card as it stands."""
+    for width, mark in ((SHORT, ""), (LONG, "+")):
+        lines = list(_lines(cards, width))
+        if None not in lines:
+            return "\n".join([f"*{name}{mark}", *map(str, lines)])
+    raise PreError(f"a number of *{name} does not fit {LONG} columns")
+
+
+def titled(name: str, title: str, *cards: Card | str) -> str:
+    """A keyword with a title, if there is one."""
+    return keyword(f"{name}_TITLE", title_line(title), *cards) if title else keyword(name, *cards)
+
+
+def id_cards(ids: Iterable[int], per_line: int = 8) -> list[str]:
+    """Numbers of nodes or quads, some to a line."""
+    ids = list(ids)
+    rows = (ids[i : i + per_line] for i in range(0, len(ids), per_line))
+    return ["".join(f"{number:{SHORT}d}" for number in row) for row in rows]
+
+
+def title_line(title: str) -> str:
+    """A title as a line of text that every client reads as one."""
+    text = " ".join(title.split()).replace(",", ";")[:_LINE]
+    return f"'{text}"[:_LINE] if text[:1] in ("*", "$") else text
+
+
+def number_text(value: float, width: int) -> str | None:
+    """The shortest text of a number that leaves a column free; None where there is none."""
+    if isinstance(value, int):
+        texts = [str(value)]
+    else:
+        value = float(f"{value:.{_DIGITS - 1}e}")
+        texts = [repr(value), _scientific(value)]
+    return next((text for text in texts if len(text) < width), None)
+
+
+def coordinate_text(value: float) -> str:
+    """A coordinate in 16 columns."""
+    text = f"{value:.12g}"
+    if len(text) > 16:
+        text = f"{value:.9e}"
+    return text if "." in text or "e" in text else f"{text}.0"
+
+
+def _scientific(value: float) -> str:
+    """A number as mantissa and exponent, as short as it goes."""
+    mantissa, exponent = f"{value:.{_DIGITS - 1}e}".split("e")
+    mantissa = mantissa.rstrip("0")
+    return f"{mantissa}{'0' * mantissa.endswith('.')}e{int(exponent)}"
+
+
+def _lines(cards: Sequence[Card | str], width: int) -> Iterator[str | None]:
+    """Lines of cards with their headers; None for one that does not fit."""
+    above: tuple[str, ...] | None = None
+    for card in cards:
+        if isinstance(card, str):
+            yield card
+            above = None
+            continue
+        names = tuple(card)
+        if names != above:
+            yield _header(names, width)
+            above = names
+        texts = [_field(value, width) for value in card.values()]
+        yield None if None in texts else "".join(f"{text:>{width}}" for text in texts)
+
+
+def _field(value: Value, width: int) -> str | None:
+    """A field as text; None for one that does not fit."""
+    if isinstance(value, str):
+        return value if len(value) < width else None
+    return number_text(value, width)
+
+
+def _header(names: Iterable[str], width: int) -> str:
+    """A comment that names the fields of the card below."""
+    return f"$#{''.join(f'{name:>{width}}' for name in names)[2:]}"

@@ -1,0 +1,140 @@
+"""Keywords of the impactor, supports, loads, curves and sets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from plydyn_pre.deck.cards import Card, id_cards, keyword, titled
+from plydyn_pre.deck.names import Names
+from plydyn_pre.study import (
+    Contact,
+    Force,
+    FrameAcceleration,
+    Impactor,
+    InitialVelocity,
+    Laminate,
+    LineForce,
+    Load,
+    Motion,
+    Pressure,
+    Support,
+)
+
+_FACES = {"bottom": -1, "plane": 0, "top": 1, "all": 2}
+_DIRECTIONS = {"x": 1, "y": 2, "z": 3}
+_QUANTITIES = {"velocity": 0, "acceleration": 1, "displacement": 2}
+_METHODS = {"nodes_on_impactor": 1, "points_on_plate": 2}
+
+
+def impactor_keywords(names: Names) -> Iterator[str]:
+    """The impactor and its contact."""
+    impactor, contact = names.study.impactor, names.study.touch
+    if impactor is None:
+        return
+    part = names.part(contact.part, "contact.part")
+    x, y = impactor.position or names.mesh.middle
+    z = _height(impactor, contact, names.study.laminate_of(part)) + names.mesh.height
+    place = {"iid": 1, "radius": impactor.radius, "mass": impactor.mass, "xc": x, "yc": y, "zc": z}
+    motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
+    dof, shape = int(impactor.guided), int(impactor.hemisphere)
+    freedom = {"dof": dof, "gravz": impactor.gravity, "shape": shape}
+    yield titled("IMPACTOR_SPHERE", impactor.title, place, motion | freedom)
+    face, method = _FACES[contact.face], _METHODS[contact.method]
+    pair = {"cid": 1, "iid": 1, "pid": names.parts[part], "face": face, "method": method}
+    yield keyword("CONTACT_IMPACTOR", pair | {"spacing": contact.spacing})
+
+
+def support_keywords(names: Names) -> Iterator[str]:
+    """What holds the plate."""
+    for number, support in enumerate(names.study.supports, start=1):
+        nsid = names.node_set(support.set, f"supports[{number}].set")
+        yield _support(support, nsid)
+
+
+def load_keywords(names: Names) -> Iterator[str]:
+    """What drives the plate."""
+    for number, load in enumerate(names.study.loads, start=1):
+        yield _load(names, load, f"loads[{number}].set")
+
+
+def curve_keywords(names: Names) -> Iterator[str]:
+    """The curves that are used."""
+    for name, lcid in names.curves.items():
+        card = {"lcid": lcid, "sidr": 0, "sfa": 1.0, "sfo": 1.0, "offa": 0.0, "offo": 0.0}
+        if name:
+            curve = names.study.curves[name]
+            pairs = list(zip(curve.time, curve.value, strict=True))
+        else:
+            pairs = [(0.0, 1.0), (names.study.control.end_time, 1.0)]
+        points = [f"{float(time):>20.12g}{float(value):>20.12g}" for time, value in pairs]
+        header = f"$#{'a1':>18}{'o1':>20}"
+        card |= {"dattyp": 0, "lcint": 0}
+        yield titled("DEFINE_CURVE", name or "constant", card, header, *points)
+
+
+def set_keywords(names: Names) -> Iterator[str]:
+    """The sets that are used."""
+    for name, sid in names.node_sets.items():
+        ids = names.mesh.node_ids[names.nodes_of(name, "")]
+        yield titled("SET_NODE_LIST", name, _set(sid), *id_cards(ids))
+    for name, sid in names.quad_sets.items():
+        ids = names.mesh.quad_ids[names.quads_of(name, "")]
+        yield titled("SET_SHELL_LIST", name, _set(sid), *id_cards(ids))
+
+
+def _height(impactor: Impactor, contact: Contact, laminate: Laminate) -> float:
+    """Height of the impactor's centre above the nodes at time zero."""
+    reach = impactor.gap + impactor.radius
+    if contact.face == "top":
+        return laminate.bottom + laminate.total + reach
+    return laminate.bottom - reach
+
+
+def _support(support: Support, nsid: int) -> str:
+    """The keyword of a support."""
+    held = {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
+    if support.face == "all":
+        turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
+        return keyword("BOUNDARY_SPC_SET", {"nsid": nsid, "cid": 0} | held | turns)
+    place = {"nsid": nsid, "face": _FACES[support.face], "z": support.height}
+    return keyword("BOUNDARY_FACE", place | held)
+
+
+def _load(names: Names, load: Load, path: str) -> str:
+    """The keyword of a load."""
+    match load:
+        case Pressure():
+            place: Card = {"ssid": names.quad_set(load.set, path), "face": _FACES[load.face]}
+            return keyword("LOAD_FACE_PRESSURE", {**place, **_factor(names, load)})
+        case Force():
+            nodes = names.mesh.node_ids[names.nodes_of(load.set, path)]
+            place = {"face": _FACES[load.face], "dof": _DIRECTIONS[load.direction]}
+            cards = [{"nid": int(nid), **place, **_factor(names, load)} for nid in nodes]
+            return keyword("LOAD_FACE_POINT", *cards)
+        case LineForce():
+            place = {"nsid": names.node_set(load.set, path), "face": _FACES[load.face]}
+            place |= {"dof": _DIRECTIONS[load.direction]}
+            return keyword("LOAD_FACE_LINE", {**place, **_factor(names, load)})
+        case FrameAcceleration():
+            factor = {"lcid": names.written_curve(load.curve), "sf": load.value}
+            return keyword(f"LOAD_BODY_{load.direction.upper()}", factor)
+        case Motion():
+            place = {"nsid": names.node_set(load.set, path), "face": _FACES[load.face]}
+            place |= {"dof": _DIRECTIONS[load.direction], "vad": _QUANTITIES[load.quantity]}
+            return keyword("BOUNDARY_FACE_MOTION", {**place, **_factor(names, load)})
+        case InitialVelocity():
+            nsid = 0 if load.set == "all" else names.node_set(load.set, path)
+            others = dict.fromkeys(("nsidex", "boxid", "irigid", "icid"), 0)
+            motion = dict(zip(("vx", "vy", "vz"), map(float, load.velocity), strict=True))
+            turns = dict.fromkeys(("vxr", "vyr", "vzr"), 0.0)
+            return keyword("INITIAL_VELOCITY", {"nsid": nsid} | others, motion | turns)
+
+
+def _factor(names: Names, load: Pressure | Force | LineForce | Motion) -> Card:
+    """Curve and factor of a load."""
+    return {"lcid": names.curve(load.curve), "sf": load.value}
+
+
+def _set(sid: int) -> Card:
+    """The first card of a set."""
+    return {"sid": sid, "da1": 0.0, "da2": 0.0, "da3": 0.0, "da4": 0.0}

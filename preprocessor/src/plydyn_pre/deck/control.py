@@ -1,0 +1,85 @@
+"""Keywords of the run and of its outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from plydyn_pre.deck.cards import Card, id_cards, keyword, title_line
+from plydyn_pre.deck.names import Names
+from plydyn_pre.study import Control, Study
+
+_KINEMATICS = {"linear": 0, "total_lagrangian": 1}
+_INTERVALS = {
+    "energy_interval": "DATABASE_GLSTAT",
+    "impactor_interval": "DATABASE_IMPACTOR",
+    "node_interval": "DATABASE_NODOUT",
+    "support_interval": "DATABASE_SPCFORC",
+    "field_interval": "DATABASE_BINARY_D3PLOT",
+}
+
+
+def control_keywords(names: Names) -> Iterator[str]:
+    """Title, units, time, step and strain measure."""
+    study, control = names.study, names.study.control
+    yield keyword("TITLE", title_line(study.title))
+    yield keyword("CONTROL_UNITS", _units(study))
+    yield keyword("CONTROL_TERMINATION", _termination(control))
+    yield keyword("CONTROL_TIMESTEP", _step(control, names.curve(control.step_curve)))
+    strain = {"kinem": _KINEMATICS[control.kinematics], "englim": control.energy_limit}
+    yield keyword("CONTROL_LAYERWISE", strain)
+    if control.damping > 0.0:
+        unused = dict.fromkeys(("stx", "sty", "stz", "srx", "sry", "srz"), 0.0)
+        yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": control.damping} | unused)
+
+
+def output_keywords(names: Names) -> Iterator[str]:
+    """What is to be written, and when."""
+    outputs = names.study.outputs
+    for field, name in _INTERVALS.items():
+        interval = getattr(outputs, field)
+        if interval is not None:
+            yield keyword(name, {"dt": interval})
+    if outputs.nodes:
+        ids = [
+            names.node_set(name, f"outputs.nodes[{number}]")
+            for number, name in enumerate(outputs.nodes, start=1)
+        ]
+        yield keyword("DATABASE_HISTORY_NODE_SET", *id_cards(ids))
+    if outputs.fields:
+        yield keyword("DATABASE_FIELD", *outputs.fields)
+    for number, profile in enumerate(outputs.profiles, start=1):
+        x, y = map(float, profile.at)
+        place = {"id": number, "x": x, "y": y}
+        yield keyword("DATABASE_PROFILE", place | {"npt": profile.points, "dt": profile.interval})
+
+
+def _units(study: Study) -> Card:
+    """Names of units."""
+    units = study.units
+    return {"length": units.length, "time": units.time, "mass": units.mass, "temp": "K"}
+
+
+def _termination(control: Control) -> Card:
+    """The end of the run."""
+    return {
+        "endtim": control.end_time,
+        "endcyc": control.end_cycle,
+        "dtmin": control.smallest_step,
+        "endeng": 0.0,
+        "endmas": 0.0,
+        "nosol": int(control.check_only),
+    }
+
+
+def _step(control: Control, curve: int) -> Card:
+    """The time step."""
+    return {
+        "dtinit": control.first_step,
+        "tssfac": control.step_factor,
+        "isdo": 0,
+        "tslimt": 0.0,
+        "dt2ms": 0.0,
+        "lctm": curve,
+        "erode": 0,
+        "ms1st": 0,
+    }

@@ -1,0 +1,171 @@
+"""Stacking sequences: from the notation of a drawing to plies.
+
+``[45/0/-45/90]s``, ``[0/90]2s``, ``[0/90]_{2s}``, ``[±45/0]s``, ``[0_2/90_2]s``,
+``[(45/-45)2/0~]s``, ``[M1/M2]4s``, ``[Al/glass:90/Al]``. The first ply of the notation is the
+bottom one. A group is first repeated, then mirrored; ``~`` marks the ply on the mid-plane, which
+the mirror does not repeat.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import NoReturn
+
+from plydyn_pre.errors import LayupError
+
+_SIGN = r"(?P<sign>±|\+-|∓|-\+|[-+−]|)"
+_ANGLE = re.compile(_SIGN + r"(?P<size>\d+(?:\.\d*)?|\.\d+)")
+_NAME = re.compile(r"[A-Za-z][A-Za-z0-9.-]*")
+_PLY_REPEAT = re.compile(r"_(?:\{(\d+)\}|(\d+))")
+_GROUP_REPEAT = re.compile(r"_?(?:\{(\d+)\}|(\d+))")
+_TAIL = re.compile(r"_\{(\d+[sS]?|[sS])\}|_?(\d+[sS]?|[sS])|")
+_SIGNS = {"": (1,), "+": (1,), "-": (-1,), "−": (-1,)}
+_SIGNS |= {"±": (1, -1), "+-": (1, -1), "∓": (-1, 1), "-+": (-1, 1)}
+_LARGEST_ANGLE = 180.0
+_MOST_PLIES = 10_000
+
+
+@dataclass(frozen=True)
+class Ply:
+    """One ply of a notation."""
+
+    angle: float  # degrees, from the x axis
+    material: str | None = None  # None where the notation names none
+
+
+def parse(notation: str) -> tuple[Ply, ...]:
+    """Read a stacking sequence; plies from the bottom up."""
+    reader = _Reader(notation)
+    reader.expect("[", "a stacking sequence starts with [, as in [0/90]2s")
+    plies = reader.sequence("]")
+    repeat, mirror = reader.tail()
+    if len(plies) * repeat > _MOST_PLIES:
+        raise LayupError(notation, len(notation), f"more than {_MOST_PLIES} plies")
+    if reader.middle is not None and not mirror:
+        reader.fail("~ marks the ply on the mid-plane: the sequence must end with s", reader.middle)
+    plies = plies * repeat
+    if mirror:
+        plies += reversed(plies[:-1] if reader.middle is not None else plies)
+    return tuple(plies)
+
+
+class _Reader:
+    """A notation, and how far it has been read."""
+
+    def __init__(self, notation: str) -> None:
+        self.notation = notation
+        self.at = 0
+        self.middle: int | None = None  # where the ~ is
+
+    def fail(self, message: str, at: int | None = None) -> NoReturn:
+        """Raise an error at a place, the present one unless told."""
+        raise LayupError(self.notation, (self.at if at is None else at) + 1, message)
+
+    def take(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
+        """Read what fits a pattern, behind any blanks."""
+        while self.notation[self.at : self.at + 1].isspace():
+            self.at += 1
+        match = pattern.match(self.notation, self.at)
+        if match is not None:
+            self.at = match.end()
+        return match
+
+    def sees(self, mark: str) -> bool:
+        """Read a mark if it comes next."""
+        return self.take(re.compile(re.escape(mark))) is not None
+
+    def expect(self, mark: str, otherwise: str) -> None:
+        """Read a mark that must come next."""
+        if not self.sees(mark):
+            self.fail(otherwise)
+
+    def sequence(self, end: str) -> list[Ply]:
+        """Read plies and groups up to a closing bracket."""
+        opening = self.at - 1
+        plies = self.item()
+        while not self.sees(end):
+            if self.at >= len(self.notation):
+                self.fail(f"the bracket opened here is not closed by {end}", opening)
+            self.expect("/", f"a / or a {end} was expected here")
+            if self.middle is not None:
+                self.fail("~ marks the ply on the mid-plane: it must be the last", self.middle)
+            plies += self.item()
+            if len(plies) > _MOST_PLIES:
+                self.fail(f"more than {_MOST_PLIES} plies")
+        if end == ")" and self.middle is not None:
+            self.fail("~ marks the ply on the mid-plane: it cannot be in a group", self.middle)
+        return plies
+
+    def item(self) -> list[Ply]:
+        """Read a ply, or a group in parentheses, with its repeat."""
+        if self.sees("("):
+            plies = self.sequence(")")
+            return plies * self.repeat(_GROUP_REPEAT)
+        plies = self.ply()
+        plies = plies * self.repeat(_PLY_REPEAT)
+        if self.sees("~"):
+            self.middle = self.at - 1
+            if len(plies) > 1:
+                self.fail("~ marks a single ply; write the others before it", self.middle)
+        return plies
+
+    def repeat(self, pattern: re.Pattern[str]) -> int:
+        """Read how often something is repeated."""
+        match = self.take(pattern)
+        if match is None:
+            return 1
+        return self.number(next(group for group in match.groups() if group), match.start())
+
+    def number(self, text: str, start: int) -> int:
+        """A repeat as a number."""
+        count = int(text[:9])
+        if not 1 <= count <= _MOST_PLIES:
+            self.fail(f"a repeat is a number from 1 to {_MOST_PLIES}", start)
+        return count
+
+    def ply(self) -> list[Ply]:
+        """Read an angle, a material, or a material with its angle."""
+        name = self.take(_NAME)
+        if name is None:
+            return [Ply(angle) for angle in self.angles()]
+        if not self.sees(":"):
+            return [Ply(0.0, name.group())]
+        return [Ply(angle, name.group()) for angle in self.angles()]
+
+    def angles(self) -> list[float]:
+        """Read an angle; two for a ±."""
+        match = self.take(_ANGLE)
+        if match is None:
+            self.fail("an angle such as -45, or the name of a material, was expected here")
+        size = float(match["size"])
+        if size > _LARGEST_ANGLE:
+            self.fail(f"{match['size']} is above 180 degrees: is a / missing?", match.start("size"))
+        return [sign * size if size else 0.0 for sign in _SIGNS[match["sign"]]]
+
+    def tail(self) -> tuple[int, bool]:
+        """Read what follows the closing bracket: how often, and whether it is mirrored."""
+        match = self.take(_TAIL)
+        words = match[1] or match[2] or ""
+        count = words.rstrip("sS")
+        repeat = self.number(count, match.start()) if count else 1
+        self.take(re.compile(r"\s*"))
+        if self.at < len(self.notation):
+            self.fail("only a repeat and an s can follow the ], as in ]2s")
+        return repeat, words != count
+
+
+def is_symmetric(plies: tuple[Ply, ...]) -> bool:
+    """Whether the sequence is the same from the top down."""
+    return plies == plies[::-1]
+
+
+def is_balanced(plies: tuple[Ply, ...]) -> bool:
+    """Whether every angle has its opposite equally often."""
+    angles = sorted((_fold(ply.angle), ply.material or "") for ply in plies)
+    return angles == sorted((_fold(-ply.angle), ply.material or "") for ply in plies)
+
+
+def _fold(angle: float) -> float:
+    """The same fibre direction between -90 (excluded) and 90 degrees."""
+    return 90.0 - (90.0 - angle) % 180.0

@@ -1,0 +1,37 @@
+"""Plane meshes of quads with four or nine nodes, made by gmsh."""
+
+from __future__ import annotations
+
+from plydyn_pre.mesh.gmsh_file import GmshFile, mesh_gmsh_file
+from plydyn_pre.mesh.grid import Mesh, node_near
+from plydyn_pre.mesh.ogrid import OgridDisc, OgridSquare, mesh_ogrid_disc, mesh_ogrid_square
+from plydyn_pre.mesh.quality import Quality, quality
+from plydyn_pre.mesh.rectangle import Rectangle, mesh_rectangle
+
+#: What a study can say about its mesh
+Shape = Rectangle | OgridSquare | OgridDisc | GmshFile
+
+_MESHERS = {
+    Rectangle: mesh_rectangle,
+    OgridSquare: mesh_ogrid_square,
+    OgridDisc: mesh_ogrid_disc,
+    GmshFile: mesh_gmsh_file,
+}
+
+__all__ = [
+    "GmshFile",
+    "Mesh",
+    "OgridDisc",
+    "OgridSquare",
+    "Quality",
+    "Rectangle",
+    "Shape",
+    "make_mesh",
+    "node_near",
+    "quality",
+]
+
+
+def make_mesh(shape: Shape) -> Mesh:
+    """Mesh a shape."""
+    return _MESHERS[type(shape)](shape)

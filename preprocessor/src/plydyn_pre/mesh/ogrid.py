@@ -1,0 +1,138 @@
+"""O-grids: a square core of n x n quads with rings of 4 n quads around it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from plydyn_pre.errors import require, require_positive
+from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
+from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
+from plydyn_pre.mesh.session import collect, generate, session
+
+_CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+_EDGES = ("bottom", "right", "top", "left")
+
+
+@dataclass(frozen=True)
+class OgridSquare:
+    """A square with a square core. Node sets: left, right, bottom, top, boundary, centre, core."""
+
+    kind: ClassVar[str] = "ogrid_square"
+
+    side: float  # length
+    core: float  # side of the core, length
+    n: int  # quads along a side of the core
+    rings: int  # rings of quads around the core
+    grading: float = 1.0  # width of the outermost ring over that of the innermost
+    order: Literal[1, 2] = 2  # quads of four or of nine nodes
+    corner: tuple[float, float] = (0.0, 0.0)  # place of the corner with the smallest x and y
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be meshed."""
+        require_positive(self, "side", "core", "n", "rings", "grading")
+        rule = f"{self.core:g} must be less than the side, {self.side:g}"
+        require(self.core < self.side, "core", rule)
+
+
+@dataclass(frozen=True)
+class OgridDisc:
+    """A disc with a square core. Node sets: boundary, centre, core."""
+
+    kind: ClassVar[str] = "ogrid_disc"
+
+    diameter: float  # length
+    core: float  # side of the core, length
+    n: int  # quads along a side of the core
+    rings: int  # rings of quads around the core
+    grading: float = 1.0  # width of the outermost ring over that of the innermost
+    order: Literal[1, 2] = 2  # quads of four or of nine nodes
+    centre: tuple[float, float] = (0.0, 0.0)  # place of the middle
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be meshed."""
+        require_positive(self, "diameter", "core", "n", "rings", "grading")
+        limit = self.diameter / np.sqrt(2.0)
+        rule = f"{self.core:g} must be less than diameter / sqrt(2) = {limit:g}"
+        require(self.core < limit, "core", rule)
+
+
+def mesh_ogrid_square(shape: OgridSquare) -> Mesh:
+    """Mesh a square; the nodes of the rings lie on straight lines from the core to the edges."""
+    mesh = _mesh_board(shape)
+    places = _places(mesh.nodes, shape, lambda unit: shape.side / 2 * unit)
+    middle = np.array(shape.corner) + shape.side / 2
+    return with_centre(renumbered(mesh, middle + places))
+
+
+def mesh_ogrid_disc(shape: OgridDisc) -> Mesh:
+    """Mesh a disc; the nodes of the rings lie on straight lines from the core to the circle.
+
+    On the circle all nodes, mid-sides too, have the same distance from each other.
+    """
+    mesh = _mesh_board(shape)
+    sets = {name: nodes for name, nodes in mesh.node_sets.items() if name not in _EDGES}
+    places = _places(mesh.nodes, shape, lambda unit: shape.diameter / 2 * _to_circle(unit))
+    return with_centre(renumbered(replace(mesh, node_sets=sets), np.array(shape.centre) + places))
+
+
+def _mesh_board(shape: OgridSquare | OgridDisc) -> Mesh:
+    """The O-grid around the origin with core quads and rings of width one."""
+    core, edge = shape.n / 2, shape.n / 2 + shape.rings
+    with session() as gmsh:
+        blocks = Blocks(gmsh)
+        inner = [blocks.add_point(x * core, y * core) for x, y in _CORNERS]
+        outer = [blocks.add_point(x * edge, y * edge) for x, y in _CORNERS]
+        edges: dict[str, list[int]] = {}
+        for i, name in enumerate(_EDGES):
+            j = (i + 1) % 4
+            blocks.add_line(inner[i], inner[j], shape.n)
+            blocks.add_line(inner[i], outer[i], shape.rings)
+            edges[name] = [blocks.add_line(outer[i], outer[j], shape.n)]
+        middle = blocks.add_block(inner)
+        around = [
+            blocks.add_block((outer[i], outer[j], inner[j], inner[i]))
+            for i, j in ((0, 1), (1, 2), (2, 3), (3, 0))
+        ]
+        blocks.finish()
+        generate(gmsh, shape.order)
+        edges["boundary"] = [line for edge in tuple(edges.values()) for line in edge]
+        mesh = collect(gmsh, {"plate": [middle, *around]}, {"core": [middle]}, edges, {})
+    return with_set(mesh, "core", np.unique(mesh.quads[mesh.quad_sets["core"]]))
+
+
+def _places(board: Reals, shape: OgridSquare | OgridDisc, outer: Callable[[Reals], Reals]) -> Reals:
+    """Places around the origin of nodes on the board, (nodes, 2).
+
+    `outer` gives the place on the outer edge that belongs to one on the edge of the square
+    between -1 and 1.
+    """
+    half = shape.n / 2
+    reach = np.abs(board).max(axis=1)
+    inside = reach < half + 0.25
+    rings = graded_line(1.0, shape.rings, shape.grading)
+    share = place_on(rings, to_halves(np.where(inside, 0.0, reach - half)))[:, None]
+    # place on the edge of the square, from -1 to 1
+    unit = _to_steps(board / np.where(inside, half, reach)[:, None], shape.n)
+    return (1.0 - share) * shape.core / 2 * unit + share * outer(unit)
+
+
+def _to_steps(unit: Reals, n: int) -> Reals:
+    """Places between -1 and 1 at the nodes of n quads, without noise."""
+    return (np.round((unit + 1.0) * n) - n) / n
+
+
+def _to_circle(unit: Reals) -> Reals:
+    """Places on the unit circle for those on the edge of a square: equal steps, equal angles."""
+    x, y = unit.T
+    flat = np.abs(y) >= np.abs(x)
+    angle = np.pi / 4 * np.where(flat, x * y, y * x)
+    along, across = np.cos(angle), np.sin(angle)
+    return np.where(
+        flat[:, None],
+        np.stack([y * across, y * along], axis=1),
+        np.stack([x * along, x * across], axis=1),
+    )

@@ -1,0 +1,64 @@
+"""Rectangles of n x m quads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from plydyn_pre.errors import require
+from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
+from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre
+from plydyn_pre.mesh.session import collect, generate, session
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """A rectangle of quads. Node sets: left, right, bottom, top, boundary, centre."""
+
+    kind: ClassVar[str] = "rectangle"
+
+    sides: tuple[float, float]  # lengths along x and y
+    quads: tuple[int, int]  # along x and y
+    grading: float = 1.0  # length of the quads at the edges over those in the middle
+    order: Literal[1, 2] = 2  # quads of four or of nine nodes
+    corner: tuple[float, float] = (0.0, 0.0)  # place of the corner with the smallest x and y
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be meshed."""
+        require(min(self.sides) > 0.0, "sides", f"{self.sides} must be above zero")
+        require(min(self.quads) >= 1, "quads", f"{self.quads} must be 1 or more")
+        require(self.grading > 0.0, "grading", f"{self.grading} must be above zero")
+        even = all(count % 2 == 0 for count in self.quads)
+        rule = f"{self.quads} must be even: a grading is finest on both sides of the middle"
+        require(self.grading == 1.0 or even, "quads", rule)
+
+
+def mesh_rectangle(shape: Rectangle) -> Mesh:
+    """Mesh a rectangle."""
+    n, m = shape.quads
+    with session() as gmsh:
+        blocks = Blocks(gmsh)
+        corners = [blocks.add_point(x, y) for x, y in ((0, 0), (n, 0), (n, m), (0, m))]
+        edges = {
+            name: [blocks.add_line(corners[i], corners[(i + 1) % 4], (n, m)[i % 2])]
+            for i, name in enumerate(("bottom", "right", "top", "left"))
+        }
+        edges["boundary"] = [line for edge in tuple(edges.values()) for line in edge]
+        surface = blocks.add_block(corners)
+        blocks.finish()
+        generate(gmsh, shape.order)
+        mesh = collect(gmsh, {"plate": [surface]}, {}, edges, {})
+    board = to_halves(mesh.nodes)
+    places = [shape.corner[axis] + place_on(_line(shape, axis), board[:, axis]) for axis in (0, 1)]
+    return with_centre(renumbered(mesh, np.stack(places, axis=1)))
+
+
+def _line(shape: Rectangle, axis: int) -> Reals:
+    """Ends of the quads along an axis, finest in the middle."""
+    length, quads = shape.sides[axis], shape.quads[axis]
+    if shape.grading == 1.0:
+        return np.linspace(0.0, length, quads + 1)
+    half = graded_line(length / 2, quads // 2, shape.grading)
+    return length / 2 + np.concatenate([-half[:0:-1], half])

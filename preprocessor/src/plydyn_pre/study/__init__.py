@@ -1,0 +1,49 @@
+"""Studies as frozen dataclasses; the tables and keys of a recipe are their fields."""
+
+from __future__ import annotations
+
+from plydyn_pre.study.conditions import (
+    Contact,
+    Curve,
+    Force,
+    FrameAcceleration,
+    Impactor,
+    InitialVelocity,
+    LineForce,
+    Load,
+    Motion,
+    NodeSet,
+    Pressure,
+    Support,
+)
+from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
+from plydyn_pre.study.materials import Elastic, Material, PlyElastic, Springs
+from plydyn_pre.study.study import Study
+
+__all__ = [
+    "Contact",
+    "Control",
+    "Curve",
+    "Elastic",
+    "Force",
+    "FrameAcceleration",
+    "Impactor",
+    "InitialVelocity",
+    "Laminate",
+    "LineForce",
+    "Load",
+    "Material",
+    "Motion",
+    "NodeSet",
+    "Outputs",
+    "PlyElastic",
+    "PlyRange",
+    "Pressure",
+    "Profile",
+    "Springs",
+    "StackPly",
+    "Study",
+    "Support",
+    "Units",
+]

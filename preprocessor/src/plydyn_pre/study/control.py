@@ -1,0 +1,81 @@
+"""How to run, and what to write."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from plydyn_pre.errors import require, require_positive
+
+Quantity = Literal["displacement", "velocity", "stress", "strain", "stress_ply", "strain_ply"]
+
+
+@dataclass(frozen=True)
+class Units:
+    """Names of the units of all numbers of a study; nothing is converted."""
+
+    length: Literal["m", "mm", "cm", "um"] = "mm"
+    time: Literal["s", "ms", "us"] = "s"
+    mass: Literal["kg", "g", "mg", "t"] = "t"
+
+
+@dataclass(frozen=True)
+class Control:
+    """Time, step, strain measure, limits."""
+
+    end_time: float
+    kinematics: Literal["linear", "total_lagrangian"] = "total_lagrangian"
+    step_factor: float = 0.9  # share of the stable step that is taken
+    first_step: float = 0.0  # time; 0 for the stable one
+    smallest_step: float = 0.0  # share of the first step at which the run stops; 0 for none
+    step_curve: str = ""  # name of a curve of the largest step over time
+    end_cycle: int = 0  # 0 for none
+    damping: float = 0.0  # force per mass and velocity, 1 / time
+    energy_limit: float = 0.05  # share by which the energy balance may be off
+    check_only: bool = False  # check the deck and stop
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be run."""
+        require_positive(self, "end_time", "step_factor", "energy_limit")
+        require(self.step_factor <= 1.0, "step_factor", f"{self.step_factor!r} must not be above 1")
+        share = 0.0 <= self.smallest_step <= 1.0
+        require(share, "smallest_step", f"{self.smallest_step!r} must be from 0 to 1")
+        for name in ("first_step", "damping", "end_cycle"):
+            require(getattr(self, name) >= 0, name, f"{getattr(self, name)!r} must not be negative")
+
+
+@dataclass(frozen=True)
+class Profile:
+    """Stress through the thickness at a place of the plane."""
+
+    at: tuple[float, float]  # x, y
+    interval: float = 0.0  # time between two profiles; 0 for every step
+    points: int = 5  # in each numerical layer, both faces included
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be written."""
+        require(self.points >= 2, "points", f"{self.points} must be 2 or more")
+        require(self.interval >= 0.0, "interval", f"{self.interval!r} must not be negative")
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What to write, and the time between; what is absent is left to the solver."""
+
+    field_interval: float | None = None
+    fields: tuple[Quantity, ...] = ()
+    energy_interval: float | None = None
+    impactor_interval: float | None = None
+    node_interval: float | None = None
+    nodes: tuple[str, ...] = ()  # names of node sets with a history
+    support_interval: float | None = None  # support forces; none if absent
+    profiles: tuple[Profile, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be written."""
+        for name in ("field", "energy", "impactor", "node", "support"):
+            value = getattr(self, f"{name}_interval")
+            rule = f"{value!r} must be above zero; leave it out for the solver's own"
+            require(value is None or value > 0.0, f"{name}_interval", rule)
+        both = bool(self.nodes) or self.node_interval is None
+        require(both, "nodes", 'missing; name the node sets, such as nodes = ["centre"]')

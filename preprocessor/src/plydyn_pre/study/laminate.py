@@ -1,0 +1,123 @@
+"""Laminates: plies from the bottom up, and how fine each is through its thickness."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from plydyn_pre.errors import LayupError, RecipeError, require
+from plydyn_pre.layup import parse
+
+_HIGHEST_ORDER = 4
+
+
+@dataclass(frozen=True)
+class StackPly:
+    """A ply with all that the deck says of it."""
+
+    material: str
+    thickness: float
+    angle: float  # degrees, from the x axis
+    order: int
+    layers: int
+
+
+@dataclass(frozen=True)
+class PlyRange:
+    """Some plies with an expansion of their own."""
+
+    plies: tuple[int, int]  # first and last, counted from the bottom, from 1
+    order: int  # of the polynomials in each numerical layer, 1 to 4
+    layers: int = 1  # numerical layers in each of these plies
+
+    def __post_init__(self) -> None:
+        """Refuse an expansion that there is not."""
+        _check_expansion(self.order, self.layers)
+
+
+@dataclass(frozen=True)
+class Laminate:
+    """A stacking sequence, its materials, and its expansion through the thickness."""
+
+    layup: str  # from the bottom up, such as [0/90]2s
+    thickness: float | dict[str, float]  # of a ply; or by the names of the materials
+    material: str = ""  # of the plies whose material the layup does not name
+    order: int = 2  # of the polynomials in each numerical layer, 1 to 4
+    layers: int = 1  # numerical layers in each ply
+    basis: Literal["equispaced", "gauss_lobatto"] = "equispaced"
+    reference: Literal["bottom", "middle", "top"] = "middle"  # where the nodes are
+    interfaces: str = "tied"  # or "apart", or the name of a material of springs
+    refine: tuple[PlyRange, ...] = ()
+    title: str = ""
+    stack: tuple[StackPly, ...] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Read the layup; refuse what cannot be a laminate."""
+        _check_expansion(self.order, self.layers)
+        object.__setattr__(self, "stack", _stack(self))
+
+    @property
+    def total(self) -> float:
+        """Thickness of the laminate."""
+        return sum(ply.thickness for ply in self.stack)
+
+    @property
+    def bottom(self) -> float:
+        """Height of the bottom face above the nodes."""
+        return {"bottom": 0.0, "middle": -0.5, "top": -1.0}[self.reference] * self.total
+
+    @property
+    def tied(self) -> bool:
+        """Whether plies share the points of their faces."""
+        return self.interfaces == "tied"
+
+    @property
+    def levels(self) -> int:
+        """Thickness points above a node of the plane."""
+        if self.tied:
+            return sum(ply.layers * ply.order for ply in self.stack) + 1
+        return sum(ply.layers * ply.order + 1 for ply in self.stack)
+
+
+def _check_expansion(order: int, layers: int) -> None:
+    """Refuse an expansion that there is not."""
+    require(1 <= order <= _HIGHEST_ORDER, "order", f"{order} must be from 1 to {_HIGHEST_ORDER}")
+    require(layers >= 1, "layers", f"{layers} must be 1 or more")
+
+
+def _stack(laminate: Laminate) -> tuple[StackPly, ...]:
+    """The plies of a laminate."""
+    try:
+        plies = parse(laminate.layup)
+    except LayupError as error:
+        raise RecipeError("layup", str(error)) from error
+    expansions = _expansions(laminate, len(plies))
+    stack = []
+    for ply, (order, layers) in zip(plies, expansions, strict=True):
+        material = ply.material or laminate.material
+        require(bool(material), "material", "missing; the layup names no material for some plies")
+        stack.append(StackPly(material, _thickness(laminate, material), ply.angle, order, layers))
+    return tuple(stack)
+
+
+def _thickness(laminate: Laminate, material: str) -> float:
+    """Thickness of the plies of a material."""
+    given = laminate.thickness
+    by_name = isinstance(given, dict)
+    place = f"thickness.{material}" if by_name else "thickness"
+    value = given.get(material) if by_name else given
+    if value is None:
+        raise RecipeError(place, f"missing; the layup has plies of {material!r}")
+    require(value > 0.0, place, f"{value!r} must be above zero")
+    return value
+
+
+def _expansions(laminate: Laminate, plies: int) -> list[tuple[int, int]]:
+    """Order and numerical layers of each ply."""
+    expansions = [(laminate.order, laminate.layers)] * plies
+    for number, finer in enumerate(laminate.refine, start=1):
+        first, last = finer.plies
+        rule = f"{first} to {last} must be plies from 1 to {plies}, the lower one first"
+        require(1 <= first <= last <= plies, f"refine[{number}].plies", rule)
+        expansions[first - 1 : last] = [(finer.order, finer.layers)] * (last - first + 1)
+    return expansions

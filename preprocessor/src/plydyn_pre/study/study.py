@@ -1,0 +1,105 @@
+"""A study: all that a deck is made from."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+from plydyn_pre.errors import RecipeError, require
+from plydyn_pre.mesh import Shape
+from plydyn_pre.study.conditions import (
+    Contact,
+    Curve,
+    FrameAcceleration,
+    Impactor,
+    Load,
+    NodeSet,
+    Support,
+)
+from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.laminate import Laminate
+from plydyn_pre.study.materials import Material, Springs
+from plydyn_pre.suggest import suggestion
+
+_JOINTS = ("tied", "apart")
+
+
+@dataclass(frozen=True)
+class Study:
+    """A laminate, what holds it, what hits it, and what is to be known."""
+
+    title: str
+    materials: dict[str, Material]
+    mesh: Shape
+    control: Control
+    laminate: Laminate | None = None  # of every part that `laminates` does not name
+    laminates: dict[str, Laminate] = field(default_factory=dict)  # by the names of parts
+    sets: dict[str, NodeSet] = field(default_factory=dict)
+    supports: tuple[Support, ...] = ()
+    impactor: Impactor | None = None
+    contact: Contact | None = None  # the usual one if there is an impactor
+    loads: tuple[Load, ...] = ()
+    curves: dict[str, Curve] = field(default_factory=dict)
+    outputs: Outputs = field(default_factory=Outputs)
+    units: Units = field(default_factory=Units)
+
+    def __post_init__(self) -> None:
+        """Refuse names of things that there are not."""
+        require(bool(self.laminate or self.laminates), "laminate", "missing")
+        for path, laminate in _laminates(self):
+            for material in sorted({ply.material for ply in laminate.stack}):
+                _check_name(f"{path}.material", material, self._plies(), "a ply material")
+            springs = [name for name in self.materials if name not in self._plies()]
+            joints = [*_JOINTS, *springs]
+            _check_name(f"{path}.interfaces", laminate.interfaces, joints, "a way to join plies")
+        for path, curve in _curve_names(self):
+            _check_name(path, curve, self.curves, "a curve")
+        hit = self.contact is None or self.impactor is not None
+        require(hit, "impactor", "missing; a contact needs one")
+        frames = [load.direction for load in self.loads if isinstance(load, FrameAcceleration)]
+        rule = "one frame acceleration at most in each direction"
+        require(len(set(frames)) == len(frames), "loads", rule)
+
+    def laminate_of(self, part: str) -> Laminate:
+        """The laminate of a part of the mesh."""
+        laminate = self.laminates.get(part, self.laminate)
+        if laminate is None:
+            raise RecipeError(f"laminates.{part}", "missing; the mesh has a part of this name")
+        return laminate
+
+    @property
+    def touch(self) -> Contact:
+        """How the impactor touches the plate."""
+        return self.contact or Contact()
+
+    def _plies(self) -> list[str]:
+        """Names of the materials that plies can have."""
+        return [name for name, material in self.materials.items() if not _is_joint(material)]
+
+
+def _is_joint(material: Material) -> bool:
+    """Whether a material lies between plies."""
+    return isinstance(material, Springs)
+
+
+def _laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
+    """All laminates with their keys."""
+    if study.laminate:
+        yield "laminate", study.laminate
+    for name, laminate in study.laminates.items():
+        yield f"laminates.{name}", laminate
+
+
+def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
+    """All names of curves that are used, with their keys."""
+    for number, load in enumerate(study.loads, start=1):
+        if curve := getattr(load, "curve", ""):
+            yield f"loads[{number}].curve", curve
+    if study.control.step_curve:
+        yield "control.step_curve", study.control.step_curve
+
+
+def _check_name(path: str, name: str, known: Iterable[str], what: str) -> None:
+    """Refuse a name that is not among those known."""
+    known = list(known)
+    require(name in known, path, f"{name!r} is not {what} of the study; {suggestion(name, known)}")

@@ -1,0 +1,143 @@
+"""Tables of a recipe as frozen dataclasses, checked against their type hints."""
+
+from __future__ import annotations
+
+from dataclasses import MISSING, Field, fields, is_dataclass
+from math import isfinite
+from pathlib import Path
+from types import UnionType
+from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from plydyn_pre.errors import RecipeError
+from plydyn_pre.suggest import suggestion
+
+T = TypeVar("T")
+
+_WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "text in quotes"}
+_WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
+
+
+def build(kind: type[T], table: object, path: str = "") -> T:
+    """Make a dataclass from a table; `path` holds the keys that lead to it."""
+    if not isinstance(table, dict):
+        raise RecipeError(path, f"{_shown(table)} was given, a table is needed")
+    known = {field.name: field for field in fields(kind) if field.init}
+    for key in table:
+        if key not in known and not (key == "kind" and hasattr(kind, "kind")):
+            hint = suggestion(key, known)
+            raise RecipeError(_join(path, key), f"there is no such key; {hint}")
+    hints = get_type_hints(kind)
+    for name, field in known.items():
+        if name not in table and _is_required(field):
+            raise RecipeError(_join(path, name), f"missing; {_needed(hints[name])} is needed")
+    values = {
+        name: convert(hints[name], table[name], _join(path, name))
+        for name in known
+        if name in table
+    }
+    try:
+        return kind(**values)
+    except RecipeError as error:
+        raise error.within(path) from error
+
+
+def convert(hint: Any, value: object, path: str) -> Any:  # noqa: ANN401 - any type of a field
+    """Make what a type hint asks for from a value of a recipe."""
+    origin = get_origin(hint)
+    if is_dataclass(hint):
+        return build(hint, value, path)
+    if origin in (Union, UnionType):
+        return _convert_union(get_args(hint), value, path)
+    if origin is Literal:
+        return _convert_word(get_args(hint), value, path)
+    if origin is tuple:
+        return _convert_list(get_args(hint), value, path)
+    if origin is dict:
+        _expect(dict, value, path)
+        inner = get_args(hint)[1]
+        return {key: convert(inner, each, _join(path, key)) for key, each in value.items()}
+    _expect(hint, value, path)
+    return hint(value)
+
+
+def _convert_union(choices: tuple[Any, ...], value: object, path: str) -> object:
+    """A table of one of some kinds, or a value of one of some types."""
+    choices = tuple(choice for choice in choices if choice is not type(None))
+    if all(is_dataclass(choice) for choice in choices) and len(choices) > 1:
+        return build(_kind_of(choices, value, path), value, path)
+    tables = [choice for choice in choices if get_origin(choice) is dict]
+    others = [choice for choice in choices if choice not in tables]
+    return convert((tables if isinstance(value, dict) and tables else others)[0], value, path)
+
+
+def _kind_of(choices: tuple[Any, ...], value: object, path: str) -> Any:  # noqa: ANN401
+    """The dataclass that the key `kind` of a table names."""
+    kinds = {choice.kind: choice for choice in choices}
+    if not isinstance(value, dict):
+        raise RecipeError(path, f"{_shown(value)} was given, a table is needed")
+    place, words = _join(path, "kind"), ", ".join(f'"{kind}"' for kind in kinds)
+    if "kind" not in value:
+        raise RecipeError(place, f"missing; one of {words} is needed")
+    if value["kind"] not in kinds:
+        raise RecipeError(place, f"{_shown(value['kind'])} was given, one of {words} is needed")
+    return kinds[value["kind"]]
+
+
+def _convert_word(words: tuple[Any, ...], value: object, path: str) -> object:
+    """One of some words."""
+    if value not in words or isinstance(value, bool):
+        known = ", ".join(f'"{word}"' if isinstance(word, str) else str(word) for word in words)
+        raise RecipeError(path, f"{_shown(value)} was given, one of {known} is needed")
+    return value
+
+
+def _convert_list(hints: tuple[Any, ...], value: object, path: str) -> tuple[Any, ...]:
+    """A list of given length, or of any."""
+    if not isinstance(value, list):
+        raise RecipeError(path, f"{_shown(value)} was given, a list in [ ] is needed")
+    if hints[-1] is Ellipsis:
+        hints = (hints[0],) * len(value)
+    if len(value) != len(hints):
+        raise RecipeError(path, f"{len(value)} values were given, {len(hints)} are needed")
+    pairs = enumerate(zip(hints, value, strict=True), start=1)
+    return tuple(convert(hint, each, f"{path}[{number}]") for number, (hint, each) in pairs)
+
+
+def _expect(kind: type, value: object, path: str) -> None:
+    """Refuse a value of another type; a whole number is a number, true is not."""
+    accepted = {float: (int, float), Path: (str, Path)}.get(kind, (kind,))
+    fits = isinstance(value, accepted) and (kind is bool or not isinstance(value, bool))
+    if not fits:
+        raise RecipeError(path, f"{_shown(value)} was given, {_WORDS[kind]} is needed")
+    if isinstance(value, float) and not isfinite(value):
+        raise RecipeError(path, f"{value} was given, a finite number is needed")
+
+
+def _is_required(field: Field[Any]) -> bool:
+    """Whether a field has no default."""
+    return field.default is MISSING and field.default_factory is MISSING
+
+
+def _needed(hint: Any) -> str:  # noqa: ANN401
+    """What a missing key must hold, in words."""
+    origin = get_origin(hint)
+    if origin is Literal:
+        return "one of " + ", ".join(f'"{word}"' for word in get_args(hint))
+    if origin is tuple:
+        count = len(get_args(hint))
+        return "a list in [ ]" if Ellipsis in get_args(hint) else f"a list of {count} values"
+    if origin in (Union, UnionType):
+        return _needed(get_args(hint)[0])
+    return _WORDS.get(origin or hint, "a table")
+
+
+def _shown(value: object) -> str:
+    """A value as it looks in a recipe."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return {dict: "a table", list: "a list"}.get(type(value), repr(value))
+
+
+def _join(path: str, key: str) -> str:
+    """A key behind those that lead to it."""
+    return f"{path}.{key}" if path else key

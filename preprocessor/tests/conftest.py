@@ -1,0 +1,92 @@
+"""What several tests need."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+
+import pytest
+
+import plydyn_pre as pre
+
+DECKS = Path(__file__).resolve().parents[2] / "decks"
+
+CARBON = pre.PlyElastic(
+    density=1.7e-9,
+    E1=165000.0,
+    E2=9000.0,
+    E3=9000.0,
+    nu12=0.34,
+    nu13=0.34,
+    nu23=0.5,
+    G12=5600.0,
+    G13=5600.0,
+    G23=2800.0,
+)
+
+
+@pytest.fixture
+def solver() -> str:
+    """The solver, where there is one."""
+    path = shutil.which(os.environ.get("PLYDYN", "plydyn"))
+    if path is None:
+        pytest.skip("no solver: PLYDYN does not name one and none is on the path")
+    return path
+
+
+@pytest.fixture
+def decks() -> Path:
+    """The folder of the recipes that come with plydyn."""
+    return DECKS
+
+
+@pytest.fixture
+def study() -> pre.Study:
+    """A small study that uses most of what there is."""
+    return pre.Study(
+        title="Everything, at once",
+        materials={
+            "carbon": CARBON,
+            "metal": pre.Elastic(density=2.7e-9, E=70000.0, nu=0.33, title="Aluminium"),
+            "resin": pre.Springs(normal=1.0e6, shear=0.5e6),
+        },
+        laminate=pre.Laminate(
+            layup="[metal/0/90]s",
+            thickness={"carbon": 0.125, "metal": 0.3},
+            material="carbon",
+            interfaces="resin",
+            refine=(pre.PlyRange((3, 4), 3, 2),),
+        ),
+        mesh=pre.OgridSquare(side=30.0, core=10.0, n=2, rings=1),
+        sets={"line": pre.NodeSet(box=(0.0, 30.0, 15.0, 15.0)), "gauge": pre.NodeSet(at=(20, 15))},
+        supports=(
+            pre.Support("left"),
+            pre.Support("right", hold="z", face="bottom"),
+            pre.Support("top", hold="xy", face="plane", height=0.125),
+        ),
+        impactor=pre.Impactor(
+            radius=4.0, mass=1.0e-5, velocity=(0.0, 0.0, -1000.0), title="Ball", guided=True
+        ),
+        loads=(
+            pre.Pressure(value=0.1, set="core", curve="ramp"),
+            pre.Pressure(value=0.2, face="bottom"),
+            pre.Force(set="centre", direction="z", value=-1.0),
+            pre.LineForce(set="bottom", direction="y", value=2.0),
+            pre.FrameAcceleration(direction="z", value=9810.0),
+            pre.Motion(
+                set="right", direction="x", quantity="displacement", value=0.1, curve="ramp"
+            ),
+            pre.InitialVelocity(velocity=(0.0, 0.0, 1.0)),
+        ),
+        curves={"ramp": pre.Curve(time=(0.0, 1.0e-4), value=(0.0, 1.0))},
+        control=pre.Control(1.0e-4, kinematics="linear", damping=10.0, step_factor=0.8),
+        outputs=pre.Outputs(
+            field_interval=1.0e-5,
+            fields=("displacement", "stress_ply"),
+            node_interval=1.0e-6,
+            nodes=("gauge", "line"),
+            support_interval=1.0e-6,
+            profiles=(pre.Profile((12.0, 13.0), 1.0e-5, 3),),
+        ),
+    )

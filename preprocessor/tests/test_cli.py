@@ -1,0 +1,77 @@
+"""The command, as it is typed."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import plydyn_pre as pre
+
+
+def run(folder: Path, *words: object) -> subprocess.CompletedProcess[str]:
+    """Run the command in a folder."""
+    command = [sys.executable, "-m", "plydyn_pre.cli", *map(str, words)]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def test_a_deck_tells_how_large_it_is(tmp_path: Path, decks: Path) -> None:
+    result = run(tmp_path, "deck", decks / "elastic_impact" / "le1.toml")
+    assert result.returncode == 0
+    for words in ("48 of 9 nodes", "209", "17", "10,659", "le1.k"):
+        assert words in result.stdout
+    assert (tmp_path / "le1.k").read_text().endswith("*END\n")
+    assert [path.name for path in tmp_path.iterdir()] == ["le1.k"]
+
+
+def test_a_deck_goes_where_it_is_told_with_the_values_it_is_told(
+    tmp_path: Path, decks: Path
+) -> None:
+    words = ("-o", "other.k", "--set", "mesh.n=6", "--set", "contact.method=points_on_plate")
+    result = run(tmp_path, "deck", decks / "elastic_impact" / "le2.toml", *words)
+    assert result.returncode == 0
+    assert "84 of 9 nodes" in result.stdout
+    assert (tmp_path / "other.k").exists()
+
+
+def test_a_mesh_tells_its_sizes_and_sets(tmp_path: Path, decks: Path) -> None:
+    result = run(tmp_path, "mesh", decks / "elastic_impact" / "le1.toml")
+    assert result.returncode == 0
+    for words in ("area             10000 mm2", "5 to 28.28 mm", "0.500 x mean", "boundary (32)"):
+        assert words in result.stdout
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_layup_is_shown_with_its_bottom_ply_last(tmp_path: Path) -> None:
+    result = run(tmp_path, "layup", "[10/Al/-20]", "--thickness", "0.25")
+    assert result.returncode == 0
+    top, middle, bottom = [line for line in result.stdout.splitlines() if line.startswith("│")]
+    assert top.replace("│", " ").split() == ["3", "-20", "-", "0.5", "0.75"]
+    assert middle.replace("│", " ").split() == ["2", "0", "Al", "0.25", "0.5"]
+    assert bottom.replace("│", " ").split() == ["1", "10", "-", "0", "0.25"]
+    assert "first of the notation, is the bottom one" in result.stdout
+
+
+def test_a_new_recipe_can_be_used_and_is_never_overwritten(tmp_path: Path) -> None:
+    assert run(tmp_path, "new", "mine.toml").returncode == 0
+    assert (tmp_path / "mine.toml").read_text() == pre.example_recipe()
+    assert run(tmp_path, "deck", "mine.toml").returncode == 0
+    again = run(tmp_path, "new", "mine.toml")
+    assert again.returncode == 2
+    assert "is there already" in again.stderr
+
+
+def test_errors_are_words_and_an_exit_code(tmp_path: Path, decks: Path) -> None:
+    result = run(tmp_path, "layup", "[45/x:/90]s")
+    assert result.returncode == 2
+    assert result.stderr.splitlines()[0].startswith("error: column 7: ")
+    assert result.stderr.splitlines()[-1].index("^") == result.stderr.splitlines()[-2].index("/90")
+    result = run(tmp_path, "deck", decks / "elastic_impact" / "le1.toml", "--set", "mesh.m=6")
+    assert result.returncode == 2
+    assert "le1.toml: mesh.m: there is no such key" in result.stderr
+    assert "Traceback" not in result.stderr
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_version_is_told(tmp_path: Path) -> None:
+    assert run(tmp_path, "--version").stdout.strip() == f"plydyn-pre {pre.__version__}"
