@@ -42,6 +42,8 @@ module plydyn_input_catalogue
       type(members_type), allocatable :: quad_sets(:)
       !> Boxes, in the order of definition
       type(box_type), allocatable :: boxes(:)
+      !> All nodes and elements could be read: what is said about their shape can be trusted
+      logical :: mesh_is_sound = .true.
       !> Findings
       type(report_type) :: report
    contains

@@ -34,7 +34,7 @@ contains
       integer :: i
 
       call check_plane(mesh, catalogue)
-      call check_strays(mesh, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_strays(mesh, catalogue)
       do i = 1, size(mesh%quad_id)
          call check_quad(mesh%position(:, mesh%quad_node(:, i)), i, catalogue)
       end do

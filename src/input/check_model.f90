@@ -34,7 +34,7 @@ contains
       end do
       call check_shared_numbers(catalogue)
       call check_presence(model, catalogue)
-      if (.not. catalogue%report%has_errors()) call check_mesh(model%mesh, catalogue)
+      if (catalogue%mesh_is_sound) call check_mesh(model%mesh, catalogue)
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
@@ -80,6 +80,10 @@ contains
       if (model%control%end_time <= 0.0_wp) then
          call catalogue%report%refuse(nowhere, "the deck has no end time", &
             & "*CONTROL_TERMINATION with ENDTIM")
+      end if
+      if (model%request%node_interval > 0.0_wp .and. size(model%request%nodes) == 0) then
+         call catalogue%report%warn(nowhere, "*DATABASE_NODOUT has no nodes to write", &
+            & "nodes in *DATABASE_HISTORY_NODE, or no *DATABASE_NODOUT")
       end if
    end subroutine check_presence
 

@@ -2,7 +2,7 @@
 module plydyn_input_read_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_cards, only : cards_type, is_wrong
    use plydyn_input_catalogue, only : a_node, a_part, a_quad, catalogue_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -33,6 +33,7 @@ contains
       integer :: n, nth
 
       n = size(mesh%node_id)
+      if (any(cards%state == is_wrong)) catalogue%mesh_is_sound = .false.
       call add_nodes(mesh, cards%sets())
       do nth = 1, cards%sets()
          call catalogue%define(a_node, cards, "NID", nth)
@@ -89,8 +90,9 @@ contains
       call catalogue%define(a_quad, cards, "EID", nth)
       call catalogue%find(a_part, cards, "PID", mesh%quad_part(quad), nth)
       mesh%quad_id(quad) = cards%integer("EID", nth)
+      if (size(mesh%quad_node, 1) == 0 .and. nodes > 0) call reshape_quads(mesh, nodes)
+      if (nodes == 0 .or. nodes /= size(mesh%quad_node, 1)) catalogue%mesh_is_sound = .false.
       if (nodes == 0) return
-      if (size(mesh%quad_node, 1) == 0) call reshape_quads(mesh, nodes)
       if (nodes /= size(mesh%quad_node, 1)) then
          call catalogue%refuse(cards, "N1", "an element of "//text(nodes)//" nodes in a mesh of " &
             & //text(size(mesh%quad_node, 1))//"-node elements", &
@@ -101,6 +103,7 @@ contains
          call catalogue%find(a_node, cards, node_names(k), mesh%quad_node(k, quad), nth)
          call check_repeated(cards, nth, k, mesh%quad_node(:k, quad), catalogue)
       end do
+      if (any(mesh%quad_node(:, quad) == 0)) catalogue%mesh_is_sound = .false.
    end subroutine read_quad
 
    !> Number of nodes of an element of *ELEMENT_SHELL; 0 and a report when there is no such element

@@ -134,6 +134,10 @@ contains
       part%id = cards%integer("PID")
       part%title = cards%word("TITLE")
       part%bottom_offset = -0.5_wp*(1.0_wp + cards%real("NLOC"))
+      if (cards%integer("ELFORM") /= 0) then
+         call catalogue%report%note(cards%place("ELFORM"), "ELFORM is without effect", &
+            & "all plates are layer-wise, see *SECTION_LAYERWISE")
+      end if
       allocate (part%plies(0))
    end subroutine begin_part
 

@@ -24,6 +24,11 @@ program test_input_check_model
    call check_error(error, "the deck has no end time", "an end time")
    call check(error%code, exit_input, "the exit code is that of input")
 
+   call begin("check_presence, warnings")
+   call read_plate("*DATABASE_NODOUT|0.1,|")
+   call check(.not. allocated(error), "node histories without nodes are no error")
+   call check(index(messages, "has no nodes to write") > 0, "but make a warning")
+
    call begin("check_all_used")
    call read_plate("*SET_NODE_LIST|1,|1,2|")
    call check_error(error, "node set 1 is never used", "a set")

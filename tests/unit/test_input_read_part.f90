@@ -40,6 +40,8 @@ program test_input_read_part
    call check(.not. allocated(error), "is read")
    call check(model%parts(1)%plies%angle, [0.0_wp, 45.0_wp, 90.0_wp], 0.0_wp, &
       & "an odd number of plies")
+   call read_with("*PART_COMPOSITE|p|7,16|5,0.25,0.|")
+   call check(index(messages, "ELFORM is without effect") > 0, "an element form makes a note")
    call read_with("*PART_COMPOSITE|p|7,|5,0.25,0.|5,0.5,90.|")
    call check_error(error, "a ply is missing within the stack", "a gap in the stack")
    call read_with("*PART_COMPOSITE|p|7,|5,0.25,0.,0,5|")
