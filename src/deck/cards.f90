@@ -2,7 +2,7 @@
 module plydyn_deck_cards
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
-      & text_field, usual_width, words_field
+      & text_field
    use plydyn_deck_report, only : place_type
    use plydyn_deck_values, only : longest_word, split_words
    implicit none

@@ -4,7 +4,7 @@ module plydyn_deck_definitions
    use plydyn_deck_declaration, only : long_width, usual_width
    use plydyn_deck_expression, only : evaluate
    use plydyn_deck_layout, only : locate, span_type
-   use plydyn_deck_number, only : is_digit, read_real
+   use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
    use plydyn_deck_report, only : place_type, report_type
    use plydyn_deck_source, only : source_type

@@ -1,7 +1,7 @@
 !> Pages of the keyword manual, made from the declarations.
 module plydyn_deck_manual
    use plydyn_base_text, only : text
-   use plydyn_deck_declaration, only : card_type, field_type, integer_field, is_ignored, &
+   use plydyn_deck_declaration, only : field_type, integer_field, is_ignored, &
       & is_refused, keyword_type, real_field, word_field, words_field
    use plydyn_deck_values, only : number_words, range_words
    implicit none

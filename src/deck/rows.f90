@@ -2,7 +2,7 @@
 module plydyn_deck_rows
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_cards, only : cards_type, is_absent, is_given, is_wrong
-   use plydyn_deck_declaration, only : card_type, field_type, line_width, text_field, word_field, &
+   use plydyn_deck_declaration, only : field_type, line_width, text_field, word_field, &
       & words_field
    use plydyn_deck_layout, only : is_free, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type

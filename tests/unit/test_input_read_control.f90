@@ -5,7 +5,7 @@ program test_input_read_control
    use plydyn_input_read_model, only : read_model
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_model, only : model_type
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, finish
    implicit none
 
    !> A plate of one quad and three plies, and how long
