@@ -2,6 +2,7 @@
 module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_layers, only : check_same_structure, new_layers
@@ -138,7 +139,33 @@ contains
       do i = 1, size(model%motions)
          domain%motions(i) = new_prescribed(model%motions(i), domain%layers, domain%columns)
       end do
+      call check_motions(model, domain, error)
    end subroutine build_supports
+
+   !> A point cannot be held and moved, or moved twice, in one direction
+   subroutine check_motions(model, domain, error)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: taken(domain%columns%freedoms)
+      integer :: m, n
+
+      taken(:) = .false.
+      taken(domain%held) = .true.
+      do m = 1, size(domain%motions)
+         associate (motion => model%motions(m), freedom => domain%motions(m)%freedom)
+            do n = 1, size(freedom)
+               if (.not. taken(freedom(n))) cycle
+               call fail(error, exit_input, "node "//text(model%mesh%node_id(motion%nodes( &
+                  & 1 + mod(n - 1, size(motion%nodes)))))//" is held and moved, or moved twice, in " &
+                  & //"direction "//text(motion%direction)//": leave it in one support or motion")
+               return
+            end do
+            taken(freedom) = .true.
+         end associate
+      end do
+   end subroutine check_motions
 
    !> Forces on points
    subroutine build_loads(model, domain)

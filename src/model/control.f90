@@ -28,8 +28,6 @@ module plydyn_model_control
       real(wp) :: first_step = 0.0_wp
       !> Index into `model%curves` of a bound on the step over time; 0 for none
       integer :: step_curve = 0
-      !> The run stops when the step falls below this; 0 for none
-      real(wp) :: smallest_step = 0.0_wp
       !> The run stops when the step falls below this share of the first one; 0 for none
       real(wp) :: smallest_share = 0.0_wp
       !> `linear_strain` or `total_lagrangian`

@@ -139,25 +139,25 @@ contains
 
       character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
       character(6), parameter :: face_name(2) = ["bottom", "top   "]
-      character(40), allocatable :: names(:), units(:)
-      integer :: c, face, i, point(2)
+      character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
+      integer :: c, face, i, k, point(2)
 
-      allocate (self%node_freedom(0), names(1), units(1))
+      allocate (self%node_freedom(0))
       names(1) = "time"
       units(1) = model%control%units%time
+      k = 1
       do i = 1, size(model%request%nodes)
          do face = 1, 2
             point(:) = face_point(domain%layers, merge(bottom_face, top_face, face == 1))
             do c = 1, size(motion)
-               names = [names, [character(40) :: "n"//text(model%mesh%node_id( &
-                  & model%request%nodes(i)))//" "//trim(face_name(face))//" "//motion(c)]]
-               units = [units, [character(40) :: trim(model%control%units%length) &
-                  & //trim(merge("/"//model%control%units%time, repeat(" ", 9), c > 3))]]
+               k = k + 1
+               names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i)))//" " &
+                  & //trim(face_name(face))//" "//motion(c)
+               units(k) = model%control%units%length
+               if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
             end do
-            do c = 1, 3
-               self%node_freedom = [self%node_freedom, domain%columns%freedom(point(1), point(2), &
-                  & c, model%request%nodes(i))]
-            end do
+            self%node_freedom = [self%node_freedom, domain%columns%freedom(point(1), point(2), &
+               & [1, 2, 3], model%request%nodes(i))]
          end do
       end do
       allocate (self%node_row(size(names)))

@@ -45,6 +45,7 @@ contains
 
       do while (.not. domain%is_finished(state%time, state%cycle))
          state%step = next_step(domain, state)
+         if (state%cycle == 0) state%first_step = state%step
          call change_step(state)
 
          ! motion

@@ -49,6 +49,8 @@ module plydyn_state_state
       integer :: cycle = 0
       !> The step to come, and the one just made
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp
+      !> The first step of the run
+      real(wp) :: first_step = 0.0_wp
       !> Displacement at this time, velocity half a step before, acceleration at this time,
       !> all points; see `columns_type`
       real(wp), allocatable :: displacement(:), velocity(:), acceleration(:)
