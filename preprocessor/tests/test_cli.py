@@ -73,5 +73,12 @@ def test_errors_are_words_and_an_exit_code(tmp_path: Path, decks: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
+def test_what_is_never_used_is_noted(tmp_path: Path, decks: Path) -> None:
+    words = ("--set", "curves.up={time=[0, 1], value=[0, 1]}")
+    result = run(tmp_path, "deck", decks / "elastic_impact" / "le1.toml", *words)
+    assert result.returncode == 0
+    assert result.stderr.strip().endswith("le1.toml: curves.up is never used")
+
+
 def test_the_version_is_told(tmp_path: Path) -> None:
     assert run(tmp_path, "--version").stdout.strip() == f"plydyn-pre {pre.__version__}"

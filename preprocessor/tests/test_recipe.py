@@ -156,6 +156,7 @@ def test_errors_name_the_keys_and_what_would_be_right(
         ("[[supports]]\nset = 'a'\n[sets.a]\nat = [1, 1]", "sets.a.at", "nearest is at [0, 0]"),
         ("[[supports]]\nset = 'a'\n[sets.a]\nbox = [1, 2, 1, 2]", "sets.a.box", "no node"),
         ("[[loads]]\nkind = 'pressure'\nvalue = 1\nset = 'core'", "loads[1].set", "known: all, pl"),
+        ("[sets.left]\nat = [0, 0]", "sets.left", "the mesh has a set of this name"),
         ("[outputs]\nnodes = ['core']", "outputs.nodes[1]", "not a node set"),
         ("[laminates.skin]\nlayup = '[metal]'\nthickness = 1", "laminates.skin", "no part"),
     ],
@@ -233,3 +234,11 @@ def test_two_frame_accelerations_in_one_direction_are_refused(study: pre.Study) 
     frame = pre.FrameAcceleration("z", 1.0)
     with pytest.raises(pre.RecipeError, match="one frame acceleration at most"):
         replace(study, loads=(frame, frame))
+
+
+def test_what_is_defined_and_not_used_is_found(study: pre.Study) -> None:
+    assert pre.unused(study) == []
+    bare = replace(study, loads=(), outputs=pre.Outputs())
+    assert pre.unused(bare) == ["sets.line", "sets.gauge", "curves.ramp"]
+    laminate = pre.Laminate(layup="[metal]", thickness=1.0)
+    assert pre.unused(replace(study, laminate=laminate)) == ["materials.carbon", "materials.resin"]

@@ -50,6 +50,7 @@ from plydyn_pre.study import (
     Study,
     Support,
     Units,
+    unused,
 )
 from plydyn_pre.version import VERSION
 
@@ -98,5 +99,6 @@ __all__ = [
     "make_mesh",
     "parse",
     "quality",
+    "unused",
     "write_deck",
 ]

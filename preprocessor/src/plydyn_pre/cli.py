@@ -20,7 +20,7 @@ from plydyn_pre.errors import PreError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.mesh import Mesh, make_mesh, quality
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
-from plydyn_pre.study import Study
+from plydyn_pre.study import Study, unused
 from plydyn_pre.version import VERSION
 
 #: Exit code of an error in what the user wrote, as that of the solver
@@ -152,6 +152,8 @@ def _waiting(words: str) -> Iterator[None]:
 def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, Mesh]:
     """Read a recipe and make its mesh."""
     study = load_recipe(recipe, overrides or [])
+    for key in unused(study):
+        err.print(f"note: {recipe}: {key} is never used", markup=False, soft_wrap=True)
     with _waiting("meshing"):
         return study, make_mesh(study.mesh)
 

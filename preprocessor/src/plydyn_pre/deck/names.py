@@ -28,7 +28,10 @@ class Names:
     parts: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        """Number the parts of the mesh, and refuse laminates of others."""
+        """Number the parts of the mesh; refuse laminates of others and sets that are there."""
+        for name in self.study.sets:
+            taken = name == ALL or name in self.mesh.node_sets
+            require(not taken, f"sets.{name}", "the mesh has a set of this name; take another one")
         for name in self.study.laminates:
             hint = suggestion(name, self.mesh.parts)
             require(name in self.mesh.parts, f"laminates.{name}", f"no part of the mesh; {hint}")

@@ -20,6 +20,7 @@ from plydyn_pre.study.control import Control, Outputs, Profile, Units
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
 from plydyn_pre.study.materials import Elastic, Material, PlyElastic, Springs
 from plydyn_pre.study.study import Study
+from plydyn_pre.study.unused import unused
 
 __all__ = [
     "Contact",
@@ -46,4 +47,5 @@ __all__ = [
     "Study",
     "Support",
     "Units",
+    "unused",
 ]

@@ -1,0 +1,33 @@
+"""What a study defines and nothing uses."""
+
+from __future__ import annotations
+
+from plydyn_pre.study.study import Study
+
+
+def unused(study: Study) -> list[str]:
+    """Keys of materials, sets and curves that do not reach the deck."""
+    used = {
+        "materials": _materials(study),
+        "sets": _sets(study),
+        "curves": {study.control.step_curve} | {getattr(load, "curve", "") for load in study.loads},
+    }
+    return [
+        f"{table}.{name}"
+        for table, names in used.items()
+        for name in getattr(study, table)
+        if name not in names
+    ]
+
+
+def _materials(study: Study) -> set[str]:
+    """Names of the materials of plies and of what joins them."""
+    laminates = [*study.laminates.values(), *([study.laminate] if study.laminate else [])]
+    plies = {ply.material for laminate in laminates for ply in laminate.stack}
+    return plies | {laminate.interfaces for laminate in laminates}
+
+
+def _sets(study: Study) -> set[str]:
+    """Names of the sets of supports, loads and outputs."""
+    users = (*study.supports, *study.loads)
+    return {getattr(user, "set", "") for user in users} | set(study.outputs.nodes)
