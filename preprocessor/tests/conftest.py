@@ -25,6 +25,16 @@ CARBON = pre.PlyElastic(
     G23=2800.0,
 )
 
+LOADS = (
+    pre.Pressure(value=0.1, set="core", curve="ramp"),
+    pre.Pressure(value=0.2, face="bottom"),
+    pre.Force(set="centre", direction="z", value=-1.0),
+    pre.LineForce(set="bottom", direction="y", value=2.0),
+    pre.FrameAcceleration(direction="z", value=9810.0),
+    pre.Motion(set="right", direction="x", quantity="displacement", value=0.1, curve="ramp"),
+    pre.InitialVelocity(velocity=(0.0, 0.0, 1.0)),
+)
+
 
 @pytest.fixture
 def solver() -> str:
@@ -68,17 +78,7 @@ def study() -> pre.Study:
         impactor=pre.Impactor(
             radius=4.0, mass=1.0e-5, velocity=(0.0, 0.0, -1000.0), title="Ball", guided=True
         ),
-        loads=(
-            pre.Pressure(value=0.1, set="core", curve="ramp"),
-            pre.Pressure(value=0.2, face="bottom"),
-            pre.Force(set="centre", direction="z", value=-1.0),
-            pre.LineForce(set="bottom", direction="y", value=2.0),
-            pre.FrameAcceleration(direction="z", value=9810.0),
-            pre.Motion(
-                set="right", direction="x", quantity="displacement", value=0.1, curve="ramp"
-            ),
-            pre.InitialVelocity(velocity=(0.0, 0.0, 1.0)),
-        ),
+        loads=LOADS,
         curves={"ramp": pre.Curve(time=(0.0, 1.0e-4), value=(0.0, 1.0))},
         control=pre.Control(1.0e-4, kinematics="linear", damping=10.0, step_factor=0.8),
         outputs=pre.Outputs(
