@@ -8,6 +8,7 @@ program plydyn
    use plydyn_input_read_model, only : keyword_manual, read_model
    use plydyn_model_model, only : model_type
    use plydyn_output_listing, only : write_end, write_listing
+   use plydyn_output_profile, only : check_profiles
    use plydyn_output_text_file, only : close_text, create_text
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
@@ -54,6 +55,8 @@ contains
       if (allocated(error)) return
       if (len(messages) > 0) write (output_unit, "(a)") messages
       call build_domain(model, domain, error)
+      if (allocated(error)) return
+      call check_profiles(model%request%profiles, domain, error)
       if (allocated(error)) return
       call new_contacts(domain, contacts, error)
       if (allocated(error)) return

@@ -40,6 +40,8 @@ contains
       if (allocated(error)) return
       domain%layers = new_layers(model%parts(1))
       domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
+      call check_step_curve(model, error)
+      if (allocated(error)) return
       call build_plates(model, domain, error)
       if (allocated(error)) return
       call build_joints(model, domain, error)
@@ -50,6 +52,19 @@ contains
       call build_surfaces(model, domain)
       domain%limit = find_step_limit(model, domain)
    end subroutine build_domain
+
+   !> A bound on the step that is not positive would never let time pass
+   subroutine check_step_curve(model, error)
+      type(model_type), intent(in) :: model
+      type(error_type), allocatable, intent(out) :: error
+
+      if (model%control%step_curve == 0) return
+      associate (curve => model%curves(model%control%step_curve))
+         if (all(curve%y > 0.0_wp)) return
+         call fail(error, exit_input, "curve "//text(curve%id)//" bounds the step (LCTM of " &
+            & //"*CONTROL_TIMESTEP) by "//text(minval(curve%y))//": its ordinates must be positive")
+      end associate
+   end subroutine check_step_curve
 
    !> Plates and the masses of their points
    subroutine build_plates(model, domain, error)

@@ -4,7 +4,9 @@ module plydyn_domain_step_limit
    use plydyn_domain_domain, only : domain_type, step_limit_type
    use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_domain_masses, only : surface_density
-   use plydyn_element_stable_step, only : largest_eigenvalues
+   use plydyn_element_plate, only : plate_type
+   use plydyn_element_quad, only : quad_node_area
+   use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -30,7 +32,7 @@ contains
       rate(:) = 0.0_wp
       ply(:) = 0
       call add_layer_rates(model, domain, rate, ply)
-      limit%interface_rate = interface_rate(domain)
+      limit%interface_rate = interface_rate(model, domain)
       worst = maxloc(rate, 1)
       limit%ply_rate = rate(worst)
       limit%step = 2.0_wp/sqrt(limit%ply_rate + limit%interface_rate)
@@ -79,34 +81,68 @@ contains
       end do
    end subroutine add_layer_rates
 
-   !> Bound on the eigenvalues of the springs: stiffness times area over both masses, at the node
-   !> where it is largest (nodal areas bound the integrals at Gauss points)
-   pure real(wp) function interface_rate(domain) result(rate)
+   !> Bound on the eigenvalues of the springs: stiffness over the mass per area of both faces, times
+   !> the largest eigenvalue that the springs of one quad have against the areas of its nodes
+   real(wp) function interface_rate(model, domain) result(rate)
+      type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
 
-      real(wp), allocatable :: area(:)
-      real(wp) :: inverse
-      integer :: e, i, k, node
+      type(layers_type) :: layers
+      real(wp) :: largest, inverse
+      integer :: e, k, p
 
       rate = 0.0_wp
-      allocate (area(domain%columns%nodes))
-      do k = 1, size(domain%interfaces)
-         associate (springs => domain%interfaces(k), plates => domain%plates)
-            area(:) = 0.0_wp
-            do i = 1, size(plates)
-               do e = 1, size(plates(i)%quad)
-                  area(plates(i)%node(:, e)) = area(plates(i)%node(:, e)) &
-                     & + matmul(plates(i)%metric(5, :, e), springs%shape)
-               end do
-            end do
-            do node = 1, size(area)
-               inverse = domain%inverse_mass(domain%columns%mass_of(springs%lower, &
-                  & domain%columns%levels(springs%lower), node)) &
-                  & + domain%inverse_mass(domain%columns%mass_of(springs%upper, 1, node))
-               rate = max(rate, maxval(springs%stiffness)*area(node)*inverse)
-            end do
-         end associate
+      if (size(domain%interfaces) == 0) return
+      largest = 0.0_wp
+      do p = 1, size(domain%plates)
+         do e = 1, size(domain%plates(p)%quad)
+            largest = max(largest, quad_factor(domain, domain%plates(p), e))
+         end do
+      end do
+      do p = 1, size(model%parts)
+         layers = new_layers(model%parts(p))
+         do k = 1, size(domain%interfaces)
+            associate (springs => domain%interfaces(k))
+               inverse = 1.0_wp/face_density(model, domain, p, layers, springs%lower) &
+                  & + 1.0_wp/face_density(model, domain, p, layers, springs%upper)
+               rate = max(rate, maxval(springs%stiffness)*largest*inverse)
+            end associate
+         end do
       end do
    end function interface_rate
+
+   !> Mass per area that a layer has on one of its faces
+   pure real(wp) function face_density(model, domain, p, layers, layer) result(density)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: p, layer
+      type(layers_type), intent(in) :: layers
+
+      associate (material => model%materials(model%parts(p)%plies(layers%ply(layer))%material), &
+         & batch => domain%plates(p)%batches(domain%columns%home(1, layer)))
+         density = material%density*(layers%top(layer) - layers%bottom(layer)) &
+            & *batch%expansion%mass_share(1)
+      end associate
+   end function face_density
+
+   !> Bound on the eigenvalues of the areas of the Gauss points against those of the nodes
+   real(wp) function quad_factor(domain, plate, e) result(factor)
+      type(domain_type), intent(in) :: domain
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: e
+
+      real(wp) :: area(plate%side**2), matrix(plate%side**2, plate%side**2)
+      integer :: i, q
+
+      area(:) = quad_node_area(plate%side, domain%position(1:2, plate%node(:, e)))
+      matrix(:, :) = 0.0_wp
+      do q = 1, size(area)
+         do i = 1, size(area)
+            matrix(:, i) = matrix(:, i) + plate%metric(5, q, e)*plate%shape(q, :)*plate%shape(q, i) &
+               & /sqrt(area*area(i))
+         end do
+      end do
+      factor = certified_bound(matrix, power_iteration(matrix))
+   end function quad_factor
 
 end module plydyn_domain_step_limit

@@ -133,9 +133,9 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
-         & "Processors; the results have the same bits for any number of them.")
+         & "Processors.")
       call keyword%add_card()
-      call keyword%add_integer("NCPU", "without effect: the command line says how many", &
+      call keyword%add_integer("NCPU", "without effect: a run uses one core", &
          & default=1, least=0)
       call keyword%add_unused("NUMRHS")
       call keyword%add_unused("CONST", neutral=[0.0_wp, 1.0_wp])

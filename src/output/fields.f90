@@ -250,7 +250,8 @@ contains
                call file%write_point_data(name, motion_values(self, domain, state%displacement), &
                   & error)
             case ("velocity")
-               call file%write_point_data(name, motion_values(self, domain, state%velocity), error)
+               call file%write_point_data(name, motion_values(self, domain, &
+                  & state%velocity + 0.5_wp*state%step_before*state%acceleration), error)
             case ("strain")
                call file%write_point_data(name, tensor(values, strain_at, tensor_share), error)
             case ("stress")

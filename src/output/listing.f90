@@ -248,10 +248,11 @@ contains
          write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
          write (unit, "(2a)") "elapsed ", duration_text(seconds)
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
-         write (unit, "(a,7(/,a,es14.6,1x,a))") "energies", &
+         write (unit, "(a,8(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
+            & "  ripple    ", e%ripple - e%shift, trim(u%energy), &
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
          write (unit, "(a,es10.2)") "share out of balance ", e%error()
       end associate

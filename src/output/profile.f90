@@ -42,20 +42,45 @@ module plydyn_output_profile
    !> Newton steps to find a place in a quad
    integer, parameter :: newton_steps = 20
 
+   public :: check_profiles
+
 contains
+
+   !> Profiles must be asked for on the plate
+   subroutine check_profiles(profiles, domain, error)
+      !> What the deck asks for
+      type(profile_type), intent(in) :: profiles(:)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> A place outside of the plate
+      type(error_type), allocatable, intent(out) :: error
+
+      type(profile_file_type) :: file
+      integer :: i
+
+      do i = 1, size(profiles)
+         file = profile_file_type()
+         call find_quads(file, domain, profiles(i)%position)
+         if (size(file%quad, 2) > 0) cycle
+         call fail(error, exit_input, "*DATABASE_PROFILE "//text(profiles(i)%id)//": the place (" &
+            & //text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
+            & //") is not on the plate")
+         return
+      end do
+   end subroutine check_profiles
 
    !> Find the place and create the file
    subroutine open_profile(self, path, profile, units, domain, error)
       class(profile_file_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
-      !> What the deck asks for
+      !> What the deck asks for, on the plate
       type(profile_type), intent(in) :: profile
       !> Names of the units
       type(units_type), intent(in) :: units
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> A place outside of the plate, or a file that could not be created
+      !> Why the file could not be created
       type(error_type), allocatable, intent(out) :: error
 
       character(8) :: unit(columns)
@@ -63,11 +88,6 @@ contains
       self%points = profile%points
       self%schedule%interval = profile%interval
       call find_quads(self, domain, profile%position)
-      if (size(self%quad, 2) == 0) then
-         call fail(error, exit_input, "*DATABASE_PROFILE "//text(profile%id)//": the place (" &
-            & //text(profile%position(1))//", "//text(profile%position(2))//") is not on the plate")
-         return
-      end if
       unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
       unit(7:12) = units%stress
       unit(13:18) = "-"

@@ -24,6 +24,8 @@ module plydyn_output_writer
       type(profile_file_type), allocatable :: profiles(:)
       type(fields_type) :: fields
       type(schedule_type) :: field_schedule
+      !> Time of the last state in the file of fields
+      real(wp) :: field_time = -1.0_wp
       !> Places in the arrays of motion of the nodes with a history, and the row they fill
       integer, allocatable :: node_freedom(:)
       real(wp), allocatable :: node_row(:)
@@ -37,6 +39,7 @@ module plydyn_output_writer
    contains
       procedure :: open => open_writer
       procedure :: record
+      procedure :: save_state
       procedure :: elapsed
       procedure :: close => close_writer
    end type writer_type
@@ -121,9 +124,9 @@ contains
          do i = 1, size(self%impactors)
             call self%impactors(i)%open(job//".impactor_"//text(model%impactors(i)%id)//".csv", &
                & [character(12) :: "time", "force", "displacement", "velocity", "kinetic", &
-               & "absorbed", "force x", "force y", "contacts"], [character(20) :: u%time, &
-               & u%force, u%length, trim(u%length)//"/"//u%time, u%energy, u%energy, u%force, &
-               & u%force, "-"], model%request%impactor_interval, error)
+               & "absorbed", "force x", "force y", "contacts", "penetration"], [character(20) :: &
+               & u%time, u%force, u%length, trim(u%length)//"/"//u%time, u%energy, u%energy, &
+               & u%force, u%force, "-", u%length], model%request%impactor_interval, error)
             if (allocated(error)) return
          end do
       end associate
@@ -238,11 +241,26 @@ contains
       end do
       if (self%field_schedule%due(state%time) .or. is_last) then
          call self%field_schedule%advance(state%time)
+         self%field_time = state%time
          call self%fields%write(domain, state, error)
          if (allocated(error)) return
       end if
       if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show(self, state, is_last)
    end subroutine record
+
+   !> Write the fields of a run that is stopped, if they are not in the file already
+   subroutine save_state(self, domain, state)
+      class(writer_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+
+      type(error_type), allocatable :: error
+
+      ! what stopped the run is worse than a state that cannot be written
+      if (state%time > self%field_time) call self%fields%write(domain, state, error)
+   end subroutine save_state
 
    !> Lines of the histories
    subroutine record_histories(self, domain, state, is_last, error)
@@ -257,8 +275,8 @@ contains
       associate (e => state%energies, time => state%time)
          if (self%energy%due(time) .or. is_last) then
             call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
-               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, e%ripple, &
-               & e%total(), e%error(), e%momentum], error)
+               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, &
+               & e%ripple - e%shift, e%total(), e%error(), e%momentum], error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)
@@ -283,7 +301,7 @@ contains
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       integer, intent(in) :: i
-      real(wp) :: row(9)
+      real(wp) :: row(10)
 
       real(wp) :: kinetic, start
 
@@ -291,7 +309,8 @@ contains
          kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
          start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
          row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &
-            & start - kinetic, own%force(1), own%force(2), real(own%contacts, wp)]
+            & start - kinetic, own%force(1), own%force(2), real(own%contacts, wp), &
+            & own%penetration]
       end associate
    end function impactor_row
 

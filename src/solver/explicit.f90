@@ -66,7 +66,10 @@ contains
          call writer%record(domain, state, error)
          if (allocated(error)) return
          call check_health(domain, state, error)
-         if (allocated(error)) return
+         if (allocated(error)) then
+            call writer%save_state(domain, state)
+            return
+         end if
       end do
    end subroutine run
 

@@ -32,6 +32,11 @@ contains
       state%load_factor(:) = 0.0_wp
       state%support_force(:) = 0.0_wp
       call set_velocities(model, domain, state%velocity)
+      allocate (state%support_velocity(0))
+      do i = 1, size(domain%motions)
+         state%support_velocity = [state%support_velocity, &
+            & state%velocity(domain%motions(i)%freedom)]
+      end do
       allocate (state%impactors(size(domain%impactors)))
       do i = 1, size(domain%impactors)
          state%impactors(i)%centre(:) = domain%impactors(i)%centre

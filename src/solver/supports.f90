@@ -68,18 +68,23 @@ contains
       !> Velocity and displacement, already advanced without the supports
       type(state_type), intent(inout) :: state
 
-      real(wp) :: before, velocity, work
-      integer :: i, m
+      real(wp) :: before, unbraked, velocity, work
+      integer :: i, k, m
 
       work = 0.0_wp
+      k = 0
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m))
-            if (.not. is_active(motion, state%time)) cycle
             do i = 1, size(motion%freedom)
+               k = k + 1
                associate (v => state%velocity(motion%freedom(i)), &
-                  & u => state%displacement(motion%freedom(i)))
+                  & u => state%displacement(motion%freedom(i)), last => state%support_velocity(k))
+                  unbraked = last
+                  last = v
+                  if (.not. is_active(motion, state%time)) cycle
                   before = u - state%step*v
-                  velocity = prescribed_velocity(domain, motion, state, before, v)
+                  velocity = prescribed_velocity(domain, motion, state, before, unbraked)
+                  last = velocity
                   work = work + 0.5_wp*domain%mass(motion%mass(i))*(velocity**2 - v**2)
                   u = before + state%step*velocity
                   v = velocity

@@ -61,6 +61,8 @@ module plydyn_state_state
       !> Force that each held or prescribed point would feel free, in the order of
       !> `domain%held`, then of `domain%motions`
       real(wp), allocatable :: support_force(:)
+      !> Velocity of the prescribed points over the last step, in the order of `domain%motions`
+      real(wp), allocatable :: support_velocity(:)
       !> Sum of mass times the square of the acceleration, all points
       real(wp) :: pull = 0.0_wp
       !> Power of the inner forces and of loads and supports at the beginning of the last step
@@ -78,7 +80,7 @@ contains
       total = self%kinetic - self%ripple + self%shift + self%internal + self%impactor + self%damping + self%contact
    end function total
 
-   !> Energy that appeared from nowhere, as a share of the largest in play
+   !> Energy that appeared from nowhere, as a share of what went in
    pure real(wp) function balance_error(self)
       class(energies_type), intent(in) :: self
 

@@ -12,6 +12,7 @@ program test_solver_explicit
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run
+   use plydyn_solver_forces, only : add_ply_forces
    use plydyn_solver_start, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -47,6 +48,8 @@ contains
          call check(e%contact >= -1.0e-12_wp*e%start, "contact makes no energy")
          call check(e%contact < 0.05_wp*e%start, "and takes little")
          call check(state%impactors(1)%velocity(3) > -speed, "the sphere was slowed down")
+         call check(e%internal, stored_energy(model, state), 1.0e-9_wp*e%start, &
+            & "the work of the inner forces is the strain energy of the state")
       end associate
       call check(maxval(abs(tie_gap(state, model))), 0.0_wp, 0.0_wp, &
          & "both points of tied faces have the same motion to the last bit")
@@ -100,6 +103,22 @@ contains
       call run(domain, contacts, state, writer, error)
       call writer%close(close_error)
    end subroutine run_model
+
+   !> Strain energy of linear elasticity, 1/2 u . K u
+   real(wp) function stored_energy(model, state) result(energy)
+      type(model_type), intent(in) :: model
+      type(state_type), intent(in) :: state
+
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: force(:)
+
+      call build_domain(model, domain, error)
+      allocate (force(domain%columns%freedoms))
+      force(:) = 0.0_wp
+      call add_ply_forces(domain, state%displacement, force)
+      energy = -0.5_wp*dot_product(state%displacement, force)
+   end function stored_energy
 
    !> Difference of displacement across the tied faces
    function tie_gap(state, model) result(gap)
