@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from runs import Results
+from runs import DIGITS, Results
 
 STRAIN = 0.002 / 20.0
 WIDTH, THICKNESS = 5.0, 0.5
@@ -11,13 +11,17 @@ YOUNG, POISSON = 150.0e3, 0.02 * 150.0e3 / 10.0e3
 
 
 def check(results: Results) -> None:
-    """At rest to exp(-40): relaxation and round-off only."""
+    """At rest to exp(-38) of the start: what is left is round-off.
+
+    The slowest motion is shear across the bar, at (pi / 2 L) sqrt(G12 / rho) = 1.5e5 rad/s; the
+    damping of 2e5 /s is less than critical for it, so that all motion falls as exp(-1e5 t).
+    """
     profile, stress = results.profile(1), YOUNG * STRAIN
     rows = np.ones(len(profile["z"]))
-    assert profile["sxx"] == pytest.approx(stress * rows, rel=1e-6)
+    assert profile["sxx"] == pytest.approx(stress * rows, rel=DIGITS)
     for name in ("syy", "szz", "sxy", "sxz", "syz"):
-        assert np.abs(profile[name]).max() < 1e-6 * stress
-    assert profile["exx"] == pytest.approx(STRAIN * rows, rel=1e-6)
+        assert np.abs(profile[name]).max() < DIGITS * stress
+    assert profile["exx"] == pytest.approx(STRAIN * rows, rel=DIGITS)
     for name in ("eyy", "ezz"):
-        assert profile[name] == pytest.approx(-POISSON * STRAIN * rows, rel=1e-6)
+        assert profile[name] == pytest.approx(-POISSON * STRAIN * rows, rel=DIGITS)
     assert sorted(set(profile["ply"])) == [1.0, 2.0]
