@@ -124,10 +124,11 @@ contains
       real(wp), intent(out) :: local(2)
       logical, intent(out) :: found
 
-      real(wp) :: jacobian(2, 2), miss(2), slope(2, size(xy, 2)), value(size(xy, 2))
+      real(wp) :: area, jacobian(2, 2), miss(2), slope(2, size(xy, 2)), value(size(xy, 2))
       integer :: pass
 
       local(:) = 0.0_wp
+      area = 0.0_wp
       found = all(position >= minval(xy, 2) - (maxval(xy, 2) - minval(xy, 2))) &
          & .and. all(position <= maxval(xy, 2) + (maxval(xy, 2) - minval(xy, 2)))
       if (.not. found) return
@@ -135,12 +136,14 @@ contains
          call plane_table(plate%side, local(1), local(2), value, slope)
          miss(:) = position - matmul(xy, value)
          jacobian(:, :) = matmul(xy, transpose(slope))
+         area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
+         ! far outside a quad its map may fold: the place is not in it
+         if (area <= 0.0_wp) exit
          local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
-            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)] &
-            & /(jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1))
+            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)]/area
          local(:) = max(-2.0_wp, min(2.0_wp, local))
       end do
-      found = all(abs(local) <= inside)
+      found = area > 0.0_wp .and. all(abs(local) <= inside)
    end subroutine find_local
 
    !> Write a block of rows if its time has come, or if it is the last
@@ -194,7 +197,8 @@ contains
             values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
                & self%local(:, i), height)
             at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
-               & domain%control%kinematics == total_lagrangian, state%displacement), &
+               & domain%control%kinematics == total_lagrangian, state%displacement, &
+               & state%history), &
                & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
                & thickness_interpolation(plate%batches(home(1)), height)), &
                & [recovered, size(plate%node, 1)])
