@@ -9,7 +9,8 @@ module plydyn_command
 
    !> What a user may type
    character(*), parameter, public :: usage = &
-      & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*"//new_line("a") &
+      & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*" &
+      & //new_line("a") &
       & //"plydyn check DECK                      read and check a deck, and say what it holds" &
       & //new_line("a") &
       & //"plydyn --keywords [NAME]               pages of the keywords, or of one"//new_line("a") &

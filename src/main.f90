@@ -109,6 +109,7 @@ contains
          !> C's exit: an exit code without Fortran's own words
          subroutine leave(code) bind(c, name="exit")
             use, intrinsic :: iso_c_binding, only : c_int
+            implicit none
             integer(c_int), value :: code
          end subroutine leave
       end interface

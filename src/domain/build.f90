@@ -85,7 +85,7 @@ contains
       allocate (domain%inverse_mass(domain%columns%masses))
       where (domain%mass > 0.0_wp)
          domain%inverse_mass(:) = 1.0_wp/domain%mass
-      elsewhere
+      else where
          domain%inverse_mass(:) = 0.0_wp
       end where
    end subroutine build_plates
@@ -173,8 +173,8 @@ contains
             do n = 1, size(freedom)
                if (.not. taken(freedom(n))) cycle
                call fail(error, exit_input, "node "//text(model%mesh%node_id(motion%nodes( &
-                  & 1 + mod(n - 1, size(motion%nodes)))))//" is held and moved, or moved twice, in " &
-                  & //"direction "//text(motion%direction)//": leave it in one support or motion")
+                  & 1 + mod(n - 1, size(motion%nodes)))))//" is held and moved, or moved twice, " &
+                  & //"in direction "//text(motion%direction)//": leave it in one of them")
                return
             end do
             taken(freedom) = .true.

@@ -72,7 +72,8 @@ contains
       do j = 1, plate%side
          do i = 1, plate%side
             q = i + plate%side*(j - 1)
-            call plane_table(plate%side, gauss(i), gauss(j), plate%shape(q, :), plate%slope(:, :, q))
+            call plane_table(plate%side, gauss(i), gauss(j), plate%shape(q, :), &
+               & plate%slope(:, :, q))
          end do
       end do
    end subroutine tabulate

@@ -138,8 +138,8 @@ contains
       matrix(:, :) = 0.0_wp
       do q = 1, size(area)
          do i = 1, size(area)
-            matrix(:, i) = matrix(:, i) + plate%metric(5, q, e)*plate%shape(q, :)*plate%shape(q, i) &
-               & /sqrt(area*area(i))
+            matrix(:, i) = matrix(:, i) &
+               & + plate%metric(5, q, e)*plate%shape(q, :)*plate%shape(q, i)/sqrt(area*area(i))
          end do
       end do
       factor = certified_bound(matrix, power_iteration(matrix))

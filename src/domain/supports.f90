@@ -37,18 +37,18 @@ contains
       real(wp), intent(in) :: height
       integer, allocatable :: points(:, :)
 
-      real(wp) :: close
+      real(wp) :: margin
       integer :: k, t
 
       if (face == bottom_face .or. face == top_face) then
          points = reshape(face_point(layers, face), [2, 1])
          return
       end if
-      close = on_plane*(layers%top(size(layers%top)) - layers%bottom(1))
+      margin = on_plane*(layers%top(size(layers%top)) - layers%bottom(1))
       allocate (points(2, 0))
       do k = 1, size(layers%order)
          do t = 1, layers%order(k) + 1
-            if (face == one_plane .and. abs(layers%height(k, t) - height) > close) cycle
+            if (face == one_plane .and. abs(layers%height(k, t) - height) > margin) cycle
             points = reshape([points, k, t], [2, size(points, 2) + 1])
          end do
       end do

@@ -118,7 +118,7 @@ contains
          case (31); call linear_q9_le1(quads, node, b, metric, c, h, to, d, u, f)
          case (32); call linear_q9_le2(quads, node, b, metric, c, h, to, d, u, f)
          case (33); call linear_q9_le3(quads, node, b, metric, c, h, to, d, u, f)
-         case (34); call linear_q9_le4(quads, node, b, metric, c, h, to, d, u, f)
+         case default; call linear_q9_le4(quads, node, b, metric, c, h, to, d, u, f)
          end select
       end associate
    end subroutine add_linear
@@ -141,7 +141,7 @@ contains
          case (31); call large_q9_le1(quads, node, b, metric, c, h, w, to, d, u, f)
          case (32); call large_q9_le2(quads, node, b, metric, c, h, w, to, d, u, f)
          case (33); call large_q9_le3(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (34); call large_q9_le4(quads, node, b, metric, c, h, w, to, d, u, f)
+         case default; call large_q9_le4(quads, node, b, metric, c, h, w, to, d, u, f)
          end select
       end associate
    end subroutine add_large

@@ -17,6 +17,7 @@ module plydyn_element_stable_step
    interface
       subroutine dpotrf(uplo, n, a, lda, info)
          import :: wp
+         implicit none
          character(1), intent(in) :: uplo
          integer, intent(in) :: n, lda
          real(wp), intent(inout) :: a(lda, *)

@@ -59,7 +59,8 @@ contains
       call keyword%add_integer("DOF", "0 free, 1 guided along z", default=0, allowed=[0, 1])
       call keyword%add_real("GRAVZ", "length/time2", "acceleration along z at all times", &
          & default=0.0_wp)
-      call keyword%add_integer("SHAPE", "0 sphere, 1 hemisphere that faces the plate; contact sees the same", default=0, &
+      call keyword%add_integer("SHAPE", &
+         & "0 sphere, 1 hemisphere that faces the plate; contact sees the same", default=0, &
          & allowed=[0, 1])
    end function impactor_sphere
 

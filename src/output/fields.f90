@@ -107,7 +107,7 @@ contains
             case (6); value = trim(units%mass)
             case (7); value = trim(units%force)
             case (8); value = trim(units%stress)
-            case (9); value = trim(units%energy)
+            case default; value = trim(units%energy)
             end select
          end associate
          call self%file%describe(trim(names(i)), value, error)
@@ -356,7 +356,8 @@ contains
             & domain%control%kinematics == total_lagrangian, displacement)
          do t = 1, levels
             height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp)
-            at_level = level_values(at_gauss, thickness_interpolation(plate%batches(home(1)), height))
+            at_level = level_values(at_gauss, &
+               & thickness_interpolation(plate%batches(home(1)), height))
             do n = 1, size(plate%node, 1)
                i = self%grid%first(k) + (t - 1)*domain%columns%nodes + plate%node(n, e)
                values(:, i) = values(:, i) + self%weight(p)%share(n, e) &

@@ -197,8 +197,7 @@ contains
             values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
                & self%local(:, i), height)
             at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
-               & domain%control%kinematics == total_lagrangian, state%displacement, &
-               & state%history), &
+               & domain%control%kinematics == total_lagrangian, state%displacement), &
                & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
                & thickness_interpolation(plate%batches(home(1)), height)), &
                & [recovered, size(plate%node, 1)])

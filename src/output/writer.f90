@@ -97,8 +97,8 @@ contains
       associate (u => model%control%units)
          call self%energy%open(job//".energy.csv", [character(10) :: "cycle", "time", "step", &
             & "kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", &
-            & "total", "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", u%time, &
-            & u%time, spread(u%energy, 1, 8), "-", spread(momentum_unit(u), 1, 3)], &
+            & "total", "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", &
+            & u%time, u%time, spread(u%energy, 1, 8), "-", spread(momentum_unit(u), 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy

@@ -101,7 +101,9 @@ contains
 
       associate (control => domain%control)
          step = control%step_factor*domain%limit%step
-         if (state%cycle == 0 .and. control%first_step > 0.0_wp) step = min(step, control%first_step)
+         if (state%cycle == 0 .and. control%first_step > 0.0_wp) then
+            step = min(step, control%first_step)
+         end if
          if (control%step_curve > 0) then
             step = min(step, domain%curves(control%step_curve)%at(state%time))
          end if

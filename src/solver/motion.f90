@@ -101,8 +101,10 @@ contains
       end do
       do f = 1, size(domain%columns%families)
          associate (family => domain%columns%families(f))
-            if (any(family%tied_above > 0.0_wp)) call share_forces(lanes*family%blocks, family%order + 1, &
-               & domain%columns%nodes, family%tied_above, force(family%first:))
+            if (any(family%tied_above > 0.0_wp)) then
+               call share_forces(lanes*family%blocks, family%order + 1, domain%columns%nodes, &
+                  & family%tied_above, force(family%first:))
+            end if
             call divide(family%blocks*(family%order + 1), domain%columns%nodes, 0.5_wp*step, &
                & domain%mass(family%first_mass), domain%inverse_mass(family%first_mass), &
                & velocity(family%first:), force(family%first:), sums)

@@ -77,7 +77,8 @@ contains
    pure real(wp) function total(self)
       class(energies_type), intent(in) :: self
 
-      total = self%kinetic - self%ripple + self%shift + self%internal + self%impactor + self%damping + self%contact
+      total = self%kinetic - self%ripple + self%shift + self%internal + self%impactor &
+         & + self%damping + self%contact
    end function total
 
    !> Energy that appeared from nowhere, as a share of what went in

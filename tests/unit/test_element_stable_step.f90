@@ -15,6 +15,7 @@ program test_element_stable_step
    interface
       subroutine dgeev(jobvl, jobvr, n, a, lda, wr, wi, vl, ldvl, vr, ldvr, work, lwork, info)
          import :: wp
+         implicit none
          character(1), intent(in) :: jobvl, jobvr
          integer, intent(in) :: n, lda, ldvl, ldvr, lwork
          real(wp), intent(inout) :: a(lda, *)
