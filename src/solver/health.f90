@@ -43,8 +43,8 @@ contains
       else if (state%step < domain%control%smallest_share*state%first_step &
          & .and. .not. domain%is_finished(state%time, state%cycle)) then
          call fail(error, exit_run, "the step of "//text(state%step)//" is below the share of " &
-            & //"the first step, "//text(state%first_step)//", at which the run is to stop (DTMIN " &
-            & //"of *CONTROL_TERMINATION)"//when(state))
+            & //"the first step, "//text(state%first_step)//", at which the run is to stop (" &
+            & //"DTMIN of *CONTROL_TERMINATION)"//when(state))
       end if
    end subroutine check_health
 
