@@ -5,7 +5,6 @@ module plydyn_output_writer
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_supports, only : face_point
-   use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
    use plydyn_output_fields, only : fields_type
@@ -88,28 +87,27 @@ contains
    end subroutine open_writer
 
    !> Energies and momentum
+   !>
+   !> The names of columns are constants: gfortran 12 may blank the first word of a list of texts
+   !> that is an actual argument.
    subroutine open_energy(self, job, model, error)
       class(writer_type), intent(inout) :: self
       character(*), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
+      character(10), parameter :: names(*) = [character(10) :: "cycle", "time", "step", &
+         & "kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", &
+         & "total", "error", "momentum x", "momentum y", "momentum z"]
+      character(20) :: momentum
+
       associate (u => model%control%units)
-         call self%energy%open(job//".energy.csv", [character(10) :: "cycle", "time", "step", &
-            & "kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", &
-            & "total", "error", "momentum x", "momentum y", "momentum z"], [character(20) :: "-", &
-            & u%time, u%time, spread(u%energy, 1, 8), "-", spread(momentum_unit(u), 1, 3)], &
+         momentum = trim(u%force)//" "//u%time
+         call self%energy%open(job//".energy.csv", names, [character(20) :: "-", u%time, u%time, &
+            & spread(u%energy, 1, 8), "-", spread(momentum, 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy
-
-   !> Unit of momentum, force times time
-   pure function momentum_unit(units) result(name)
-      type(units_type), intent(in) :: units
-      character(20) :: name
-
-      name = trim(units%force)//" "//units%time
-   end function momentum_unit
 
    !> Force and motion of each impactor
    subroutine open_impactors(self, job, model, error)
@@ -117,16 +115,19 @@ contains
       character(*), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
+
+      character(12), parameter :: names(*) = [character(12) :: "time", "force", "displacement", &
+         & "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", "penetration"]
+      character(20) :: units(size(names))
       integer :: i
 
       allocate (self%impactors(size(model%impactors)))
       associate (u => model%control%units)
+         units(:) = [character(20) :: u%time, u%force, u%length, trim(u%length)//"/"//u%time, &
+            & u%energy, u%energy, u%force, u%force, "-", u%length]
          do i = 1, size(self%impactors)
             call self%impactors(i)%open(job//".impactor_"//text(model%impactors(i)%id)//".csv", &
-               & [character(12) :: "time", "force", "displacement", "velocity", "kinetic", &
-               & "absorbed", "force x", "force y", "contacts", "penetration"], [character(20) :: &
-               & u%time, u%force, u%length, trim(u%length)//"/"//u%time, u%energy, u%energy, &
-               & u%force, u%force, "-", u%length], model%request%impactor_interval, error)
+               & names, units, model%request%impactor_interval, error)
             if (allocated(error)) return
          end do
       end associate
@@ -176,6 +177,7 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
+      character(4), parameter :: names(*) = [character(4) :: "time", "fx", "fy", "fz"]
       integer :: c, k, m, t
 
       allocate (self%support_direction(0))
@@ -198,7 +200,7 @@ contains
          end do
       end block
       associate (u => model%control%units)
-         call self%supports%open(job//".supports.csv", [character(4) :: "time", "fx", "fy", "fz"], &
+         call self%supports%open(job//".supports.csv", names, &
             & [u%time, u%force, u%force, u%force], model%request%support_interval, error)
       end associate
    end subroutine open_supports

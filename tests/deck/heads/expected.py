@@ -1,0 +1,31 @@
+"""Heads of all histories: every column has its name and its unit, in every build."""
+
+from runs import Results
+
+MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
+SHARES = ("kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", "total")
+NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
+
+HEADS = {
+    "energy": ["cycle [-]", "time [ms]", "step [ms]"]
+    + [f"{name} [J]" for name in SHARES]
+    + ["error [-]"]
+    + [f"momentum {axis} [kN ms]" for axis in "xyz"],
+    "impactor_7": ["time [ms]", "force [kN]", "displacement [mm]", "velocity [mm/ms]"]
+    + ["kinetic [J]", "absorbed [J]", "force x [kN]", "force y [kN]", "contacts [-]"]
+    + ["penetration [mm]"],
+    "nodes": ["time [ms]"] + [f"n3 {face} {name}" for face in ("bottom", "top") for name in MOTION],
+    "supports": ["time [ms]", "fx [kN]", "fy [kN]", "fz [kN]"],
+    "profile_2": ["time [ms]", "z [mm]", "ply [-]", "ux [mm]", "uy [mm]", "uz [mm]"]
+    + [f"s{name} [GPa]" for name in NORMAL + SHEAR]
+    + [f"e{name} [-]" for name in NORMAL]
+    + [f"g{name} [-]" for name in SHEAR]
+    + [f"s{name} [GPa]" for name in ("11", "22", "33", "12", "13", "23")],
+}
+
+
+def check(results: Results) -> None:
+    """The first line of each file is as the manual says."""
+    for name, heads in HEADS.items():
+        with (results.folder / f"{results.job}.{name}.csv").open() as file:
+            assert file.readline().rstrip("\n").split(",") == heads, name
