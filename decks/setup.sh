@@ -129,9 +129,11 @@ has_python_packages() {
   [[ " $* " != *" test "* ]] || .venv/bin/python -c 'import pytest, xdist' 2>/dev/null
 }
 
-# build PRESET: configure and compile into build/PRESET
+# build PRESET OPTION...: configure with the options and compile into build/PRESET
 build() {
-  say "building build/$1/plydyn"
-  quietly "configure-$1" cmake --preset "$1" || return 1
-  quietly "build-$1" cmake --build --preset "$1"
+  local preset=$1
+  shift
+  say "building build/$preset/plydyn"
+  quietly "configure-$preset" cmake --preset "$preset" "$@" || return 1
+  quietly "build-$preset" cmake --build --preset "$preset"
 }

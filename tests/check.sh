@@ -31,6 +31,14 @@ closing_line() {
   grep -E '[0-9]+ (passed|failed)|tests passed' "$1" | tail -n 1
 }
 
+# build_strictly PRESET: build, with every warning an error
+build_strictly() {
+  build "$1" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON || return 1
+  if grep -i 'warning:' "$logs/configure-$1.log" "$logs/build-$1.log"; then
+    return 1
+  fi
+}
+
 # tests_of PRESET PART: run a part of the tests when there is a program to test
 tests_of() {
   if [[ " ${failed[*]} " == *" build_$1 "* ]]; then
@@ -46,9 +54,10 @@ make_venv build test
 
 part shell bash tests/run.sh shell
 part lint bash tests/run.sh lint
-part build_debug build debug
-part build_release build release
+part build_debug build_strictly debug
+part build_release build_strictly release
 tests_of debug unit
+tests_of release output
 tests_of release preprocessor
 tests_of release deck
 tests_of debug debug_deck

@@ -1,29 +1,35 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell unit deck debug_deck preprocessor postprocessor verification
+# Parts: lint shell unit output deck debug_deck preprocessor postprocessor verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 python=.venv/bin/python
 workers=$(nproc)
+# one thread of linear algebra for each worker
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 pytest_of() {
   "$python" -m pytest -q -p no:cacheprovider --numprocesses "$workers" "$@"
 }
 
 run_lint() {
-  .venv/bin/ruff check preprocessor postprocessor tests
-  .venv/bin/ruff format --check preprocessor postprocessor tests
-  .venv/bin/fortitude check src tests/unit
+  .venv/bin/ruff check decks preprocessor postprocessor tests
+  .venv/bin/ruff format --check decks preprocessor postprocessor tests
+  .venv/bin/fortitude check src tests/unit tests/output
 }
 
 run_shell() {
-  shellcheck .ci/run decks/*.sh tests/*.sh
+  git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck
 }
 
 run_unit() {
   ctest --test-dir build/debug --output-on-failure --no-tests=error --parallel "$workers"
+}
+
+run_output() {
+  WRITE_SAMPLE=$PWD/build/release/tests/output/write_sample pytest_of tests/output
 }
 
 run_deck() {
