@@ -7,7 +7,7 @@ from runs import ROOT, SOLVER
 PAGES = ROOT / "manual" / "keywords.md"
 
 
-def test_manual_has_the_pages_of_the_program():
+def test_manual_has_the_pages_of_the_program() -> None:
     printed = subprocess.run(
         [SOLVER, "--keywords"], check=True, capture_output=True, text=True
     ).stdout
