@@ -11,9 +11,18 @@ HEADS = {
     + [f"{name} [J]" for name in SHARES]
     + ["error [-]"]
     + [f"momentum {axis} [kN ms]" for axis in "xyz"],
-    "impactor_7": ["time [ms]", "force [kN]", "displacement [mm]", "velocity [mm/ms]"]
-    + ["kinetic [J]", "absorbed [J]", "force x [kN]", "force y [kN]", "contacts [-]"]
-    + ["penetration [mm]"],
+    "impactor_7": [
+        "time [ms]",
+        "force [kN]",
+        "displacement [mm]",
+        "velocity [mm/ms]",
+        "kinetic [J]",
+        "absorbed [J]",
+        "force x [kN]",
+        "force y [kN]",
+        "contacts [-]",
+        "penetration [mm]",
+    ],
     "nodes": ["time [ms]"] + [f"n3 {face} {name}" for face in ("bottom", "top") for name in MOTION],
     "supports": ["time [ms]", "fx [kN]", "fy [kN]", "fz [kN]"],
     "profile_2": ["time [ms]", "z [mm]", "ply [-]", "ux [mm]", "uy [mm]", "uz [mm]"]
