@@ -22,7 +22,8 @@ say "drawing the report"
 .venv/bin/plydyn-post report "$results/$job.vtkhdf"
 
 say "done"
-printf '\n%s\n' \
+printf '\n'
+printf '%s\n' \
   "recipe    $recipe" \
   "deck      $results/$job.k" \
   "listing   $results/$job.out" \
