@@ -73,7 +73,7 @@ def study() -> pre.Study:
         supports=(
             pre.Support("left"),
             pre.Support("right", hold="z", face="bottom"),
-            pre.Support("top", hold="xy", face="plane", height=0.125),
+            pre.Support("top", hold="y", face="plane", height=0.125),
         ),
         impactor=pre.Impactor(
             radius=4.0, mass=1.0e-5, velocity=(0.0, 0.0, -1000.0), title="Ball", guided=True
