@@ -11,7 +11,7 @@ job=le2
 
 install_system_packages build
 make_venv build
-build release || give_up "the solver could not be built"
+build release plydyn || give_up "the solver could not be built"
 
 mkdir -p "$results"
 say "making $results/$job.k from $recipe"

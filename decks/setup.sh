@@ -129,11 +129,11 @@ has_python_packages() {
   [[ " $* " != *" test "* ]] || .venv/bin/python -c 'import pytest, xdist' 2>/dev/null
 }
 
-# build PRESET OPTION...: configure with the options and compile into build/PRESET
+# build PRESET TARGET OPTION...: configure with the options and compile into build/PRESET
 build() {
-  local preset=$1
-  shift
-  say "building build/$preset/plydyn"
+  local preset=$1 target=$2
+  shift 2
+  say "building $target in build/$preset"
   quietly "configure-$preset" cmake --preset "$preset" "$@" || return 1
-  quietly "build-$preset" cmake --build --preset "$preset"
+  quietly "build-$preset" cmake --build --preset "$preset" --target "$target"
 }

@@ -33,7 +33,7 @@ closing_line() {
 
 # build_strictly PRESET: build, with every warning an error
 build_strictly() {
-  build "$1" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON || return 1
+  build "$1" all -DCMAKE_COMPILE_WARNING_AS_ERROR=ON || return 1
   if grep -i 'warning:' "$logs/configure-$1.log" "$logs/build-$1.log"; then
     return 1
   fi
