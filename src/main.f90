@@ -91,9 +91,9 @@ contains
       call writer%close(close_error)
       if (.not. allocated(error)) call move_alloc(close_error, error)
       if (allocated(error)) then
-         call write_end(listing, model, state, writer%elapsed(), error%message)
+         call write_end(listing, model, domain, state, writer%elapsed(), error%message)
       else
-         call write_end(listing, model, state, writer%elapsed(), "normal end")
+         call write_end(listing, model, domain, state, writer%elapsed(), "normal end")
          write (output_unit, "(a)") "normal end, results in "//command%job//".*"
       end if
       call close_text(command%job//".out", listing, close_error)

@@ -5,6 +5,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import pyvista as pv
 import synthetic
 from matplotlib.image import imread
 
@@ -16,6 +17,7 @@ from plydyn_post.picture import draw_picture
 from plydyn_post.profile import IN_PLANE, draw_profiles, read_profiles
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish, make_scene, nice
+from plydyn_post.shown import shown
 
 
 def colours(path: Path) -> int:
@@ -124,6 +126,14 @@ def test_an_unknown_quantity_and_a_missing_field_are_told(job: Path, tmp_path: P
         draw_picture(open_results(job), tmp_path / "a.png", Wish("heat"))
     with pytest.raises(ResultsError, match=r"plate\.vtkhdf has no field 'stress_ply'"):
         draw_picture(open_results(job), tmp_path / "a.png", Wish("s11"))
+
+
+def test_a_field_of_one_number_is_shown_as_it_is() -> None:
+    grid = pv.ImageData(dimensions=(2, 1, 1)).cast_to_unstructured_grid()
+    grid.point_data["plastic_strain"] = np.array([0.0, 0.02])
+    wanted = shown("plastic_strain")
+    assert not wanted.signed
+    assert wanted.values(grid, "a file").tolist() == [0.0, 0.02]
 
 
 def test_figures_of_curves_are_drawn(job: Path, own_job: Path, tmp_path: Path) -> None:

@@ -21,6 +21,12 @@ def test_elastic_impact_has_the_degrees_of_freedom_of_table_2(
     assert counts == pre.Counts(quads=48, nodes=209, levels=levels, freedoms=freedoms)
 
 
+def test_bimetal_impact_has_the_degrees_of_freedom_of_table_4(decks: Path) -> None:
+    study = pre.load_recipe(decks / "bimetal_impact" / "le1.toml")
+    assert pre.count(study, pre.make_mesh(study.mesh)).freedoms == 10_659
+    assert len(study.laminate.stack) == 16
+
+
 @pytest.mark.parametrize(
     ("changes", "levels"),
     [

@@ -118,6 +118,15 @@ def test_plies_are_written_one_by_one_from_the_bottom_up(study: pre.Study) -> No
     assert [row[4] for row in rows] == ["1", "2", "3", "4", "5", "6"]
 
 
+def test_a_metal_has_hardening_and_rate_on_its_cards(study: pre.Study) -> None:
+    metal = pre.PlasticKinematic(7.8e-9, 210000.0, 0.3, 210.0, 2100.0, 0.4, 40.0, 5.0)
+    yields = replace(study, materials=study.materials | {"metal": metal})
+    title, elastic, rate = cards_of(text_of(yields))["MAT_PLASTIC_KINEMATIC_TITLE"]
+    assert title == "metal"
+    assert [float(value) for value in elastic.split()] == [1, 7.8e-9, 2.1e5, 0.3, 210, 2100, 0.4]
+    assert [float(value) for value in rate.split()] == [40, 5, 0, 0]
+
+
 def test_ranges_of_plies_have_the_expansion_they_ask_for(study: pre.Study) -> None:
     section, refined = cards_of(text_of(study))["SECTION_LAYERWISE"]
     assert section.split() == ["1", "0", "2", "0", "0", "0", "0"]

@@ -49,6 +49,46 @@ def test_tables_become_the_dataclasses_of_the_same_names(tmp_path: Path) -> None
     )
 
 
+METAL = """
+kind = "plastic_kinematic"
+density = 7.8e-9
+young = 210000
+poisson = 0.3
+yield = 210
+"""
+
+
+def test_a_metal_is_perfectly_plastic_unless_it_says_more(tmp_path: Path) -> None:
+    head, rest = SMALL.split('kind = "elastic"')
+    text = head + METAL.strip() + rest[rest.index("\n[laminate]") :]
+    study = pre.load_recipe(recipe(tmp_path, text))
+    assert study.materials["metal"] == pre.PlasticKinematic(7.8e-9, 210000.0, 0.3, 210.0)
+    with pytest.raises(pre.RecipeError, match=r"materials\.metal\.yield: missing; a number"):
+        pre.load_recipe(recipe(tmp_path, text.replace("yield = 210\n", "")))
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("density", 0.0),
+        ("poisson", 0.5),
+        ("yield_stress", 0.0),
+        ("tangent", 210000.0),
+        ("tangent", -1.0),
+        ("beta", 1.1),
+        ("rate", -40.0),
+    ],
+)
+def test_a_metal_that_cannot_be_is_refused(key: str, value: float) -> None:
+    with pytest.raises(pre.RecipeError, match=key.removesuffix("_stress")):
+        replace(pre.PlasticKinematic(7.8e-9, 210000.0, 0.3, 210.0), **{key: value})
+
+
+def test_a_rate_of_a_metal_needs_a_power() -> None:
+    with pytest.raises(pre.RecipeError, match=r"power: 0\.0 must be above zero"):
+        pre.PlasticKinematic(7.8e-9, 210000.0, 0.3, 210.0, rate=40.0)
+
+
 def test_the_example_is_a_study_that_can_be_written(tmp_path: Path) -> None:
     study = pre.load_recipe(recipe(tmp_path, pre.example_recipe()))
     text = "\n".join(pre.deck_text(study, pre.make_mesh(study.mesh)))

@@ -1,7 +1,7 @@
 !> From the model to the domain.
 module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
@@ -13,6 +13,7 @@ module plydyn_domain_build
    use plydyn_domain_supports, only : held_freedoms, new_prescribed
    use plydyn_domain_surfaces, only : new_surface
    use plydyn_element_interface, only : interface_type
+   use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
@@ -78,6 +79,7 @@ contains
       do p = 1, size(model%parts)
          call new_plate(model, p, domain%columns, domain%plates(p), error)
          if (allocated(error)) return
+         call place_histories(domain%plates(p), domain%histories)
          call add_masses(model, p, domain%plates(p), new_layers(model%parts(p)), domain%columns, &
             & domain%mass, error)
          if (allocated(error)) return
@@ -89,6 +91,21 @@ contains
          domain%inverse_mass(:) = 0.0_wp
       end where
    end subroutine build_plates
+
+   !> Let the histories of a plate follow those before it
+   pure subroutine place_histories(plate, histories)
+      type(plate_type), intent(inout) :: plate
+      integer, intent(inout) :: histories
+      integer :: b
+
+      do b = 1, size(plate%batches)
+         associate (batch => plate%batches(b))
+            batch%first_history = histories + 1
+            histories = histories + lanes*batch%histories*(batch%expansion%order + 1) &
+               & *size(plate%node, 1)*batch%blocks*size(plate%quad)
+         end associate
+      end do
+   end subroutine place_histories
 
    !> Ties and interfaces between layers
    subroutine build_joints(model, domain, error)

@@ -72,6 +72,8 @@ module plydyn_domain_domain
       type(columns_type) :: columns
       !> One plate for each part
       type(plate_type), allocatable :: plates(:)
+      !> History variables of all Gauss points together
+      integer :: histories = 0
       !> Springs between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied

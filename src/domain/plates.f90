@@ -4,6 +4,7 @@ module plydyn_domain_plates
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_columns, only : columns_type, family_type
+   use plydyn_domain_laws, only : new_laws
    use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
@@ -86,28 +87,40 @@ contains
       type(family_type), intent(in) :: family
       type(layer_batch_type) :: batch
 
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
       real(wp) :: half
-      integer :: b, k, l
+      integer :: b, k, l, material(lanes, family%blocks)
 
       batch%blocks = family%blocks
       batch%first = family%first
       batch%expansion = new_expansion(family%order, layers%lobatto)
       allocate (batch%layer(lanes, family%blocks))
       batch%layer(:, :) = family%layer
-      allocate (batch%stiffness(lanes, 13, family%blocks), batch%slant(lanes, family%blocks))
+      allocate (batch%stiffness(lanes, 13, family%blocks), batch%turn(lanes, 2, family%blocks))
+      allocate (batch%half(lanes, family%blocks), batch%slant(lanes, family%blocks))
       batch%stiffness(:, :, :) = 0.0_wp
+      batch%turn(:, :, :) = 0.0_wp
+      batch%half(:, :) = 0.0_wp
       batch%slant(:, :) = 0.0_wp
+      material(:, :) = 0
       do b = 1, family%blocks
          do l = 1, lanes
             k = family%layer(l, b)
             if (k == 0) cycle
             half = 0.5_wp*(layers%top(k) - layers%bottom(k))
+            batch%half(l, b) = half
             batch%slant(l, b) = 1.0_wp/half
             associate (ply => part%plies(layers%ply(k)))
+               material(l, b) = ply%material
+               batch%turn(l, :, b) = [cos(ply%angle*degree), sin(ply%angle*degree)]
                batch%stiffness(l, :, b) = half*batch_stiffness(plate_stiffness( &
                   & model%materials(ply%material), ply%angle))
             end associate
          end do
+      end do
+      batch%laws = new_laws(model%materials, material)
+      do k = 1, size(batch%laws)
+         batch%histories = max(batch%histories, batch%laws(k)%law%histories)
       end do
    end function new_batch
 

@@ -1,11 +1,16 @@
-# The plate kernels: one source for each number of plane nodes and each order of expansion, all
-# expanded from the one template, so that every loop bound is known to the compiler.
+# The plate kernels: one module for each number of plane nodes and each order of expansion, all
+# expanded from the same pieces in kernel/, so that every loop bound is known to the compiler.
+foreach(piece lines linear large law)
+  file(READ ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in ${piece})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in)
+endforeach()
 set(kernel_sources)
 foreach(side 2 3)
   math(EXPR nodes "${side} * ${side}")
   foreach(order 1 2 3 4)
     set(kernel ${CMAKE_CURRENT_BINARY_DIR}/element/plate_q${nodes}_le${order}.f90)
-    configure_file(${CMAKE_CURRENT_SOURCE_DIR}/element/plate_kernel.f90.in ${kernel} @ONLY)
+    configure_file(${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/module.f90.in ${kernel} @ONLY)
     list(APPEND kernel_sources ${kernel})
   endforeach()
 endforeach()

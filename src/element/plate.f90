@@ -2,26 +2,27 @@
 module plydyn_element_plate
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate_q4_le1, only : large_q4_le1 => add_large_forces, &
-      & linear_q4_le1 => add_linear_forces
+      & law_q4_le1 => add_law_forces, linear_q4_le1 => add_linear_forces
    use plydyn_element_plate_q4_le2, only : large_q4_le2 => add_large_forces, &
-      & linear_q4_le2 => add_linear_forces
+      & law_q4_le2 => add_law_forces, linear_q4_le2 => add_linear_forces
    use plydyn_element_plate_q4_le3, only : large_q4_le3 => add_large_forces, &
-      & linear_q4_le3 => add_linear_forces
+      & law_q4_le3 => add_law_forces, linear_q4_le3 => add_linear_forces
    use plydyn_element_plate_q4_le4, only : large_q4_le4 => add_large_forces, &
-      & linear_q4_le4 => add_linear_forces
+      & law_q4_le4 => add_law_forces, linear_q4_le4 => add_linear_forces
    use plydyn_element_plate_q9_le1, only : large_q9_le1 => add_large_forces, &
-      & linear_q9_le1 => add_linear_forces
+      & law_q9_le1 => add_law_forces, linear_q9_le1 => add_linear_forces
    use plydyn_element_plate_q9_le2, only : large_q9_le2 => add_large_forces, &
-      & linear_q9_le2 => add_linear_forces
+      & law_q9_le2 => add_law_forces, linear_q9_le2 => add_linear_forces
    use plydyn_element_plate_q9_le3, only : large_q9_le3 => add_large_forces, &
-      & linear_q9_le3 => add_linear_forces
+      & law_q9_le3 => add_law_forces, linear_q9_le3 => add_linear_forces
    use plydyn_element_plate_q9_le4, only : large_q9_le4 => add_large_forces, &
-      & linear_q9_le4 => add_linear_forces
+      & law_q9_le4 => add_law_forces, linear_q9_le4 => add_linear_forces
    use plydyn_fem_expansion, only : expansion_type
+   use plydyn_law_law, only : block_law_type
    implicit none
    private
 
-   public :: add_layer_forces, batch_stiffness
+   public :: add_elastic_forces, add_layer_forces, batch_stiffness
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
@@ -36,8 +37,14 @@ module plydyn_element_plate
       !> Stiffness in the axes of the plate times half the thickness, (lanes, 13, blocks):
       !> C11 C12 C13 C14 C22 C23 C24 C33 C34 C44 C55 C56 C66; zero in lanes without a layer
       real(wp), allocatable :: stiffness(:, :, :)
-      !> 2 over the thickness, (lanes, blocks)
-      real(wp), allocatable :: slant(:, :)
+      !> Half the thickness, and 2 over the thickness, (lanes, blocks)
+      real(wp), allocatable :: half(:, :), slant(:, :)
+      !> Cosine and sine of the fibre direction, (lanes, 2, blocks)
+      real(wp), allocatable :: turn(:, :, :)
+      !> Laws of the layers; none where all are elastic
+      type(block_law_type), allocatable :: laws(:)
+      !> History variables of a Gauss point, and where those of this batch begin in the state
+      integer :: histories = 0, first_history = 0
    end type layer_batch_type
 
    !> A part: its quads and its layers
@@ -78,7 +85,8 @@ contains
    end function batch_stiffness
 
    !> Subtract the internal forces of some quads of a batch of layers
-   pure subroutine add_layer_forces(batch, side, node, metric, large, displacement, force)
+   pure subroutine add_layer_forces(batch, side, node, metric, large, step, displacement, &
+      & history, force)
       !> The layers
       type(layer_batch_type), intent(in) :: batch
       !> Nodes along a side
@@ -89,23 +97,34 @@ contains
       real(wp), intent(in), contiguous :: metric(:, :, :)
       !> Large displacement (total Lagrangian) instead of linear strain
       logical, intent(in) :: large
+      !> Time step
+      real(wp), intent(in) :: step
       !> Displacement of the points of this batch, (lanes, blocks, levels, 3, nodes)
       real(wp), intent(in) :: displacement(*)
+      !> History of its Gauss points, (lanes, histories, levels, points of the plane, blocks, quads)
+      real(wp), intent(inout) :: history(*)
       !> Force on them
       real(wp), intent(inout) :: force(*)
 
-      if (large) then
+      if (size(batch%laws) > 0) then
+         call add_law(batch, side, size(node, 2), node, metric, large, step, displacement, &
+            & history, force)
+      else if (large) then
          call add_large(batch, side, size(node, 2), node, metric, displacement, force)
       else
-         call add_linear(batch, side, size(node, 2), node, metric, displacement, force)
+         call add_elastic_forces(batch, side, size(node, 2), node, metric, displacement, force)
       end if
    end subroutine add_layer_forces
 
-   !> To the kernel of linear strain for this side and order
-   pure subroutine add_linear(batch, side, quads, node, metric, u, f)
+   !> Subtract the internal forces of elastic layers with linear strain, whatever their laws
+   pure subroutine add_elastic_forces(batch, side, quads, node, metric, u, f)
+      !> The layers
       type(layer_batch_type), intent(in) :: batch
+      !> Nodes along a side; quads; nodes of each quad in tensor order
       integer, intent(in) :: side, quads, node(side*side, quads)
+      !> Geometry of each quad; displacement of the points of this batch
       real(wp), intent(in) :: metric(5, side*side, quads), u(*)
+      !> Force on them
       real(wp), intent(inout) :: f(*)
 
       associate (b => batch%blocks, c => batch%stiffness, h => batch%slant, &
@@ -121,7 +140,7 @@ contains
          case default; call linear_q9_le4(quads, node, b, metric, c, h, to, d, u, f)
          end select
       end associate
-   end subroutine add_linear
+   end subroutine add_elastic_forces
 
    !> To the kernel of large displacement for this side and order
    pure subroutine add_large(batch, side, quads, node, metric, u, f)
@@ -145,5 +164,38 @@ contains
          end select
       end associate
    end subroutine add_large
+
+   !> To the kernel of material laws for this side and order
+   pure subroutine add_law(batch, side, quads, node, metric, large, step, u, z, f)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side, quads, node(side*side, quads)
+      logical, intent(in) :: large
+      real(wp), intent(in) :: metric(5, side*side, quads), step, u(*)
+      !> History and force
+      real(wp), intent(inout) :: z(*), f(*)
+
+      associate (b => batch%blocks, l => batch%laws, n => batch%histories, t => batch%turn, &
+         & h => batch%half, s => batch%slant, w => batch%expansion%weight, &
+         & to => batch%expansion%to_gauss, d => batch%expansion%gauss_slope, m => metric)
+         select case (10*side + batch%expansion%order)
+         case (21)
+            call law_q4_le1(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (22)
+            call law_q4_le2(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (23)
+            call law_q4_le3(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (24)
+            call law_q4_le4(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (31)
+            call law_q9_le1(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (32)
+            call law_q9_le2(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case (33)
+            call law_q9_le3(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         case default
+            call law_q9_le4(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+         end select
+      end associate
+   end subroutine add_law
 
 end module plydyn_element_plate

@@ -7,20 +7,21 @@
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate, only : layer_batch_type, plate_type
-      use plydyn_fem_expansion, only : lagrange
+   use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
    use plydyn_law_elastic, only : strain_rotation
    implicit none
    private
 
-   public :: layer_values, new_plane_shares, plane_value, thickness_interpolation
+   public :: layer_values, new_plane_shares, plane_value, point_history, &
+      & thickness_interpolation
 
-   !> Values that are recovered, (24): strain and stress in the axes of the plate, then of the ply;
-   !> each xx, yy, zz, xy, xz, yz with engineering shear
-   integer, parameter, public :: recovered = 24
-   !> Where each of the four begins, less one
+   !> Values that are recovered, (25): strain and stress in the axes of the plate, then of the ply;
+   !> each xx, yy, zz, xy, xz, yz with engineering shear; effective plastic strain
+   integer, parameter, public :: recovered = 25
+   !> Where each of the five begins, less one
    integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
-      & ply_stress_at = 18
+      & ply_stress_at = 18, plastic_strain_at = 24
 
    !> Shares of the Gauss points of the plane in the values at a place
    type, public :: plane_shares_type
@@ -35,10 +36,11 @@ module plydyn_element_recover
 
 contains
 
-   !> Strain and stress of one layer of one quad at its Gauss points.
+   !> Strain, stress and plastic strain of one layer of one quad at its Gauss points.
    !> With large displacement the strain is Green-Lagrange; stress is Cauchy in the axes of the
    !> plate and second Piola-Kirchhoff in those of the ply, which turn with the material.
-   pure function layer_values(plate, b, block, lane, quad, large, displacement) result(values)
+   pure function layer_values(plate, b, block, lane, quad, large, displacement, history) &
+      & result(values)
       !> The plate
       type(plate_type), intent(in) :: plate
       !> Batch of layers, block and lane in it
@@ -47,8 +49,8 @@ contains
       integer, intent(in) :: quad
       !> Large displacement
       logical, intent(in) :: large
-      !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in) :: displacement(:), history(:)
       !> (recovered, points of the plane, points of the thickness)
       real(wp) :: values(recovered, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
 
@@ -64,15 +66,81 @@ contains
       do m = 1, size(h, 4)
          do q = 1, size(h, 3)
             strain(:) = strain_of(h(:, :, q, m), large)
-            stress(:) = matmul(stiffness, strain)
             values(strain_at + 1:stress_at, q, m) = strain
-            values(stress_at + 1:ply_strain_at, q, m) = stress
-            if (large) values(stress_at + 1:ply_strain_at, q, m) = cauchy(h(:, :, q, m), stress)
             values(ply_strain_at + 1:ply_stress_at, q, m) = matmul(rotation, strain)
-            values(ply_stress_at + 1:, q, m) = ply_stress(rotation, stress)
+            if (size(plate%batches(b)%laws) > 0) then
+               stress(:) = matmul(transpose(rotation), law_stress(plate%batches(b), block, lane, &
+                  & matmul(rotation, strain), point_history(plate, plate%batches(b), block, quad, &
+                  & q, m, history)))
+            else
+               stress(:) = matmul(stiffness, strain)
+            end if
+            values(ply_stress_at + 1:plastic_strain_at, q, m) = ply_stress(rotation, stress)
+            values(plastic_strain_at + 1, q, m) = plastic_strain(plate, b, block, lane, quad, q, &
+               & m, history)
+            if (large) stress(:) = cauchy(h(:, :, q, m), stress)
+            values(stress_at + 1:ply_strain_at, q, m) = stress
          end do
       end do
    end function layer_values
+
+   !> Effective plastic strain of a lane at a Gauss point; 0 without plasticity
+   pure real(wp) function plastic_strain(plate, b, block, lane, quad, q, m, history) result(strain)
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: b, block, lane, quad, q, m
+      real(wp), intent(in) :: history(:)
+
+      real(wp) :: point(lanes, plate%batches(b)%histories)
+      integer :: k
+
+      strain = 0.0_wp
+      do k = 1, size(plate%batches(b)%laws)
+         associate (entry => plate%batches(b)%laws(k))
+            if (entry%block /= block .or. .not. entry%law%owns(lane)) cycle
+            if (entry%law%plastic_strain_at == 0) cycle
+            point(:, :) = point_history(plate, plate%batches(b), block, quad, q, m, history)
+            strain = point(lane, entry%law%plastic_strain_at)
+         end associate
+      end do
+   end function plastic_strain
+
+   !> Stress of a law in ply axes; the history of a point stays as it is under the same strain
+   pure function law_stress(batch, block, lane, strain, history) result(stress)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, lane
+      real(wp), intent(in) :: strain(6), history(:, :)
+      real(wp) :: stress(6)
+
+      real(wp) :: all_history(lanes, size(history, 2)), all_strain(lanes, 6), all_stress(lanes, 6)
+      integer :: k
+
+      all_history(:, :) = history
+      all_strain(:, :) = spread(strain, 1, lanes)
+      all_stress(:, :) = 0.0_wp
+      do k = 1, size(batch%laws)
+         if (batch%laws(k)%block /= block) cycle
+         call batch%laws(k)%law%update(0.0_wp, all_strain, all_history, all_stress)
+      end do
+      stress(:) = all_stress(lane, :)
+   end function law_stress
+
+   !> History of one Gauss point, (lanes, histories)
+   pure function point_history(plate, batch, block, quad, q, m, history) result(point)
+      !> The plate and one of its batches
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      !> Block of layers, quad, Gauss point of the plane and of the thickness
+      integer, intent(in) :: block, quad, q, m
+      !> History of all Gauss points
+      real(wp), intent(in) :: history(:)
+      real(wp) :: point(lanes, batch%histories)
+
+      integer :: first
+
+      first = batch%first_history + lanes*batch%histories*((m - 1) + (batch%expansion%order + 1) &
+         & *((q - 1) + size(plate%node, 1)*((block - 1) + batch%blocks*(quad - 1))))
+      point(:, :) = reshape(history(first:first + size(point) - 1), shape(point))
+   end function point_history
 
    !> Displacement gradients at the Gauss points, (3, 3, plane, thickness)
    pure function gradients(plate, batch, block, lane, quad, displacement) result(h)

@@ -6,7 +6,7 @@
 !> layers of the same constants are solved once.
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate, only : add_layer_forces, layer_batch_type
+   use plydyn_element_plate, only : add_elastic_forces, layer_batch_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
    implicit none
    private
@@ -137,19 +137,18 @@ contains
       real(wp), intent(in) :: metric(:, :)
       real(wp), allocatable :: k(:, :, :, :)
 
-      real(wp), allocatable :: force(:, :, :), motion(:, :, :), one_metric(:, :, :)
+      real(wp), allocatable :: force(:, :, :), motion(:, :, :)
       integer :: freedoms, i, j, node(side*side, 1)
 
       freedoms = (batch%expansion%order + 1)*3*side*side
       node(:, 1) = [(i, i=1, side*side)]
-      one_metric = reshape(metric, [5, side*side, 1])
       allocate (k(freedoms, freedoms, lanes, batch%blocks))
       allocate (force(lanes, batch%blocks, freedoms), motion(lanes, batch%blocks, freedoms))
       do j = 1, freedoms
          motion(:, :, :) = 0.0_wp
          motion(:, :, j) = 1.0_wp
          force(:, :, :) = 0.0_wp
-         call add_layer_forces(batch, side, node, one_metric, .false., motion, force)
+         call add_elastic_forces(batch, side, 1, node, metric, motion, force)
          do i = 1, freedoms
             k(i, j, :, :) = -force(:, :, i)
          end do

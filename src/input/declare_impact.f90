@@ -11,7 +11,7 @@ module plydyn_input_declare_impact
    integer, parameter :: list_fields = 8
    !> Names of the fields that can be written
    character(*), parameter :: field_names = &
-      & "DISPLACEMENT VELOCITY STRESS STRAIN STRESS_PLY STRAIN_PLY"
+      & "DISPLACEMENT VELOCITY STRESS STRAIN STRESS_PLY STRAIN_PLY PLASTIC_STRAIN"
 
 contains
 
@@ -143,7 +143,8 @@ contains
 
       keyword = new_keyword("DATABASE_FIELD", ours, "Which fields the field states hold.")
       keyword%remark = "Names with blanks or commas between them, any number of lines. Without " &
-         & //"the keyword: displacement, velocity and stress."
+         & //"the keyword: displacement, velocity and stress. PLASTIC_STRAIN, the effective " &
+         & //"plastic strain, needs a material that yields."
       call keyword%add_card(repeated=.true.)
       call keyword%add_words("NAME", "name of a field", field_names)
    end function database_field

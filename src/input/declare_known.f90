@@ -29,7 +29,7 @@ module plydyn_input_declare_known
       & "ELEMENT_SOLID", "SECTION_SOLID", "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
-      & "MAT_CODAM2", "MAT_PLASTIC_KINEMATIC", "MAT_PIECEWISE_LINEAR_PLASTICITY", &
+      & "MAT_CODAM2", "MAT_PIECEWISE_LINEAR_PLASTICITY", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: only_springs(*) = [character(longest_name) :: &
       & "MAT_COHESIVE_MIXED_MODE", "MAT_COHESIVE_GENERAL"]
@@ -58,7 +58,8 @@ contains
          & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
          & listed(no_solids, is_refused, &
          & "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
-         & listed(only_elastic, is_refused, "a linear elastic ply such as *MAT_PLY_ELASTIC"), &
+         & listed(only_elastic, is_refused, &
+         & "*MAT_PLY_ELASTIC, or *MAT_PLASTIC_KINEMATIC for metals"), &
          & listed(only_springs, is_refused, "elastic springs, *MAT_COHESIVE_ELASTIC"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(other_elements, is_refused, &

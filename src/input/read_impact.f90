@@ -8,6 +8,7 @@ module plydyn_input_read_impact
       & an_impactor, catalogue_type
    use plydyn_model_control, only : profile_type, request_type
    use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_material, only : law_elastic, material_type
    implicit none
    private
 
@@ -105,8 +106,11 @@ contains
    end subroutine add_nodes
 
    !> *DATABASE_FIELD: fields of the field states
-   subroutine read_database_field(cards, request)
+   subroutine read_database_field(cards, catalogue, materials, request)
       type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Materials of the model
+      type(material_type), intent(in) :: materials(:)
       type(request_type), intent(inout) :: request
 
       character(longest_word), allocatable :: words(:)
@@ -117,6 +121,10 @@ contains
       do i = 1, size(words)
          name = lower_case(words(i))
          if (all(request%fields /= name)) request%fields = [request%fields, name]
+         if (name == "plastic_strain" .and. all(materials%law == law_elastic)) then
+            call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
+               & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
+         end if
       end do
    end subroutine read_database_field
 

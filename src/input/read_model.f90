@@ -16,7 +16,7 @@ module plydyn_input_read_model
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
       & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
    use plydyn_input_read_material, only : read_mat_cohesive_elastic, read_mat_elastic, &
-      & read_mat_orthotropic_elastic, read_mat_ply_elastic
+      & read_mat_orthotropic_elastic, read_mat_plastic_kinematic, read_mat_ply_elastic
    use plydyn_input_read_mesh, only : new_mesh, read_element_plate_q9, read_element_shell, &
       & read_node
    use plydyn_input_read_part, only : read_interface_cohesive, read_part_composite, &
@@ -118,6 +118,8 @@ contains
          call read_define_box(cards, catalogue)
       case ("MAT_ELASTIC")
          call read_mat_elastic(cards, catalogue, model%materials)
+      case ("MAT_PLASTIC_KINEMATIC")
+         call read_mat_plastic_kinematic(cards, catalogue, model%materials)
       case ("MAT_ORTHOTROPIC_ELASTIC")
          call read_mat_orthotropic_elastic(cards, catalogue, model%materials)
       case ("MAT_PLY_ELASTIC")
@@ -283,7 +285,7 @@ contains
       case ("DATABASE_BINARY_D3PLOT")
          model%request%field_interval = cards%real("DT")
       case ("DATABASE_FIELD")
-         call read_database_field(cards, model%request)
+         call read_database_field(cards, catalogue, model%materials, model%request)
       case ("DATABASE_PROFILE")
          call read_database_profile(cards, catalogue, model%request%profiles)
       case ("DATABASE_HISTORY_NODE")

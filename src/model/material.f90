@@ -4,7 +4,21 @@ module plydyn_model_material
    implicit none
    private
 
-   !> Elastic constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
+   !> What a material does beyond elasticity
+   integer, parameter, public :: law_elastic = 0, law_plastic_kinematic = 1
+
+   !> Metal plasticity
+   type, public :: plasticity_type
+      !> Yield stress, and slope of stress over total strain beyond it
+      real(wp) :: yield = 0.0_wp, tangent = 0.0_wp
+      !> Share of hardening that is isotropic: 1 isotropic, 0 kinematic
+      real(wp) :: isotropic = 0.0_wp
+      !> Rate at which the yield stress is doubled, 0 for none, and the power of its rise
+      !> (Cowper and Symonds)
+      real(wp) :: rate = 0.0_wp, power = 0.0_wp
+   end type plasticity_type
+
+   !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
    type, public :: material_type
       !> The user's number
       integer :: id = 0
@@ -20,6 +34,10 @@ module plydyn_model_material
       real(wp) :: poisson(3) = 0.0_wp
       !> G12, G13, G23
       real(wp) :: shear(3) = 0.0_wp
+      !> `law_elastic` or what it does beyond
+      integer :: law = law_elastic
+      !> For `law_plastic_kinematic`
+      type(plasticity_type) :: plasticity
       !> Direction from which ply angles are measured, degrees from the x axis
       real(wp) :: axis_angle = 0.0_wp
    end type material_type

@@ -5,21 +5,17 @@ module plydyn_output_fields
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
-      & plane_value, ply_strain_at, ply_stress_at, recovered, strain_at, stress_at, &
-      & thickness_interpolation
+      & plane_value, plastic_strain_at, ply_strain_at, ply_stress_at, recovered, strain_at, &
+      & stress_at, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
+   use plydyn_output_components, only : field_components, tensor, tensor_share
    use plydyn_output_grid, only : grid_type, new_grid
    use plydyn_output_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
    implicit none
    private
-
-   !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in ours
-   integer, parameter :: vtk_order(6) = [1, 2, 3, 4, 6, 5]
-   !> From engineering shear to tensor shear
-   real(wp), parameter :: tensor_share(6) = [1.0_wp, 1.0_wp, 1.0_wp, 0.5_wp, 0.5_wp, 0.5_wp]
 
    !> The file of fields
    type, public :: fields_type
@@ -74,7 +70,7 @@ contains
       if (allocated(error)) return
       do i = 1, size(self%names)
          call self%file%declare_point_data(trim(self%names(i)), &
-            & merge(3, 6, any(self%names(i) == ["displacement", "velocity    "])), error)
+            & field_components(self%names(i)), error)
          if (allocated(error)) return
       end do
    end subroutine open_fields
@@ -240,7 +236,7 @@ contains
 
       call self%file%begin_step(state%time)
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
-         values = recovered_values(self, domain, state%displacement)
+         values = recovered_values(self, domain, state)
       end if
       do i = 1, size(self%names)
          name = trim(self%names(i))
@@ -260,6 +256,10 @@ contains
                call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share), error)
             case ("stress_ply")
                call file%write_point_data(name, tensor(values, ply_stress_at), error)
+            case ("plastic_strain")
+               ! values at Gauss points are never negative, but polynomials through them may be
+               call file%write_point_data(name, max(values(plastic_strain_at + 1, :), 0.0_wp), &
+                  & error)
             case default
                call fail(error, exit_output, "there is no field called "//name)
             end select
@@ -268,20 +268,6 @@ contains
       end do
       call self%file%end_step(error)
    end subroutine write_state
-
-   !> Six of the recovered values in VTK's order
-   pure function tensor(values, before, share) result(six)
-      real(wp), intent(in) :: values(:, :)
-      integer, intent(in) :: before
-      real(wp), intent(in), optional :: share(6)
-      real(wp) :: six(6, size(values, 2))
-      integer :: i
-
-      do i = 1, 6
-         six(i, :) = values(before + vtk_order(i), :)
-         if (present(share)) six(i, :) = share(vtk_order(i))*six(i, :)
-      end do
-   end function tensor
 
    !> Displacement or velocity at the points of the grid, (3, points)
    function motion_values(self, domain, motion) result(values)
@@ -319,10 +305,10 @@ contains
 
    !> Strain and stress at the points of the grid, averaged over the quads that meet there,
    !> (recovered, points)
-   function recovered_values(self, domain, displacement) result(values)
+   function recovered_values(self, domain, state) result(values)
       type(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: displacement(:)
+      type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
       integer :: e, k, p
@@ -332,18 +318,18 @@ contains
       do p = 1, size(domain%plates)
          do k = 1, size(self%grid%levels)
             do e = 1, size(domain%plates(p)%quad)
-               call add_quad(self, domain, p, k, e, displacement, values)
+               call add_quad(self, domain, p, k, e, state, values)
             end do
          end do
       end do
    end function recovered_values
 
    !> Add the values of one layer of one quad to its points
-   subroutine add_quad(self, domain, p, k, e, displacement, values)
+   subroutine add_quad(self, domain, p, k, e, state, values)
       type(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: p, k, e
-      real(wp), intent(in) :: displacement(:)
+      type(state_type), intent(in) :: state
       real(wp), intent(inout) :: values(:, :)
 
       real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :)
@@ -353,7 +339,7 @@ contains
       associate (plate => domain%plates(p), home => domain%columns%home(:, k), &
          & levels => self%grid%levels(k))
          at_gauss = layer_values(plate, home(1), home(2), home(3), e, &
-            & domain%control%kinematics == total_lagrangian, displacement)
+            & domain%control%kinematics == total_lagrangian, state%displacement, state%history)
          do t = 1, levels
             height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp)
             at_level = level_values(at_gauss, &

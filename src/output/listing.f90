@@ -2,11 +2,13 @@
 module plydyn_output_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_dissipation, only : dissipated_energy
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, part_type
    use plydyn_model_model, only : model_type
+   use plydyn_output_components, only : field_components
    use plydyn_output_progress, only : duration_text
    use plydyn_output_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
@@ -224,17 +226,18 @@ contains
       write (unit, "(a,f0.0)") "steps                         ", steps
       write (unit, "(a,f0.1,a)") "memory of motion and masses   ", bytes/megabyte, " MB"
       write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
-         & *sum([(merge(3, 6, any(model%request%fields(i) == ["displacement", "velocity    "])), &
-         & i=1, size(model%request%fields))])/megabyte, " MB"
+         & *sum(field_components(model%request%fields))/megabyte, " MB"
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
    end subroutine write_effort
 
    !> How the run ended
-   subroutine write_end(unit, model, state, seconds, words)
+   subroutine write_end(unit, model, domain, state, seconds, words)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> The model
       type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
       !> The last state
       type(state_type), intent(in) :: state
       !> Time that the run took
@@ -248,8 +251,9 @@ contains
          write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
          write (unit, "(2a)") "elapsed ", duration_text(seconds)
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
-         write (unit, "(a,8(/,a,es14.6,1x,a))") "energies", &
+         write (unit, "(a,9(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
+            & trim(u%energy), "  dissipated", dissipated_energy(domain, state%history), &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
             & "  ripple    ", e%ripple - e%shift, trim(u%energy), &

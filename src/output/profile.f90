@@ -197,7 +197,8 @@ contains
             values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
                & self%local(:, i), height)
             at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
-               & domain%control%kinematics == total_lagrangian, state%displacement), &
+               & domain%control%kinematics == total_lagrangian, state%displacement, &
+               & state%history), &
                & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
                & thickness_interpolation(plate%batches(home(1)), height)), &
                & [recovered, size(plate%node, 1)])
@@ -207,7 +208,7 @@ contains
       end do
       values(4:9) = all_values(7:12)
       values(10:15) = all_values(1:6)
-      values(16:21) = all_values(ply_stress_at + 1:)
+      values(16:21) = all_values(ply_stress_at + 1:ply_stress_at + 6)
       values(:) = values/real(size(self%quad, 2), wp)
    end function values_at
 

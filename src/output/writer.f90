@@ -3,6 +3,7 @@ module plydyn_output_writer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_dissipation, only : dissipated_energy
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_supports, only : face_point
    use plydyn_model_model, only : model_type
@@ -97,14 +98,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       character(10), parameter :: names(*) = [character(10) :: "cycle", "time", "step", &
-         & "kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", &
-         & "total", "error", "momentum x", "momentum y", "momentum z"]
+         & "kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact", &
+         & "ripple", "total", "error", "momentum x", "momentum y", "momentum z"]
       character(20) :: momentum
 
       associate (u => model%control%units)
          momentum = trim(u%force)//" "//u%time
          call self%energy%open(job//".energy.csv", names, [character(20) :: "-", u%time, u%time, &
-            & spread(u%energy, 1, 8), "-", spread(momentum, 1, 3)], &
+            & spread(u%energy, 1, 9), "-", spread(momentum, 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy
@@ -277,8 +278,9 @@ contains
       associate (e => state%energies, time => state%time)
          if (self%energy%due(time) .or. is_last) then
             call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
-               & e%kinetic, e%internal, e%impactor, e%damping, e%external, e%contact, &
-               & e%ripple - e%shift, e%total(), e%error(), e%momentum], error)
+               & e%kinetic, e%internal, dissipated_energy(domain, state%history), e%impactor, &
+               & e%damping, e%external, e%contact, e%ripple - e%shift, e%total(), e%error(), &
+               & e%momentum], error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)
@@ -311,8 +313,7 @@ contains
          kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
          start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
          row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &
-            & start - kinetic, own%force(1), own%force(2), real(own%contacts, wp), &
-            & own%penetration]
+            & start - kinetic, own%force(1:2), real(own%contacts, wp), own%penetration]
       end associate
    end function impactor_row
 

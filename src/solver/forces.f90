@@ -13,11 +13,15 @@ module plydyn_solver_forces
 contains
 
    !> Subtract the internal forces of all plies
-   subroutine add_ply_forces(domain, displacement, force)
+   subroutine add_ply_forces(domain, step, displacement, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> The step just made
+      real(wp), intent(in) :: step
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
+      !> History of all Gauss points
+      real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
@@ -27,8 +31,9 @@ contains
          associate (plate => domain%plates(p))
             do b = 1, size(plate%batches)
                call add_layer_forces(plate%batches(b), plate%side, plate%node, plate%metric, &
-                  & domain%control%kinematics == total_lagrangian, &
-                  & displacement(plate%batches(b)%first:), force(plate%batches(b)%first:))
+                  & domain%control%kinematics == total_lagrangian, step, &
+                  & displacement(plate%batches(b)%first:), &
+                  & history(plate%batches(b)%first_history:), force(plate%batches(b)%first:))
             end do
          end associate
       end do

@@ -28,6 +28,8 @@ contains
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp
+      allocate (state%history(domain%histories))
+      state%history(:) = 0.0_wp
       allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
       state%load_factor(:) = 0.0_wp
       state%support_force(:) = 0.0_wp

@@ -27,6 +27,8 @@ program test_element_stable_step
    real(wp), parameter :: matrix(3, 3) = reshape([2.0_wp, -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp, &
       & -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp], [3, 3])
    real(wp), parameter :: largest = 2.0_wp + sqrt(2.0_wp)
+   !> Elastic layers have no history
+   real(wp) :: history(0)
    integer :: order, side
 
    call begin("power iteration")
@@ -80,7 +82,7 @@ contains
          u(:) = 0.0_wp
          u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
-         call add_ply_forces(domain, u, a)
+         call add_ply_forces(domain, 0.0_wp, u, history, a)
          call accelerate(domain, 0.0_wp, u, a, sums)
          k(:, i) = -a(free)
       end do

@@ -63,6 +63,10 @@ program test_input_read_impact
       & "stress"]), "usual fields")
    call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "twenty states")
 
+   call begin("read_database_field")
+   call read_plate("*DATABASE_FIELD|plastic_strain|")
+   call check_error(error, "no material yields", "plastic strain needs a material that yields")
+
    call finish()
 
 contains

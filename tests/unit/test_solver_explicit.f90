@@ -112,11 +112,12 @@ contains
       type(domain_type) :: domain
       type(error_type), allocatable :: error
       real(wp), allocatable :: force(:)
+      real(wp) :: history(0)
 
       call build_domain(model, domain, error)
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call add_ply_forces(domain, state%displacement, force)
+      call add_ply_forces(domain, 0.0_wp, state%displacement, history, force)
       energy = -0.5_wp*dot_product(state%displacement, force)
    end function stored_energy
 

@@ -1,11 +1,12 @@
 !> Patch tests and rigid motions of the plate kernels, through domain and solver.
 program test_solver_forces
    use plydyn_base_error, only : error_type
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recover, only : layer_values, ply_stress_at, recovered
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_law_orthotropic, only : orthotropic_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
@@ -19,6 +20,8 @@ program test_solver_forces
    real(wp), parameter :: gradient(3, 3) = reshape([1.0e-3_wp, 4.0e-4_wp, -2.0e-4_wp, 7.0e-4_wp, &
       & -5.0e-4_wp, 3.0e-4_wp, 6.0e-4_wp, -1.0e-4_wp, 9.0e-4_wp], [3, 3])
    real(wp), parameter :: angles(3) = [30.0_wp, 30.0_wp, 30.0_wp]
+   !> Elastic layers have no history
+   real(wp) :: history(0)
    integer :: order, side
 
    do side = 2, 3
@@ -29,6 +32,10 @@ program test_solver_forces
       end do
       call test_patch(side, [1, 3, 2], linear_strain)
       call test_patch(side, [1, 3, 2], total_lagrangian)
+   end do
+   do order = 1, 4
+      call test_law_path(2, order)
+      call test_law_path(3, order)
    end do
    call test_interface()
    call finish()
@@ -49,7 +56,7 @@ contains
       displacement = linear_field(domain, gradient)
       allocate (force(size(displacement)))
       force(:) = 0.0_wp
-      call add_ply_forces(domain, displacement, force)
+      call add_ply_forces(domain, 0.0_wp, displacement, history, force)
       call check(largest_inside(domain, force)/maxval(abs(force)) < 1.0e-11_wp, &
          & "no force inside of the body")
       e(:, :) = gradient + transpose(gradient)
@@ -60,8 +67,8 @@ contains
          & matmul(strain_rotation(30.0_wp), strain))
       home(:) = domain%columns%home(:, 3)
       values(:, :, :) = layer_values(domain%plates(1), home(1), home(2), home(3), 2, &
-         & kinematics == total_lagrangian, displacement)
-      call check(maxval(abs(values(ply_stress_at + 1:, :, :) &
+         & kinematics == total_lagrangian, displacement, history)
+      call check(maxval(abs(values(ply_stress_at + 1:ply_stress_at + 6, :, :) &
          & - spread(spread(expected, 2, side*side), 3, orders(3) + 1))) &
          & < 1.0e-10_wp*maxval(abs(expected)), "the stress in ply axes is exact everywhere")
    end subroutine test_patch
@@ -89,17 +96,69 @@ contains
       end do
       ! the force that a strain of one would make
       force(:) = 0.0_wp
-      call add_ply_forces(domain, linear_field(domain, gradient), force)
+      call add_ply_forces(domain, 0.0_wp, linear_field(domain, gradient), history, force)
       scale = maxval(abs(force))/norm2(gradient)
       force(:) = 0.0_wp
-      call add_ply_forces(domain, linear_field(domain, h), force)
+      call add_ply_forces(domain, 0.0_wp, linear_field(domain, h), history, force)
       call check(maxval(abs(force)) < 1.0e-11_wp*scale, "a large rotation makes no force")
 
       call make(side, orders, linear_strain, domain)
       force(:) = 0.0_wp
-      call add_ply_forces(domain, linear_field(domain, spin), force)
+      call add_ply_forces(domain, 0.0_wp, linear_field(domain, spin), history, force)
       call check(maxval(abs(force)) < 1.0e-10_wp*scale, "a spin makes no linear strain")
    end subroutine test_rigid_motion
+
+   !> The elastic law point by point gives the forces of the elastic kernels
+   subroutine test_law_path(side, order)
+      integer, intent(in) :: side, order
+
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      real(wp), allocatable :: displacement(:), force(:, :)
+      integer :: i, kinematics
+
+      call begin("law path")
+      model = rectangle_model(rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp), &
+         & [(real(17*i, wp), i=1, 9)], 0.25_wp, spread(order, 1, 9))
+      do kinematics = linear_strain, total_lagrangian
+         model%control%kinematics = kinematics
+         call build_domain(model, domain, error)
+         call check(.not. allocated(error), "the domain is built")
+         displacement = 1.0e-2_wp*sin(real([(i, i=1, domain%columns%freedoms)], wp))
+         allocate (force(domain%columns%freedoms, 2))
+         force(:, :) = 0.0_wp
+         call add_ply_forces(domain, 0.0_wp, displacement, history, force(:, 1))
+         call set_laws(domain)
+         call add_ply_forces(domain, 0.0_wp, displacement, history, force(:, 2))
+         call check(maxval(abs(force(:, 2) - force(:, 1))) < 1.0e-12_wp*maxval(abs(force)), &
+            & "the elastic law point by point gives the same forces")
+         deallocate (force)
+      end do
+   end subroutine test_law_path
+
+   !> Give all layers the elastic law as a law of their own
+   subroutine set_laws(domain)
+      type(domain_type), intent(inout) :: domain
+
+      type(orthotropic_type) :: law
+      integer :: b, l
+
+      associate (batch => domain%plates(1)%batches(1))
+         deallocate (batch%laws)
+         allocate (batch%laws(batch%blocks))
+         do b = 1, batch%blocks
+            law = orthotropic_type()
+            do l = 1, lanes
+               if (batch%layer(l, b) == 0) cycle
+               call law%set_lane(l, [165.0e3_wp, 9.0e3_wp, 9.0e3_wp], [0.34_wp, 0.34_wp, 0.5_wp], &
+                  & [5.6e3_wp, 5.6e3_wp, 2.8e3_wp])
+            end do
+            batch%laws(b)%block = b
+            allocate (batch%laws(b)%law, source=law)
+         end do
+      end associate
+   end subroutine set_laws
 
    !> Springs pull the faces of two plies together: resultants of a uniform jump
    subroutine test_interface()

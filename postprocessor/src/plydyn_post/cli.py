@@ -197,7 +197,7 @@ def picture(
     job: Job,
     output: Output = None,
     show: Annotated[
-        str, typer.Option("--show", help="What colours show: uz, sxx, s13, ...")
+        str, typer.Option("--show", help="What colours show: uz, sxx, s13, plastic_strain, ...")
     ] = "uz",
     time: Time = None,
     factor: Annotated[

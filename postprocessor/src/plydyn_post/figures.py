@@ -29,6 +29,7 @@ from plydyn_post.units import Scale, factor, in_brackets, readable
 ENERGIES = {
     "impactor": "impactor",
     "internal": "internal",
+    "dissipated": "dissipated, part of internal",
     "kinetic": "kinetic of the plate",
     "damping": "damping",
     "contact": "contact",
@@ -188,7 +189,7 @@ def _lines(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
 
 def _stack(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
     """Parts on top of each other; the total as a line."""
-    parts = [name for name in values if name not in ("total", "external")]
+    parts = [name for name in values if name not in ("dissipated", "total", "external")]
     axes.stackplot(
         x,
         [values[name] for name in parts],

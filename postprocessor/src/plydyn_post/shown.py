@@ -1,4 +1,4 @@
-"""What a picture can be coloured by: ``uz``, ``sxx``, ``s13`` and the like."""
+"""What a picture can be coloured by: ``uz``, ``sxx``, ``s13``, ``plastic_strain`` and the like."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ TENSORS = {
     "e": ("strain", "strain_ply", r"\varepsilon", ""),
 }
 VECTORS = {"u": ("displacement", "length"), "v": ("velocity", "length/time")}
+# Name of a field of one number -> symbol, kind of unit
+SCALARS = {"plastic_strain": (r"\bar{\varepsilon}^{p}", "")}
 
 
 @dataclass(frozen=True)
@@ -23,7 +25,7 @@ class Shown:
     """A component of a field."""
 
     field: str
-    component: int | None  # None is the length of a vector
+    component: int | None  # None is the length of a vector, or the number of a scalar
     symbol: str
     kind: str  # of its unit
     signed: bool  # colours are centred at zero
@@ -37,6 +39,8 @@ class Shown:
                 " Fields are asked for in the deck with *DATABASE_FIELD"
             )
         data = np.asarray(grid.point_data[self.field], dtype=float)
+        if data.ndim == 1:
+            return data
         return np.linalg.norm(data, axis=1) if self.component is None else data[:, self.component]
 
     def unit(self, header: Header) -> str:
@@ -47,6 +51,9 @@ class Shown:
 
 def shown(name: str) -> Shown:
     """The component of a name; strains are tensor components."""
+    if name in SCALARS:
+        symbol, kind = SCALARS[name]
+        return Shown(name, None, symbol, kind, False)
     letter, place = name[:1], name[1:]
     if letter in VECTORS and place in ("", "x", "y", "z"):
         field, kind = VECTORS[letter]
@@ -61,5 +68,6 @@ def shown(name: str) -> Shown:
                 return Shown(field, components.index(place), text, kind, True)
     raise ResultsError(
         f"{name!r} is no quantity to show; expected u, ux, uy, uz, v, vx, vy, vz,"
-        " sxx, syy, szz, sxy, syz, sxz, s11, s22, s33, s12, s23, s13, or e for strains"
+        " sxx, syy, szz, sxy, syz, sxz, s11, s22, s33, s12, s23, s13, or e for strains,"
+        f" {', '.join(SCALARS)}"
     )

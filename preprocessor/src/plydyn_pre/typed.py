@@ -18,22 +18,25 @@ _WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
 
 
 def build(kind: type[T], table: object, path: str = "") -> T:
-    """Make a dataclass from a table; `path` holds the keys that lead to it."""
+    """Make a dataclass from a table; `path` holds the keys that lead to it.
+
+    A field whose name cannot be that of its key has the key in its metadata.
+    """
     if not isinstance(table, dict):
         raise RecipeError(path, f"{_shown(table)} was given, a table is needed")
-    known = {field.name: field for field in fields(kind) if field.init}
+    known = {field.metadata.get("key", field.name): field for field in fields(kind) if field.init}
     for key in table:
         if key not in known and not (key == "kind" and hasattr(kind, "kind")):
             hint = suggestion(key, known)
             raise RecipeError(_join(path, key), f"there is no such key; {hint}")
     hints = get_type_hints(kind)
-    for name, field in known.items():
-        if name not in table and _is_required(field):
-            raise RecipeError(_join(path, name), f"missing; {_needed(hints[name])} is needed")
+    for key, field in known.items():
+        if key not in table and _is_required(field):
+            raise RecipeError(_join(path, key), f"missing; {_needed(hints[field.name])} is needed")
     values = {
-        name: convert(hints[name], table[name], _join(path, name))
-        for name in known
-        if name in table
+        field.name: convert(hints[field.name], table[key], _join(path, key))
+        for key, field in known.items()
+        if key in table
     }
     try:
         return kind(**values)

@@ -3,7 +3,8 @@
 from runs import Results
 
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
-SHARES = ("kinetic", "internal", "impactor", "damping", "external", "contact", "ripple", "total")
+SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
+SHARES += ("ripple", "total")
 NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
 
 HEADS = {

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from plydyn_pre.deck.cards import Card, keyword, title_line, titled
 from plydyn_pre.deck.names import Names
-from plydyn_pre.study import Elastic, Laminate, Material, PlyElastic, Springs
+from plydyn_pre.study import Elastic, Laminate, Material, PlasticKinematic, PlyElastic, Springs
 
 _REFERENCES = {"bottom": -1, "middle": 0, "top": 1}
 _BASES = {"equispaced": 0, "gauss_lobatto": 1}
@@ -93,10 +93,20 @@ def _material(material: Material, name: str, mid: int) -> str:
         case Elastic():
             card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
             return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
+        case PlasticKinematic():
+            return titled("MAT_PLASTIC_KINEMATIC", title, *_plastic_kinematic(material, mid))
         case Springs():
             card = {"mid": mid, "ro": 0.0, "roflg": 0, "intfail": 0.0}
             stiffness = {"et": material.shear, "en": material.normal, "fn_fail": 0.0}
             return titled("MAT_COHESIVE_ELASTIC", title, card | stiffness)
+
+
+def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card]:
+    """The cards of a metal with linear hardening."""
+    elastic = {"mid": mid, "ro": material.density, "e": material.young, "pr": material.poisson}
+    hardening = {"sigy": material.yield_stress, "etan": material.tangent, "beta": material.beta}
+    rate = {"src": material.rate, "srp": material.power, "fs": 0.0, "vp": 0.0}
+    return elastic | hardening, rate
 
 
 def _ply_elastic(material: PlyElastic, mid: int) -> tuple[Card, Card]:

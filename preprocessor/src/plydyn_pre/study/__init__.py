@@ -18,7 +18,7 @@ from plydyn_pre.study.conditions import (
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
-from plydyn_pre.study.materials import Elastic, Material, PlyElastic, Springs
+from plydyn_pre.study.materials import Elastic, Material, PlasticKinematic, PlyElastic, Springs
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
@@ -38,6 +38,7 @@ __all__ = [
     "Motion",
     "NodeSet",
     "Outputs",
+    "PlasticKinematic",
     "PlyElastic",
     "PlyRange",
     "Pressure",

@@ -7,7 +7,9 @@ from typing import Literal
 
 from plydyn_pre.errors import require, require_positive
 
-Quantity = Literal["displacement", "velocity", "stress", "strain", "stress_ply", "strain_ply"]
+Quantity = Literal[
+    "displacement", "velocity", "stress", "strain", "stress_ply", "strain_ply", "plastic_strain"
+]
 
 
 @dataclass(frozen=True)

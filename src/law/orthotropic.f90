@@ -1,0 +1,61 @@
+!> The elastic law of orthotropic plies over a batch, for stacks in which other layers yield.
+module plydyn_law_orthotropic
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_law, only : law_type
+   implicit none
+   private
+
+   !> Stiffness of each lane
+   type, public, extends(law_type) :: orthotropic_type
+      !> C11 C12 C13 C22 C23 C33 C44 C55 C66 in ply axes, (lanes, 9)
+      real(wp) :: stiffness(lanes, 9) = 0.0_wp
+   contains
+      procedure :: set_lane
+      procedure :: update
+   end type orthotropic_type
+
+contains
+
+   !> Give a lane its material
+   pure subroutine set_lane(self, lane, young, poisson, shear)
+      class(orthotropic_type), intent(inout) :: self
+      !> Lane that has this law from now on
+      integer, intent(in) :: lane
+      !> E1, E2, E3
+      real(wp), intent(in) :: young(3)
+      !> nu12, nu13, nu23
+      real(wp), intent(in) :: poisson(3)
+      !> G12, G13, G23
+      real(wp), intent(in) :: shear(3)
+
+      real(wp) :: c(6, 6)
+
+      c(:, :) = ply_stiffness(young, poisson, shear)
+      self%owns(lane) = .true.
+      self%stiffness(lane, :) = [c(1, 1:3), c(2, 2:3), c(3, 3), c(4, 4), c(5, 5), c(6, 6)]
+   end subroutine set_lane
+
+   !> Stress of the strain
+   pure subroutine update(self, step, strain, history, stress)
+      class(orthotropic_type), intent(in) :: self
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: own(lanes, 6)
+      integer :: i
+
+      associate (c => self%stiffness, e => strain)
+         own(:, 1) = c(:, 1)*e(:, 1) + c(:, 2)*e(:, 2) + c(:, 3)*e(:, 3)
+         own(:, 2) = c(:, 2)*e(:, 1) + c(:, 4)*e(:, 2) + c(:, 5)*e(:, 3)
+         own(:, 3) = c(:, 3)*e(:, 1) + c(:, 5)*e(:, 2) + c(:, 6)*e(:, 3)
+         own(:, 4:6) = c(:, 7:9)*e(:, 4:6)
+      end associate
+      do i = 1, 6
+         stress(:, i) = merge(own(:, i), stress(:, i), self%owns)
+      end do
+   end subroutine update
+
+end module plydyn_law_orthotropic

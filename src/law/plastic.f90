@@ -1,0 +1,341 @@
+!> Metal plasticity (von Mises, associated) in three dimensions, by radial return.
+!>
+!> Stress is elastic in strain less plastic strain, and plastic strain grows along the relative
+!> stress (deviatoric stress less back stress) so that the effective relative stress never exceeds
+!> the yield stress. What a material adds is its yield stress, as a function of effective plastic
+!> strain and its rate. Hardening that moves the yield surface is linear (Prager): the back stress
+!> is two thirds of the kinematic modulus times the plastic strain, and needs no history.
+!>
+!> Energy per volume: work of the stress = `stored_energy` (elastic, and what the back stress
+!> stores) + the last history variable, the yield stress integrated over effective plastic strain.
+!> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
+module plydyn_law_plastic
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : law_type
+   implicit none
+   private
+
+   !> History variables: the first of six of plastic strain, in the order and with the engineering
+   !> shear of strain; effective plastic strain; energy dissipated per volume
+   integer, parameter, public :: plastic_strain = 1, effective_plastic_strain = 7, dissipated = 8
+   !> How many there are
+   integer, parameter :: histories = dissipated
+
+   !> Share of the stress by which it may miss the yield surface
+   real(wp), parameter :: tolerance = 1.0e-12_wp
+   !> Between the values of a mask
+   real(wp), parameter :: half = 0.5_wp
+   !> Steps of the search: 6 are usual, 40 are needed over 60 decades
+   integer, parameter :: steps_allowed = 100
+   !> Most that hardening may count at the start, as a multiple of stiffness: powers start upright
+   real(wp), parameter :: steep = 10.0_wp
+   !> Largest change in one step of the search, as the logarithm of the increment
+   real(wp), parameter :: stride = 50.0_wp
+   !> Least share of the stress to take away that an increment takes for certain
+   real(wp), parameter :: scant = 1.0e-3_wp
+   !> Share of its upper bound under which the search does not fall by halving
+   real(wp), parameter :: depth = 1.0e-6_wp
+
+   !> Elastic constants and kinematic hardening; the yield stress is left to the material
+   type, abstract, public, extends(law_type) :: plastic_type
+      !> Bulk modulus
+      real(wp) :: bulk(lanes) = 1.0_wp
+      !> Shear modulus
+      real(wp) :: shear(lanes) = 1.0_wp
+      !> Rise of the back stress over plastic strain in tension
+      real(wp) :: kinematic(lanes) = 0.0_wp
+      !> 1 in the lanes of this law, 0 in others: a mask that runs side by side with reals
+      real(wp) :: mine(lanes) = 0.0_wp
+      !> Smallest yield stress there can be: nothing flows below it
+      real(wp) :: onset(lanes) = huge(1.0_wp)
+   contains
+      procedure :: update
+      procedure :: stored_energy
+      procedure :: own_lane
+      procedure :: search
+      procedure :: flow => search
+      procedure(yield_batch), deferred :: yield_stress
+   end type plastic_type
+
+   abstract interface
+      !> Yield stress and its slopes
+      pure subroutine yield_batch(self, strain, rate, yield, hardening, viscosity)
+         import :: lanes, plastic_type, wp
+         implicit none
+         class(plastic_type), intent(in) :: self
+         !> Effective plastic strain
+         real(wp), intent(in) :: strain(lanes)
+         !> Its rate; 0 without time
+         real(wp), intent(in) :: rate(lanes)
+         !> Yield stress
+         real(wp), intent(out) :: yield(lanes)
+         !> Its derivative by effective plastic strain
+         real(wp), intent(out) :: hardening(lanes)
+         !> Its derivative by the rate
+         real(wp), intent(out) :: viscosity(lanes)
+      end subroutine yield_batch
+   end interface
+
+contains
+
+   !> Give a lane to this law
+   pure subroutine own_lane(self, lane, young, poisson, onset)
+      class(plastic_type), intent(inout) :: self
+      !> Place in the batch
+      integer, intent(in) :: lane
+      !> Young's modulus
+      real(wp), intent(in) :: young
+      !> Poisson's ratio
+      real(wp), intent(in) :: poisson
+      !> Smallest yield stress
+      real(wp), intent(in) :: onset
+
+      self%owns(lane) = .true.
+      self%mine(lane) = 1.0_wp
+      self%histories = histories
+      self%plastic_strain_at = effective_plastic_strain
+      self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
+      self%shear(lane) = young/(2.0_wp*(1.0_wp + poisson))
+      self%onset(lane) = onset
+   end subroutine own_lane
+
+   !> Stress and history at the end of a step
+   pure subroutine update(self, step, strain, history, stress)
+      class(plastic_type), intent(in) :: self
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: before(lanes), effective(lanes), increment(lanes), relative(lanes, 6)
+      real(wp) :: resistance(lanes)
+
+      call try(self%shear, self%kinematic, strain, history, relative, effective)
+      if (any(effective > self%onset)) then
+         before(:) = merge(history(:, effective_plastic_strain), 0.0_wp, self%mine > half)
+         call self%flow(step, effective, before, increment, resistance)
+         call advance(relative, effective, increment, resistance, history)
+      end if
+      call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
+   end subroutine update
+
+   !> Energy per volume that unloading gives back: elastic, and stored by the back stress.
+   !> Lanes of other laws keep theirs.
+   pure subroutine stored_energy(self, strain, history, energy)
+      class(plastic_type), intent(in) :: self
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> History that belongs to it
+      real(wp), intent(in) :: history(lanes, histories)
+      !> Energy per volume
+      real(wp), intent(inout) :: energy(lanes)
+
+      real(wp) :: elastic(6), mean, plastic(6)
+      integer :: l
+
+      do l = 1, lanes
+         if (.not. self%owns(l)) cycle
+         plastic(:) = history(l, :6)
+         elastic(:) = strain(l, :) - plastic
+         mean = sum(elastic(:3))/3.0_wp
+         elastic(:3) = elastic(:3) - mean
+         energy(l) = 4.5_wp*self%bulk(l)*mean**2 + self%shear(l)*norm_squared(elastic) &
+            & + self%kinematic(l)*norm_squared(plastic)/3.0_wp
+      end do
+   end subroutine stored_energy
+
+   !> A strain, as a tensor, times itself
+   pure real(wp) function norm_squared(strain)
+      !> With engineering shear
+      real(wp), intent(in) :: strain(6)
+
+      norm_squared = sum(strain(:3)**2) + 0.5_wp*sum(strain(4:)**2)
+   end function norm_squared
+
+   !> Relative stress if nothing flowed, and its effective value
+   pure subroutine try(shear, kinematic, strain, history, relative, effective)
+      !> Shear modulus and kinematic modulus
+      real(wp), intent(in) :: shear(lanes), kinematic(lanes)
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> History before the step
+      real(wp), intent(in) :: history(lanes, histories)
+      !> Deviatoric stress less back stress
+      real(wp), intent(out) :: relative(lanes, 6)
+      !> Its von Mises value
+      real(wp), intent(out) :: effective(lanes)
+
+      real(wp) :: both(lanes), mean(lanes), normal(lanes), sheared(lanes)
+      integer :: i, l
+
+      do l = 1, lanes
+         mean(l) = (strain(l, 1) + strain(l, 2) + strain(l, 3))/3.0_wp
+         both(l) = 2.0_wp*shear(l) + 2.0_wp/3.0_wp*kinematic(l)
+         normal(l) = 0.0_wp
+         sheared(l) = 0.0_wp
+      end do
+      do i = 1, 3
+         do l = 1, lanes
+            relative(l, i) = 2.0_wp*shear(l)*(strain(l, i) - mean(l)) - both(l)*history(l, i)
+            normal(l) = normal(l) + relative(l, i)**2
+         end do
+      end do
+      do i = 4, 6
+         do l = 1, lanes
+            relative(l, i) = shear(l)*strain(l, i) - 0.5_wp*both(l)*history(l, i)
+            sheared(l) = sheared(l) + relative(l, i)**2
+         end do
+      end do
+      do l = 1, lanes
+         effective(l) = sqrt(1.5_wp*normal(l) + 3.0_wp*sheared(l))
+      end do
+   end subroutine try
+
+   !> Plastic strain and dissipation of an increment along the relative stress
+   pure subroutine advance(relative, effective, increment, resistance, history)
+      !> Relative stress if nothing flowed, and its effective value
+      real(wp), intent(in) :: relative(lanes, 6), effective(lanes)
+      !> Increment of effective plastic strain; 0 in lanes that do not flow
+      real(wp), intent(in) :: increment(lanes)
+      !> Mean yield stress over the increment
+      real(wp), intent(in) :: resistance(lanes)
+      !> History of the point
+      real(wp), intent(inout) :: history(lanes, histories)
+
+      real(wp) :: along(lanes)
+      integer :: i, l
+
+      do l = 1, lanes
+         along(l) = 1.5_wp*increment(l)/max(effective(l), tiny(1.0_wp))
+         history(l, effective_plastic_strain) = history(l, effective_plastic_strain) + increment(l)
+         history(l, dissipated) = history(l, dissipated) + resistance(l)*increment(l)
+      end do
+      do i = 1, 3
+         do l = 1, lanes
+            history(l, i) = history(l, i) + along(l)*relative(l, i)
+         end do
+      end do
+      do i = 4, 6
+         do l = 1, lanes
+            history(l, i) = history(l, i) + 2.0_wp*along(l)*relative(l, i)
+         end do
+      end do
+   end subroutine advance
+
+   !> Stress of the elastic part of strain, in the lanes of this law
+   pure subroutine find_stress(mine, bulk, shear, strain, history, stress)
+      !> 1 in lanes of this law
+      real(wp), intent(in) :: mine(lanes)
+      !> Bulk and shear modulus
+      real(wp), intent(in) :: bulk(lanes), shear(lanes)
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> History after the step
+      real(wp), intent(in) :: history(lanes, histories)
+      !> Stress
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: new, pressed(lanes), volume
+      integer :: i, l
+
+      do l = 1, lanes
+         volume = strain(l, 1) + strain(l, 2) + strain(l, 3)
+         pressed(l) = (bulk(l) - 2.0_wp/3.0_wp*shear(l))*volume
+      end do
+      do i = 1, 3
+         !$omp simd
+         do l = 1, lanes
+            new = pressed(l) + 2.0_wp*shear(l)*(strain(l, i) - history(l, i))
+            stress(l, i) = merge(new, stress(l, i), mine(l) > half)
+         end do
+      end do
+      do i = 4, 6
+         !$omp simd
+         do l = 1, lanes
+            new = shear(l)*(strain(l, i) - history(l, i))
+            stress(l, i) = merge(new, stress(l, i), mine(l) > half)
+         end do
+      end do
+   end subroutine find_stress
+
+   !> Increment of effective plastic strain that brings the stress back to the yield surface, for
+   !> any yield stress: Newton's method within bounds, for the logarithm of the resistance over
+   !> that of the increment. Powers of strain and of rate are straight lines there, and the way
+   !> over many decades is short.
+   pure subroutine search(self, step, effective, before, increment, resistance)
+      class(plastic_type), intent(in) :: self
+      !> Time step
+      real(wp), intent(in) :: step
+      !> Effective relative stress if nothing flowed
+      real(wp), intent(in) :: effective(lanes)
+      !> Effective plastic strain before the step
+      real(wp), intent(in) :: before(lanes)
+      !> Its increment; 0 in lanes that do not flow
+      real(wp), intent(out) :: increment(lanes)
+      !> Mean yield stress over the increment
+      real(wp), intent(out) :: resistance(lanes)
+
+      real(wp) :: beyond(lanes), excess(lanes), flows(lanes), hardening(lanes), least(lanes)
+      real(wp) :: most(lanes), often, slope(lanes), still(lanes), viscosity(lanes), yield(lanes)
+      integer :: i
+
+      still(:) = 0.0_wp
+      often = 0.0_wp
+      if (step > 0.0_wp) often = 1.0_wp/step
+      call self%yield_stress(before, still, yield, hardening, viscosity)
+      ! from the tangent at the start, and below the increment that would leave no stress
+      slope(:) = 3.0_wp*self%shear + self%kinematic
+      beyond(:) = max(effective - yield, tolerance*yield)
+      flows(:) = merge(self%mine, 0.0_wp, effective - yield > tolerance*effective)
+      increment(:) = beyond/(slope + min(max(hardening, 0.0_wp), steep*slope))
+      least(:) = 0.0_wp
+      most(:) = merge(effective/slope, 2.0_wp*increment, flows > half)
+      do i = 1, steps_allowed
+         call self%yield_stress(before + increment, often*increment, yield, hardening, viscosity)
+         excess(:) = flows*(effective - slope*increment - yield)
+         excess(:) = merge(excess, 0.0_wp, abs(excess) > tolerance*effective)
+         if (all(abs(excess) <= 0.0_wp)) exit
+         call improve(beyond, excess, slope + hardening + often*viscosity, least, most, increment)
+      end do
+      increment(:) = flows*increment
+      resistance(:) = yield - 0.5_wp*hardening*increment
+   end subroutine search
+
+   !> One step of the search
+   pure subroutine improve(beyond, excess, slope, least, most, increment)
+      !> Stress that the increment must take away
+      real(wp), intent(in) :: beyond(lanes)
+      !> What it leaves of that; 0 in lanes that have arrived
+      real(wp), intent(in) :: excess(lanes)
+      !> Fall of the excess over the increment
+      real(wp), intent(in) :: slope(lanes)
+      !> Bounds of the increment
+      real(wp), intent(inout) :: least(lanes), most(lanes)
+      !> Increment
+      real(wp), intent(inout) :: increment(lanes)
+
+      real(wp) :: far, growth, higher, logarithm, lower, next, now, taken, w
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         now = increment(l)
+         lower = merge(now, least(l), excess(l) > 0.0_wp)
+         higher = merge(most(l), now, excess(l) > 0.0_wp)
+         ! logarithm and exponential by as many terms as keep the order of the method
+         taken = max(beyond(l) - excess(l), scant*beyond(l))
+         w = abs(beyond(l) - taken)/(beyond(l) + taken)
+         logarithm = 2.0_wp*w*(1.0_wp + w**2*(1.0_wp/3.0_wp + w**2/5.0_wp))
+         far = min(logarithm*abs(taken/(slope(l)*now)), stride)/8.0_wp
+         growth = (1.0_wp + far*(1.0_wp + far/2.0_wp*(1.0_wp + far/3.0_wp)))**8
+         next = merge(now*growth, now/growth, excess(l) > 0.0_wp)
+         ! half way, in the logarithm, when the slope misleads
+         w = max(sqrt(lower*higher), depth*higher)
+         next = merge(next, w, next > lower .and. next < higher .and. slope(l) > 0.0_wp)
+         increment(l) = merge(next, now, abs(excess(l)) > 0.0_wp)
+         least(l) = lower
+         most(l) = higher
+      end do
+   end subroutine improve
+
+end module plydyn_law_plastic
