@@ -1,0 +1,1 @@
+"""The parts of decks/study.py: jobs, what is read off their results, tables and figures."""
