@@ -5,16 +5,16 @@ module plydyn_domain_build
    use plydyn_base_text, only : text
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
+   use plydyn_domain_interfaces, only : new_interfaces
    use plydyn_domain_layers, only : check_same_structure, new_layers
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, new_pressure_load
    use plydyn_domain_masses, only : add_masses
-   use plydyn_domain_plates, only : new_interface, new_plate
+   use plydyn_domain_plates, only : new_plate
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_domain_supports, only : held_freedoms, new_prescribed
    use plydyn_domain_surfaces, only : new_surface
-   use plydyn_element_interface, only : interface_type
+   use plydyn_element_interface, only : history_size
    use plydyn_element_plate, only : plate_type
-   use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
@@ -45,8 +45,7 @@ contains
       if (allocated(error)) return
       call build_plates(model, domain, error)
       if (allocated(error)) return
-      call build_joints(model, domain, error)
-      if (allocated(error)) return
+      call build_joints(model, domain)
       call build_supports(model, domain, error)
       if (allocated(error)) return
       call build_loads(model, domain)
@@ -108,32 +107,27 @@ contains
    end subroutine place_histories
 
    !> Ties and interfaces between layers
-   subroutine build_joints(model, domain, error)
+   subroutine build_joints(model, domain)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
-      type(error_type), allocatable, intent(out) :: error
       integer :: k, p
 
       associate (joint => domain%layers%joint)
          domain%ties = pack([(k, k=1, size(joint))], joint == faces_tied)
          allocate (domain%interfaces(0))
-         if (model%control%kinematics == total_lagrangian .and. any(joint > 0)) then
-            call fail(error, exit_input, "elastic interfaces work with linear strain only: " &
-               & //"*CONTROL_LAYERWISE with KINEM 0, or tie the plies")
-            return
-         end if
          allocate (domain%far_ties(2, 0))
          do k = 1, size(domain%ties)
             call tie_layers(domain, domain%ties(k))
          end do
-         do k = 1, size(joint)
-            if (joint(k) <= 0) cycle
-            do p = 1, size(domain%plates)
-               domain%interfaces = [domain%interfaces, new_interface(model, domain%plates(p), &
-                  & domain%columns, k, joint(k))]
-            end do
+         do p = 1, size(domain%plates)
+            domain%interfaces = [domain%interfaces, new_interfaces(model, domain%plates(p), &
+               & domain%columns, joint)]
          end do
       end associate
+      do k = 1, size(domain%interfaces)
+         domain%interfaces(k)%first_history = domain%histories + 1
+         domain%histories = domain%histories + history_size(domain%interfaces(k))
+      end do
    end subroutine build_joints
 
    !> Let the top of a layer and the bottom of the next move as one: both get the inverse of the sum

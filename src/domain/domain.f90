@@ -74,7 +74,7 @@ module plydyn_domain_domain
       type(plate_type), allocatable :: plates(:)
       !> History variables of all Gauss points together
       integer :: histories = 0
-      !> Springs between layers
+      !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
       !> face move as one); zero where there is no point

@@ -1,4 +1,4 @@
-!> Plates and interfaces as flat arrays.
+!> Plates as flat arrays.
 module plydyn_domain_plates
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
@@ -6,7 +6,6 @@ module plydyn_domain_plates
    use plydyn_domain_columns, only : columns_type, family_type
    use plydyn_domain_laws, only : new_laws
    use plydyn_domain_layers, only : layers_type, new_layers
-   use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
@@ -18,7 +17,7 @@ module plydyn_domain_plates
    implicit none
    private
 
-   public :: new_interface, new_plate
+   public :: new_plate
 
 contains
 
@@ -136,31 +135,5 @@ contains
       stiffness(:, :) = matmul(transpose(rotation), matmul( &
          & ply_stiffness(material%young, material%poisson, material%shear), rotation))
    end function plate_stiffness
-
-   !> Springs above a layer of a plate
-   pure function new_interface(model, plate, columns, lower, material) result(self)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> The plate
-      type(plate_type), intent(in) :: plate
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> Layer below
-      integer, intent(in) :: lower
-      !> Index of the interface material
-      integer, intent(in) :: material
-      type(interface_type) :: self
-
-      self%lower = lower
-      self%upper = lower + 1
-      self%stiffness(1:2) = model%interface_materials(material)%shear_stiffness
-      self%stiffness(3) = model%interface_materials(material)%normal_stiffness
-      self%lower_point = columns%freedom(lower, columns%levels(lower), 1, plate%node)
-      self%upper_point = columns%freedom(lower + 1, 1, 1, plate%node)
-      self%lower_stride = columns%freedom(lower, 1, 2, 1) - columns%freedom(lower, 1, 1, 1)
-      self%upper_stride = columns%freedom(lower + 1, 1, 2, 1) - columns%freedom(lower + 1, 1, 1, 1)
-      self%area = plate%metric(5, :, :)
-      self%shape = plate%shape
-   end function new_interface
 
 end module plydyn_domain_plates

@@ -1,6 +1,6 @@
 !> The stable step of the whole domain, and who sets it.
 module plydyn_domain_step_limit
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type, step_limit_type
    use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_domain_masses, only : surface_density
@@ -15,7 +15,7 @@ module plydyn_domain_step_limit
 
 contains
 
-   !> Largest eigenvalue of the layers, plus that of the springs between them: their sum bounds
+   !> Largest eigenvalue of the layers, plus that of the interfaces between them: their sum bounds
    !> the largest of the whole
    function find_step_limit(model, domain) result(limit)
       !> The model
@@ -81,19 +81,20 @@ contains
       end do
    end subroutine add_layer_rates
 
-   !> Bound on the eigenvalues of the springs: stiffness over the mass per area of both faces, times
-   !> the largest eigenvalue that the springs of one quad have against the areas of its nodes
+   !> Bound on the eigenvalues of the interfaces: stiffness over the mass per area of both faces,
+   !> times the largest eigenvalue that the points of one quad have against the areas of its nodes
    real(wp) function interface_rate(model, domain) result(rate)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
 
       type(layers_type) :: layers
       real(wp) :: largest, inverse
-      integer :: e, k, p
+      integer :: e, k, l, p
 
       rate = 0.0_wp
       if (size(domain%interfaces) == 0) return
-      largest = 0.0_wp
+      ! points at the nodes have their areas
+      largest = merge(1.0_wp, 0.0_wp, any(domain%interfaces%nodal))
       do p = 1, size(domain%plates)
          do e = 1, size(domain%plates(p)%quad)
             largest = max(largest, quad_factor(domain, domain%plates(p), e))
@@ -102,10 +103,13 @@ contains
       do p = 1, size(model%parts)
          layers = new_layers(model%parts(p))
          do k = 1, size(domain%interfaces)
-            associate (springs => domain%interfaces(k))
-               inverse = 1.0_wp/face_density(model, domain, p, layers, springs%lower) &
-                  & + 1.0_wp/face_density(model, domain, p, layers, springs%upper)
-               rate = max(rate, maxval(springs%stiffness)*largest*inverse)
+            associate (batch => domain%interfaces(k))
+               do l = 1, lanes
+                  if (batch%lower(l) == 0) cycle
+                  inverse = 1.0_wp/face_density(model, domain, p, layers, batch%lower(l)) &
+                     & + 1.0_wp/face_density(model, domain, p, layers, batch%upper(l))
+                  rate = max(rate, maxval(batch%law%stiffness)*largest*inverse)
+               end do
             end associate
          end do
       end do

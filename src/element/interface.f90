@@ -1,54 +1,173 @@
-!> Elastic springs between the faces of two layers, for linear kinematics: the traction on the faces
-!> is the stiffness times the jump of the displacement, integrated at the Gauss points of the plane.
+!> Interfaces between the faces of layers: a law of opening and traction at points of the plane,
+!> the Gauss points or the nodes (trapezia or Simpson's rule).
+!>
+!> The lanes of a batch are interfaces of one material above each other, over all quads of a part.
+!> With linear kinematics the normal is z. With large displacement the law works in axes that turn
+!> with the deformed mid-face, half-way between both faces: z along its normal, x along the line
+!> that lay along x. Tractions are per area of the undeformed plate, and the turn of the axes while
+!> the faces stand open is left out of the forces: an error of the opening over the size of the
+!> quad. Forces always balance; their moment does up to the opening times the traction across it.
 module plydyn_element_interface
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_quad, only : plane_table, quad_metric, quad_node_metric
+   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_law_cohesive, only : closing_at, cohesive_type, damage_at, fracture_at, friction_at
    implicit none
    private
 
-   public :: add_spring_forces
+   public :: add_lanes, history_size, point_positions, set_damage, set_plane
 
-   !> One interface over all quads of a part
+   !> Where the points of one face lie in the arrays of motion, for each lane
+   type, public :: face_type
+      !> Place of the displacement along x at the first node of the plane
+      integer :: first(lanes) = 0
+      !> From there to that along y, and to that at the next node
+      integer :: stride(lanes) = 0, step(lanes) = 0
+   end type face_type
+
+   !> Interfaces of one material over all quads of a part
    type, public :: interface_type
-      !> Layers below and above
-      integer :: lower = 0, upper = 0
-      !> Stiffness along x, y, z: traction per jump
-      real(wp) :: stiffness(3) = 0.0_wp
-      !> Places in the arrays of motion of the displacement along x at the nodes of each quad, on
-      !> the lower and the upper face; (side**2, quads)
-      integer, allocatable :: lower_point(:, :), upper_point(:, :)
-      !> From a point's displacement along x to that along y, below and above
-      integer :: lower_stride = 0, upper_stride = 0
-      !> Shape functions at the Gauss points, (points, nodes)
-      real(wp), allocatable :: shape(:, :)
-      !> Area of each Gauss point, (side**2, quads)
-      real(wp), allocatable :: area(:, :)
+      !> Layers below and above each lane; 0 where there is no interface
+      integer :: lower(lanes) = 0, upper(lanes) = 0
+      !> 1 in lanes with an interface, else 0
+      real(wp) :: present(lanes) = 0.0_wp
+      !> Places of the faces
+      type(face_type) :: below, above
+      !> Whether the places of a face lie side by side in all lanes, with or without an interface
+      logical :: adjacent = .false.
+      !> The law
+      type(cohesive_type) :: law
+      !> Nodes along a side of a quad
+      integer :: side = 0
+      !> Points at the nodes instead of the Gauss points
+      logical :: nodal = .false.
+      !> Distance of the outer points from the middle of the quad
+      real(wp) :: reach = 1.0_wp
+      !> Nodes of each quad in tensor order, (side**2, quads)
+      integer, allocatable :: node(:, :)
+      !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`
+      real(wp), allocatable :: metric(:, :, :)
+      !> First of its histories, (lanes, law%histories, side**2, quads), in the history of all
+      integer :: first_history = 1
    end type interface_type
+
+   !> What the interfaces of each lane have lost
+   type, public :: interface_sums_type
+      !> Area where damage has begun, and where it is complete
+      real(wp) :: begun(lanes) = 0.0_wp, failed(lanes) = 0.0_wp
+      !> Energies lost in fracture, by a falling penalty, and in friction
+      real(wp) :: fracture(lanes) = 0.0_wp, closing(lanes) = 0.0_wp, friction(lanes) = 0.0_wp
+   end type interface_sums_type
 
 contains
 
-   !> Subtract the forces of the springs on both faces
-   pure subroutine add_spring_forces(self, displacement, force)
-      !> The interface
+   !> Give interfaces their quads
+   pure subroutine set_plane(self, node, position, nodal)
+      !> The interfaces
+      type(interface_type), intent(inout) :: self
+      !> Nodes of each quad in tensor order, (side**2, quads)
+      integer, intent(in) :: node(:, :)
+      !> Positions of all nodes, (3, nodes)
+      real(wp), intent(in) :: position(:, :)
+      !> Points at the nodes instead of the Gauss points
+      logical, intent(in) :: nodal
+
+      integer :: e
+
+      self%side = nint(sqrt(real(size(node, 1), wp)))
+      self%nodal = nodal
+      self%reach = 1.0_wp
+      if (.not. nodal) self%reach = maxval(gauss_points(self%side))
+      self%node = node
+      allocate (self%metric(5, size(node, 1), size(node, 2)))
+      do e = 1, size(node, 2)
+         if (nodal) then
+            self%metric(:, :, e) = quad_node_metric(self%side, position(1:2, node(:, e)))
+         else
+            self%metric(:, :, e) = quad_metric(self%side, position(1:2, node(:, e)))
+         end if
+      end do
+   end subroutine set_plane
+
+   !> Places that the histories of interfaces take
+   pure integer function history_size(self)
+      !> The interfaces
       type(interface_type), intent(in) :: self
-      !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
-      !> Force on all points
-      real(wp), intent(inout) :: force(:)
 
-      real(wp) :: jump(size(self%shape, 2)), traction(size(self%shape, 2))
-      integer :: below(size(jump)), above(size(jump)), c, e
+      history_size = lanes*self%law%histories*size(self%node)
+   end function history_size
 
-      do e = 1, size(self%area, 2)
-         do c = 1, 3
-            below(:) = self%lower_point(:, e) + (c - 1)*self%lower_stride
-            above(:) = self%upper_point(:, e) + (c - 1)*self%upper_stride
-            jump(:) = displacement(above) - displacement(below)
-            traction(:) = self%stiffness(c)*self%area(:, e)*matmul(self%shape, jump)
-            jump(:) = matmul(traction, self%shape)
-            force(below) = force(below) + jump
-            force(above) = force(above) - jump
+   !> Positions of the points in the plane, (2, side**2, quads)
+   pure function point_positions(self, position) result(place)
+      !> The interfaces
+      type(interface_type), intent(in) :: self
+      !> Positions of all nodes, (3, nodes)
+      real(wp), intent(in) :: position(:, :)
+      real(wp) :: place(2, size(self%node, 1), size(self%node, 2))
+
+      real(wp) :: slope(2, self%side**2), table(self%side**2, self%side**2), x(self%side)
+      integer :: e, i, j
+
+      x(:) = gauss_points(self%side)
+      if (self%nodal) x(:) = x/maxval(x)
+      do j = 1, self%side
+         do i = 1, self%side
+            call plane_table(self%side, x(i), x(j), table(:, i + self%side*(j - 1)), slope)
          end do
       end do
-   end subroutine add_spring_forces
+      do e = 1, size(self%node, 2)
+         place(:, :, e) = matmul(position(1:2, self%node(:, e)), table)
+      end do
+   end function point_positions
+
+   !> Begin with damage at some points of a lane; 1 where the faces are apart
+   pure subroutine set_damage(self, lane, chosen, damage, history)
+      !> The interfaces
+      type(interface_type), intent(in) :: self
+      !> The lane
+      integer, intent(in) :: lane
+      !> Which points, (side**2, quads)
+      logical, intent(in) :: chosen(:, :)
+      !> Damage from 0 to 1; a point that has more already keeps it
+      real(wp), intent(in) :: damage
+      !> History of these interfaces
+      real(wp), intent(inout) :: history(lanes, self%law%histories, size(self%node, 1), &
+         & size(self%node, 2))
+      integer :: e
+
+      do e = 1, size(self%node, 2)
+         where (chosen(:, e))
+            history(lane, damage_at, :, e) = max(history(lane, damage_at, :, e), damage)
+         end where
+      end do
+   end subroutine set_damage
+
+   !> Add areas and energies of all points
+   pure subroutine add_lanes(self, history, sums)
+      !> The interfaces
+      type(interface_type), intent(in) :: self
+      !> History of these interfaces
+      real(wp), intent(in) :: history(lanes, self%law%histories, size(self%node, 1), &
+         & size(self%node, 2))
+      !> Sums; those of all lanes without an interface stay
+      type(interface_sums_type), intent(inout) :: sums
+
+      integer :: e, q
+
+      if (self%law%histories == 0) return
+      do e = 1, size(self%node, 2)
+         do q = 1, size(self%node, 1)
+            associate (area => self%metric(5, q, e)*self%present, h => history(:, :, q, e))
+               sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
+               sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
+               sums%fracture(:) = sums%fracture + area*h(:, fracture_at)
+               if (self%law%histories < closing_at) cycle
+               sums%closing(:) = sums%closing + area*h(:, closing_at)
+               if (self%law%histories < friction_at) cycle
+               sums%friction(:) = sums%friction + area*h(:, friction_at)
+            end associate
+         end do
+      end do
+   end subroutine add_lanes
 
 end module plydyn_element_interface

@@ -6,7 +6,7 @@ module plydyn_element_quad
    implicit none
    private
 
-   public :: quad_metric, quad_node_area, plane_table, tensor_order
+   public :: quad_metric, quad_node_area, quad_node_metric, quad_spacing, plane_table, tensor_order
 
    !> Places of the deck's quad nodes (corners, mid-sides, centre) in tensor order
    integer, parameter :: tensor_of_q4(4) = [1, 2, 4, 3]
@@ -47,9 +47,8 @@ contains
       slope(:, :) = dn(:, order)
    end subroutine plane_table
 
-   !> What a plate kernel needs of a quad: at each Gauss point d(xi)/dx, d(xi)/dy, d(eta)/dx,
-   !> d(eta)/dy over the distance of the outer points, and the area; not positive if the quad is
-   !> folded there
+   !> What a kernel needs of a quad: at each Gauss point d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy
+   !> over the distance of the outer points, and the area; not positive if the quad is folded there
    pure function quad_metric(side, xy) result(metric)
       !> Nodes along a side
       integer, intent(in) :: side
@@ -57,23 +56,44 @@ contains
       real(wp), intent(in) :: xy(2, side*side)
       real(wp) :: metric(5, side*side)
 
-      real(wp) :: area, gauss(side), jacobian(2, 2), slope(2, side*side), value(side*side), w(side)
+      metric(:, :) = metric_at(side, gauss_points(side), gauss_weights(side), xy)
+   end function quad_metric
+
+   !> The same at the nodes
+   pure function quad_node_metric(side, xy) result(metric)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Positions of the nodes, (2, side**2)
+      real(wp), intent(in) :: xy(2, side*side)
+      real(wp) :: metric(5, side*side)
+
+      metric(:, :) = metric_at(side, node_places(side), node_weights(side), xy)
+   end function quad_node_metric
+
+   !> Geometry at the points of a rule
+   pure function metric_at(side, place, weight, xy) result(metric)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Points of a line and their weights
+      real(wp), intent(in) :: place(side), weight(side)
+      !> Positions of the nodes, (2, side**2)
+      real(wp), intent(in) :: xy(2, side*side)
+      real(wp) :: metric(5, side*side)
+
+      real(wp) :: area, jacobian(2, 2)
       integer :: i, j, k
 
-      gauss(:) = gauss_points(side)
-      w(:) = gauss_weights(side)
       do j = 1, side
          do i = 1, side
             k = i + side*(j - 1)
-            call plane_table(side, gauss(i), gauss(j), value, slope)
-            jacobian(:, :) = matmul(xy, transpose(slope))
+            jacobian(:, :) = jacobian_at(side, place(i), place(j), xy)
             area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
             metric(1:4, k) = [jacobian(2, 2), -jacobian(1, 2), -jacobian(2, 1), jacobian(1, 1)]
-            metric(1:4, k) = metric(1:4, k)/(area*2.0_wp*gauss(side))
-            metric(5, k) = area*w(i)*w(j)
+            metric(1:4, k) = metric(1:4, k)/(area*2.0_wp*place(side))
+            metric(5, k) = area*weight(i)*weight(j)
          end do
       end do
-   end function quad_metric
+   end function metric_at
 
    !> Area that belongs to each node, by quadrature at the nodes (trapezia or Simpson): the sum is
    !> the exact area, and no node of a convex quad gets a negative one, as with row sums it might
@@ -84,20 +104,72 @@ contains
       real(wp), intent(in) :: xy(2, side*side)
       real(wp) :: area(side*side)
 
-      real(wp) :: jacobian(2, 2), place(side), slope(2, side*side), value(side*side), w(side)
+      real(wp) :: jacobian(2, 2), place(side), weight(side)
       integer :: i, j, k
 
-      place(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
-      w(:) = 1.0_wp
-      if (side == 3) w(:) = [1.0_wp, 4.0_wp, 1.0_wp]/3.0_wp
+      place(:) = node_places(side)
+      weight(:) = node_weights(side)
       do j = 1, side
          do i = 1, side
             k = i + side*(j - 1)
-            call plane_table(side, place(i), place(j), value, slope)
-            jacobian(:, :) = matmul(xy, transpose(slope))
-            area(k) = (jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1))*w(i)*w(j)
+            jacobian(:, :) = jacobian_at(side, place(i), place(j), xy)
+            area(k) = (jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)) &
+               & *weight(i)*weight(j)
          end do
       end do
    end function quad_node_area
+
+   !> Largest distance between neighbouring nodes on the lines of a quad
+   pure real(wp) function quad_spacing(side, xy) result(spacing)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Positions of the nodes, (2, side**2)
+      real(wp), intent(in) :: xy(2, side, side)
+      integer :: i, j
+
+      spacing = 0.0_wp
+      do j = 1, side
+         do i = 2, side
+            spacing = max(spacing, norm2(xy(:, i, j) - xy(:, i - 1, j)), &
+               & norm2(xy(:, j, i) - xy(:, j, i - 1)))
+         end do
+      end do
+   end function quad_spacing
+
+   !> Derivatives of the position along xi and eta, (2, 2)
+   pure function jacobian_at(side, xi, eta, xy) result(jacobian)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Place in the square from -1 to 1
+      real(wp), intent(in) :: xi, eta
+      !> Positions of the nodes, (2, side**2)
+      real(wp), intent(in) :: xy(2, side*side)
+      real(wp) :: jacobian(2, 2)
+
+      real(wp) :: slope(2, side*side), value(side*side)
+
+      call plane_table(side, xi, eta, value, slope)
+      jacobian(:, :) = matmul(xy, transpose(slope))
+   end function jacobian_at
+
+   !> Nodes of a line
+   pure function node_places(side) result(place)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      real(wp) :: place(side)
+      integer :: i
+
+      place(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
+   end function node_places
+
+   !> Weights of the nodes of a line, trapezia or Simpson; their sum is 2
+   pure function node_weights(side) result(weight)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      real(wp) :: weight(side)
+
+      weight(:) = 1.0_wp
+      if (side == 3) weight(:) = [1.0_wp, 4.0_wp, 1.0_wp]/3.0_wp
+   end function node_weights
 
 end module plydyn_element_quad

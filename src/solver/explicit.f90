@@ -85,7 +85,7 @@ contains
       associate (force => state%acceleration)
          force(:) = 0.0_wp
          call add_ply_forces(domain, state%step_before, state%displacement, state%history, force)
-         call add_interface_forces(domain, state%displacement, force)
+         call add_interface_forces(domain, state%displacement, state%history, force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
          call accelerate(domain, state%step_before, state%velocity, force, sums)

@@ -2,7 +2,7 @@
 module plydyn_solver_forces
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_interface, only : add_spring_forces
+   use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    implicit none
@@ -39,19 +39,23 @@ contains
       end do
    end subroutine add_ply_forces
 
-   !> Subtract the internal forces of the springs between layers
-   subroutine add_interface_forces(domain, displacement, force)
+   !> Subtract the internal forces of the interfaces between layers
+   subroutine add_interface_forces(domain, displacement, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> History of all Gauss points
+      real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points
-      real(wp), intent(inout) :: force(:)
+      real(wp), intent(inout), contiguous :: force(:)
 
       integer :: k
 
       do k = 1, size(domain%interfaces)
-         call add_spring_forces(domain%interfaces(k), displacement, force)
+         call add_face_forces(domain%interfaces(k), &
+            & domain%control%kinematics == total_lagrangian, displacement, &
+            & history(domain%interfaces(k)%first_history:), force)
       end do
    end subroutine add_interface_forces
 

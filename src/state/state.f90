@@ -54,7 +54,7 @@ module plydyn_state_state
       !> Displacement at this time, velocity half a step before, acceleration at this time,
       !> all points; see `columns_type`
       real(wp), allocatable :: displacement(:), velocity(:), acceleration(:)
-      !> History of all Gauss points; see `layer_batch_type`
+      !> History of all Gauss points; see `layer_batch_type` and `interface_type`
       real(wp), allocatable :: history(:)
       !> Impactors
       type(impactor_state_type), allocatable :: impactors(:)

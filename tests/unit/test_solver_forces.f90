@@ -165,7 +165,7 @@ contains
       type(domain_type) :: domain
       type(error_type), allocatable :: error
       type(model_type) :: model
-      real(wp), allocatable :: displacement(:), force(:)
+      real(wp), allocatable :: displacement(:), force(:), history(:)
       real(wp), parameter :: jump(3) = [0.01_wp, -0.02_wp, 0.03_wp]
       real(wp) :: total(3)
       integer :: c, n
@@ -184,7 +184,8 @@ contains
       do c = 1, 3
          displacement(domain%columns%freedom(2, 1, c, [(n, n=1, domain%columns%nodes)])) = jump(c)
       end do
-      call add_interface_forces(domain, displacement, force)
+      allocate (history(domain%histories))
+      call add_interface_forces(domain, displacement, history, force)
       do c = 1, 3
          total(c) = sum(force(domain%columns%freedom(1, 3, c, [(n, n=1, domain%columns%nodes)])))
       end do

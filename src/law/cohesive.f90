@@ -1,0 +1,325 @@
+!> Interface that softens as it opens and slides: the bilinear law of Camanho, Davila and de Moura
+!> (2003) for unequal stiffness of the modes, with penalty against closing and, on the failed share
+!> of the face, friction after Alfano and Sacco (2006).
+!>
+!> Everything follows from the elastic energies of the intact interface (twice, per area) of
+!> opening, K_n <d_n>**2, and of sliding, K_s d_s**2: their ratio is the mix of modes B, and the
+!> load f = sqrt((K_n <d_n>/N)**2 + (K_s d_s/S)**2) is 1 at the onset for every mix. The final
+!> opening of a straight path is r = 2 G_c(B) f**2/(K_n <d_n>**2 + K_s d_s**2) times that of the
+!> onset, the same at every point of the path, so the damage is d = r (f - 1)/(f (r - 1)), and it
+!> never falls. A straight path dissipates G_c(B) whatever the stiffnesses.
+!>
+!> Friction acts on the share d of the face. That share has one slip; what has just failed joins it
+!> free of friction, so that both energies only grow and their sum is the work that is lost.
+module plydyn_law_cohesive
+   use plydyn_base_precision, only : lanes, wp
+   implicit none
+   private
+
+   public :: new_cohesive, new_springs
+
+   !> Places of the two modes in pairs of constants
+   integer, parameter, public :: normal = 1, shear = 2
+
+   !> Toughness between the pure modes: Benzeggagh and Kenane, or a sum of powers of G/G_c
+   integer, parameter, public :: benzeggagh_kenane = 1, power_law = 2
+
+   !> History of a point, zero for an intact one: damage from 0 to 1; energies per area lost in
+   !> fracture, lost because a falling penalty lets go what it held, and lost in friction; slip of
+   !> the failed faces along x and y; elastic part of the sliding that friction resists. A law has
+   !> the first `histories` of them
+   integer, parameter, public :: damage_at = 1, fracture_at = 2, closing_at = 3, friction_at = 4, &
+      & slip_at = 5, stretch_at = 7
+
+   !> Histories without and with a falling penalty, and with friction
+   integer, parameter :: fracture_only = 2, with_closing = 3, with_friction = 7
+
+   !> Share of the stiffness that a falling penalty keeps
+   real(wp), parameter, public :: penalty_floor = 0.02_wp
+
+   !> Smallest share of a mode whose power is taken
+   real(wp), parameter :: smallest = 1.0e-60_wp
+
+   !> Constants of an interface as an engineer gives them; pairs are normal, shear
+   type, public :: cohesive_constants_type
+      !> Traction per opening and per sliding
+      real(wp) :: stiffness(2) = 0.0_wp
+      !> Tractions N and S at the onset of damage
+      real(wp) :: strength(2) = 0.0_wp
+      !> Energies G_Ic and G_IIc per crack area
+      real(wp) :: toughness(2) = 0.0_wp
+      !> Toughness of mixed modes, `benzeggagh_kenane` or `power_law`, and its exponent
+      integer :: criterion = benzeggagh_kenane
+      real(wp) :: exponent = 1.0_wp
+      !> Replace the shear stiffness by K_n (G_Ic/G_IIc) (S/N)**2, for which the energy lost depends
+      !> on the damage alone and not on the mode (Turon et al. 2010)
+      logical :: consistent = .false.
+      !> Let the penalty of closed faces fall with the damage to `penalty_floor`, for explicit steps
+      !> near the critical one; otherwise it stays
+      logical :: falling_penalty = .false.
+      !> Coefficient of friction between failed faces
+      real(wp) :: friction = 0.0_wp
+   end type cohesive_constants_type
+
+   !> The law, ready for use
+   type, public :: cohesive_type
+      !> History variables of a point; none in springs, which never fail
+      integer :: histories = 0
+      !> Traction per opening and per sliding
+      real(wp) :: stiffness(2) = 0.0_wp
+      !> Square of the load per twice the elastic energy of each mode, K/N**2 and K/S**2
+      real(wp) :: onset(2) = 0.0_wp
+      !> As in the constants
+      real(wp) :: toughness(2) = 0.0_wp, exponent = 1.0_wp
+      integer :: criterion = benzeggagh_kenane
+      !> Least share of the stiffness that closed faces keep
+      real(wp) :: floor = 1.0_wp
+      !> Coefficient of friction, and the stiffness of failed faces before they slide
+      real(wp) :: friction = 0.0_wp, grip = 0.0_wp
+   contains
+      procedure :: update
+      procedure :: toughness_of
+   end type cohesive_type
+
+contains
+
+   !> The law of an interface that fails; the constants must be sound, see `check_cohesive`
+   pure function new_cohesive(constants) result(self)
+      !> Constants
+      type(cohesive_constants_type), intent(in) :: constants
+      type(cohesive_type) :: self
+
+      self%stiffness(:) = constants%stiffness
+      if (constants%consistent) self%stiffness(shear) = consistent_stiffness(constants)
+      self%onset(:) = self%stiffness/constants%strength**2
+      self%toughness(:) = constants%toughness
+      self%criterion = constants%criterion
+      self%exponent = constants%exponent
+      self%friction = constants%friction
+      self%histories = fracture_only
+      if (constants%falling_penalty) then
+         self%floor = penalty_floor
+         self%histories = with_closing
+      end if
+      self%grip = self%floor*self%stiffness(shear)
+      if (constants%friction > 0.0_wp) self%histories = with_friction
+   end function new_cohesive
+
+   !> The law of springs, which have no history
+   pure function new_springs(stiffness) result(self)
+      !> Traction per opening and per sliding
+      real(wp), intent(in) :: stiffness(2)
+      type(cohesive_type) :: self
+
+      self%stiffness(:) = stiffness
+   end function new_springs
+
+   !> Shear stiffness for which final over onset opening is the same in both modes
+   pure real(wp) function consistent_stiffness(constants) result(stiffness)
+      type(cohesive_constants_type), intent(in) :: constants
+
+      associate (strength => constants%strength, toughness => constants%toughness)
+         stiffness = constants%stiffness(normal)*toughness(normal)/toughness(shear) &
+            & *(strength(shear)/strength(normal))**2
+      end associate
+   end function consistent_stiffness
+
+   !> Traction on the upper face that resists an opening, and the history with it
+   pure subroutine update(self, opening, history, traction)
+      class(cohesive_type), intent(in) :: self
+      !> Displacement of the upper face over the lower: sliding along x and y, opening along z
+      real(wp), intent(in) :: opening(lanes, 3)
+      !> History of the point, old in and new out
+      real(wp), intent(inout) :: history(lanes, self%histories)
+      !> Traction in the same axes, positive with the opening
+      real(wp), intent(out) :: traction(lanes, 3)
+
+      real(wp) :: before(lanes), energy(lanes, 2), highest, load(lanes)
+      integer :: l
+
+      traction(:, 1:2) = self%stiffness(shear)*opening(:, 1:2)
+      traction(:, 3) = self%stiffness(normal)*opening(:, 3)
+      if (self%histories == 0) return
+
+      ! an intact point below the onset stays as it is
+      highest = 0.0_wp
+      !$omp simd reduction(max: highest)
+      do l = 1, lanes
+         energy(l, normal) = traction(l, 3)*max(opening(l, 3), 0.0_wp)
+         energy(l, shear) = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
+         load(l) = self%onset(normal)*energy(l, normal) + self%onset(shear)*energy(l, shear)
+         before(l) = history(l, damage_at)
+         highest = max(highest, load(l) - 1.0_wp, before(l))
+      end do
+      if (highest <= 0.0_wp) return
+
+      ! damage grows where the load is past the onset and something is left
+      highest = 0.0_wp
+      !$omp simd reduction(max: highest)
+      do l = 1, lanes
+         highest = max(highest, min(load(l) - 1.0_wp, 1.0_wp - before(l)))
+      end do
+      if (highest > 0.0_wp) call grow_damage(self, energy, load, history)
+      call weaken(history(:, damage_at), self%floor, traction)
+      if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
+         call let_go(self, before, opening, history)
+      end if
+      if (self%friction > 0.0_wp) call rub(self, before, opening, history, traction)
+   end subroutine update
+
+   !> New damage and the energy that it took
+   pure subroutine grow_damage(self, energy, load, history)
+      class(cohesive_type), intent(in) :: self
+      !> Twice the elastic energies of both modes of the intact interface
+      real(wp), intent(in) :: energy(lanes, 2)
+      !> Square of the load, 1 at the onset
+      real(wp), intent(in) :: load(lanes)
+      !> Damage and energy of fracture
+      real(wp), intent(inout) :: history(lanes, 2)
+
+      real(wp) :: after, before, f(lanes), left, mix(lanes), r, toughness(lanes)
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         mix(l) = energy(l, shear)/(energy(l, normal) + energy(l, shear) + tiny(1.0_wp))
+         f(l) = max(sqrt(load(l)), 1.0_wp)
+      end do
+      call find_toughness(self, mix, toughness)
+      !$omp simd private(after, before, left, r)
+      do l = 1, lanes
+         ! final over onset opening of a straight path with this mix
+         r = 2.0_wp*toughness(l)*(self%onset(normal) + (self%onset(shear) &
+            & - self%onset(normal))*mix(l))
+         before = history(l, damage_at)
+         ! r over the load at which the damage so far would grow
+         left = r - before*(r - 1.0_wp)
+         after = min(max(before, r*(f(l) - 1.0_wp)/(f(l)*(r - 1.0_wp))), 1.0_wp)
+         history(l, damage_at) = after
+         history(l, fracture_at) = history(l, fracture_at) &
+            & + toughness(l)*(after - before)*min(f(l), r)/left
+      end do
+   end subroutine grow_damage
+
+   !> Energy per crack area at a mix of modes
+   pure real(wp) function toughness_of(self, mix)
+      class(cohesive_type), intent(in) :: self
+      !> Share of the energy that is of shear, from 0 to 1
+      real(wp), intent(in) :: mix
+
+      real(wp) :: toughness(lanes)
+
+      call find_toughness(self, spread(mix, 1, lanes), toughness)
+      toughness_of = toughness(1)
+   end function toughness_of
+
+   !> Energies per crack area at mixes of modes
+   pure subroutine find_toughness(self, mix, toughness)
+      class(cohesive_type), intent(in) :: self
+      !> Share of the energy that is of shear, from 0 to 1
+      real(wp), intent(in) :: mix(lanes)
+      !> Energy per crack area
+      real(wp), intent(out) :: toughness(lanes)
+
+      real(wp) :: opening, sliding
+      integer :: l
+
+      associate (pure => self%toughness, exponent => self%exponent)
+         if (self%criterion == benzeggagh_kenane) then
+            !$omp simd
+            do l = 1, lanes
+               toughness(l) = pure(normal) + (pure(shear) - pure(normal)) &
+                  & *exp(exponent*log(max(mix(l), smallest)))
+            end do
+         else
+            !$omp simd private(opening, sliding)
+            do l = 1, lanes
+               opening = exp(exponent*log(max(1.0_wp - mix(l), smallest)/pure(normal)))
+               sliding = exp(exponent*log(max(mix(l), smallest)/pure(shear)))
+               toughness(l) = exp(-log(opening + sliding)/exponent)
+            end do
+         end if
+      end associate
+   end subroutine find_toughness
+
+   !> Tractions of the damaged interface from those of the intact one
+   pure subroutine weaken(damage, floor, traction)
+      !> Damage
+      real(wp), intent(in) :: damage(lanes)
+      !> Least share of the stiffness that closed faces keep
+      real(wp), intent(in) :: floor
+      !> Traction, of the intact interface in
+      real(wp), intent(inout) :: traction(lanes, 3)
+
+      real(wp) :: whole
+      integer :: l
+
+      !$omp simd private(whole)
+      do l = 1, lanes
+         whole = 1.0_wp - damage(l)
+         traction(l, 1) = whole*traction(l, 1)
+         traction(l, 2) = whole*traction(l, 2)
+         traction(l, 3) = merge(whole, max(whole, floor), traction(l, 3) > 0.0_wp)*traction(l, 3)
+      end do
+   end subroutine weaken
+
+   !> Energy that closed faces lose when their penalty falls
+   pure subroutine let_go(self, before, opening, history)
+      class(cohesive_type), intent(in) :: self
+      !> Damage before this step
+      real(wp), intent(in) :: before(lanes)
+      !> Opening
+      real(wp), intent(in) :: opening(lanes, 3)
+      !> Damage and energy
+      real(wp), intent(inout) :: history(lanes, with_closing)
+
+      real(wp) :: lost
+      integer :: l
+
+      !$omp simd private(lost)
+      do l = 1, lanes
+         lost = max(1.0_wp - before(l), self%floor) &
+            & - max(1.0_wp - history(l, damage_at), self%floor)
+         history(l, closing_at) = history(l, closing_at) &
+            & + 0.5_wp*self%stiffness(normal)*lost*min(opening(l, 3), 0.0_wp)**2
+      end do
+   end subroutine let_go
+
+   !> Add the friction of the failed share of the face. Sliding first stretches it; it slips where
+   !> that would take more than Coulomb's traction. The energy is the mean traction times the slip
+   pure subroutine rub(self, before, opening, history, traction)
+      class(cohesive_type), intent(in) :: self
+      !> Damage before this step
+      real(wp), intent(in) :: before(lanes)
+      !> Opening
+      real(wp), intent(in) :: opening(lanes, 3)
+      !> Damage, slip, stretch and energy
+      real(wp), intent(inout) :: history(lanes, with_friction)
+      !> Traction, without friction in
+      real(wp), intent(inout) :: traction(lanes, 3)
+
+      real(wp) :: carried, damage, full, part, share, x, y
+      integer :: l
+
+      !$omp simd private(carried, damage, full, part, share, x, y)
+      do l = 1, lanes
+         damage = history(l, damage_at)
+         ! the share of the failed face that had failed before
+         share = before(l)/max(damage, tiny(1.0_wp))
+         x = opening(l, 1) - history(l, slip_at)
+         y = opening(l, 2) - history(l, slip_at + 1)
+         full = sqrt(x*x + y*y)
+         carried = min(share*full, self%friction*max(-traction(l, 3), 0.0_wp)/self%grip)
+         part = carried/max(full, tiny(1.0_wp))
+         traction(l, 1) = traction(l, 1) + damage*self%grip*part*x
+         traction(l, 2) = traction(l, 2) + damage*self%grip*part*y
+         history(l, slip_at) = opening(l, 1) - part*x
+         history(l, slip_at + 1) = opening(l, 2) - part*y
+         history(l, friction_at) = history(l, friction_at) + 0.5_wp*damage*self%grip &
+            & *((share*full - carried)*(carried + history(l, stretch_at)) &
+            & + (1.0_wp - share)*full*carried)
+         history(l, stretch_at) = carried
+      end do
+   end subroutine rub
+
+end module plydyn_law_cohesive

@@ -1,0 +1,294 @@
+!> Interfaces over quads: tractions times areas, linear and turned with large displacement.
+program test_element_interface
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_interface, only : add_lanes, history_size, interface_sums_type, &
+      & interface_type, point_positions, set_damage, set_plane
+   use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_law_cohesive, only : cohesive_constants_type, new_cohesive, new_springs
+   use plydyn_model_mesh, only : mesh_type
+   use sample, only : rectangle_mesh
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> Thickness nodes of the layers, interfaces, and the area of the plate
+   integer, parameter :: levels = 3, joints = 7
+   real(wp), parameter :: area = 24.0_wp
+   real(wp), parameter :: unit(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, &
+      & 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
+   integer :: side
+   logical :: adjacent, nodal
+
+   do side = 2, 3
+      nodal = .false.
+      do
+         adjacent = .true.
+         do
+            call test_uniform_opening()
+            call test_softening()
+            call test_turned()
+            if (.not. adjacent) exit
+            adjacent = .false.
+         end do
+         call test_one_quad()
+         call test_points()
+         if (nodal) exit
+         nodal = .true.
+      end do
+   end do
+   call test_patch_of_moments()
+   call finish()
+
+contains
+
+   !> Seven interfaces between eight layers of three levels over a distorted plate
+   subroutine make(constants, self, mesh)
+      type(cohesive_constants_type), intent(in) :: constants
+      type(interface_type), intent(out) :: self
+      type(mesh_type), intent(out) :: mesh
+
+      integer :: l
+
+      mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
+      self%lower(:joints) = [(l, l=1, joints)]
+      self%upper(:joints) = self%lower(:joints) + 1
+      self%present(:joints) = 1.0_wp
+      self%adjacent = adjacent
+      self%below%first(:) = [(l + lanes*(levels - 1), l=1, lanes)]
+      self%above%first(:) = [(l + 1, l=1, lanes)]
+      self%below%stride(:) = lanes*levels
+      self%above%stride(:) = lanes*levels
+      self%below%step(:) = 3*lanes*levels
+      self%above%step(:) = 3*lanes*levels
+      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%law = new_cohesive(constants)
+   end subroutine make
+
+   !> Table 6 of the paper in mm, N, MPa
+   pure function table_6() result(constants)
+      type(cohesive_constants_type) :: constants
+
+      constants%stiffness(:) = [1373.3e3_wp, 493.3e3_wp]
+      constants%strength(:) = [62.3_wp, 92.3_wp]
+      constants%toughness(:) = [0.28_wp, 0.79_wp]
+      constants%exponent = 1.45_wp
+   end function table_6
+
+   !> Displacements: layer k moves by h . (x, y, 0) and k times a jump, all turned by a rotation
+   pure function moved(mesh, h, jump, rotation) result(displacement)
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: h(3, 3), jump(3), rotation(3, 3)
+      real(wp), allocatable :: displacement(:)
+
+      real(wp) :: x(3)
+      integer :: c, k, n, t
+
+      allocate (displacement(3*lanes*levels*size(mesh%node_id)))
+      do n = 1, size(mesh%node_id)
+         do k = 1, lanes
+            x(:) = matmul(rotation, mesh%position(:, n) + matmul(h, mesh%position(:, n)) &
+               & + real(k, wp)*jump) - mesh%position(:, n)
+            do t = 1, levels
+               do c = 1, 3
+                  displacement(k + lanes*(t - 1 + levels*(c - 1 + 3*(n - 1)))) = x(c)
+               end do
+            end do
+         end do
+      end do
+   end function moved
+
+   !> Resultant on a face of a layer
+   pure function resultant(force, layer, level) result(total)
+      real(wp), intent(in) :: force(:)
+      integer, intent(in) :: layer, level
+      real(wp) :: total(3)
+
+      integer :: c
+
+      do c = 1, 3
+         total(c) = sum(force(layer + lanes*(level - 1 + levels*(c - 1))::3*lanes*levels))
+      end do
+   end function resultant
+
+   !> Forces of interfaces without history
+   subroutine find_forces(self, large, displacement, history, force)
+      type(interface_type), intent(in) :: self
+      logical, intent(in) :: large
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp), intent(inout), contiguous :: history(:)
+      real(wp), allocatable, intent(out) :: force(:)
+
+      allocate (force(size(displacement)))
+      force(:) = 0.0_wp
+      call add_face_forces(self, large, displacement, history, force)
+   end subroutine find_forces
+
+   !> A uniform opening of distorted quads makes traction times area
+   subroutine test_uniform_opening()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: force(:), history(:)
+      real(wp), parameter :: jump(3) = [0.01_wp, -0.02_wp, 0.03_wp]
+      real(wp), parameter :: pull(3) = area*[400.0_wp, 400.0_wp, 1000.0_wp]*jump
+      integer :: k
+
+      call begin("uniform opening of springs")
+      call make(table_6(), self, mesh)
+      self%law = new_springs([1000.0_wp, 400.0_wp])
+      call check(history_size(self), 0, "springs have no history")
+      allocate (history(0))
+      call find_forces(self, .false., moved(mesh, 0.0_wp*unit, jump, unit), history, force)
+      do k = 1, joints
+         call check(resultant(force, k, levels), pull, 1.0e-10_wp, "pulls the lower face up")
+         call check(resultant(force, k + 1, 1), -pull, 1.0e-10_wp, "pulls the upper face down")
+      end do
+      call check(sum(abs(force)), 2.0_wp*real(joints, wp)*sum(abs(pull)), 1.0e-9_wp, &
+         & "and acts on nothing else")
+   end subroutine test_uniform_opening
+
+   !> The same past the onset, with the energies and areas of all points
+   subroutine test_softening()
+      type(interface_sums_type) :: sums
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: force(:), history(:)
+      real(wp), parameter :: opening = 4.0e-3_wp, first = 62.3_wp/1373.3e3_wp
+      real(wp), parameter :: last = 2.0_wp*0.28_wp/62.3_wp
+      real(wp), parameter :: pull = area*62.3_wp*(last - opening)/(last - first)
+
+      call begin("uniform opening that softens")
+      call make(table_6(), self, mesh)
+      allocate (history(history_size(self)))
+      history(:) = 0.0_wp
+      call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, opening], unit), &
+         & history, force)
+      call check(resultant(force, 1, levels), [0.0_wp, 0.0_wp, pull], 1.0e-8_wp, &
+         & "makes traction times area")
+      call add_lanes(self, history, sums)
+      call check(sums%begun, area*self%present, 1.0e-12_wp, "damage has begun everywhere")
+      call check(sums%failed, 0.0_wp*self%present, 0.0_wp, "and is complete nowhere")
+      call check(sums%fracture, area*0.28_wp*(opening - first)/(last - first)*self%present, &
+         & 1.0e-9_wp, "the energy lost is that of the triangle")
+      call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.1_wp], unit), &
+         & history, force)
+      call check(maxval(abs(force)), 0.0_wp, 0.0_wp, "far opened, it carries nothing")
+      sums = interface_sums_type()
+      call add_lanes(self, history, sums)
+      call check(sums%failed, area*self%present, 1.0e-12_wp, "then all of the area has failed")
+      call check(sums%fracture, area*0.28_wp*self%present, 1.0e-9_wp, "and took its toughness")
+      call check(maxval(abs(sums%closing) + abs(sums%friction)), 0.0_wp, 0.0_wp, &
+         & "without other losses")
+   end subroutine test_softening
+
+   !> With large displacement the tractions turn with the face
+   subroutine test_turned()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), parameter :: c = cos(2.0_wp), s = sin(2.0_wp)
+      real(wp), parameter :: rotation(3, 3) = reshape([c, s, 0.0_wp, -s*c, c*c, s, &
+         & s*s, -s*c, c], [3, 3])
+      real(wp), parameter :: stretch(3, 3) = reshape([0.02_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
+         & -0.01_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], [3, 3])
+      real(wp), parameter :: jump(3) = [2.0e-3_wp, -1.0e-3_wp, 3.0e-3_wp]
+      real(wp), allocatable :: force(:), history(:), straight(:), turned_history(:)
+      real(wp) :: pull(3)
+
+      call begin("turned interface")
+      call make(table_6(), self, mesh)
+      allocate (history(history_size(self)), turned_history(history_size(self)))
+      history(:) = 0.0_wp
+      turned_history(:) = 0.0_wp
+      call find_forces(self, .false., moved(mesh, stretch, jump, unit), history, straight)
+      call find_forces(self, .true., moved(mesh, stretch, jump, unit), turned_history, force)
+      call check(maxval(abs(force - straight)) < 1.0e-10_wp*maxval(abs(straight)), &
+         & "is the linear one where nothing turns")
+      turned_history(:) = 0.0_wp
+      call find_forces(self, .true., moved(mesh, stretch, jump, rotation), turned_history, force)
+      pull(:) = matmul(rotation, resultant(straight, 2, levels))
+      call check(resultant(force, 2, levels), pull, 1.0e-10_wp*norm2(pull), &
+         & "turns its forces with the plate")
+      call check(maxval(abs(turned_history - history)) < 1.0e-10_wp, "and keeps its history")
+      turned_history(:) = 0.0_wp
+      call find_forces(self, .true., moved(mesh, 0.0_wp*unit, 0.0_wp*jump, rotation), &
+         & turned_history, force)
+      call check(maxval(abs(force)) < 1.0e-8_wp, "feels nothing of a rigid rotation")
+   end subroutine test_turned
+
+   !> Each lane is its own: one interface opens, one is delaminated in one quad
+   subroutine test_one_quad()
+      type(interface_sums_type) :: sums
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: force(:), history(:)
+      logical, allocatable :: chosen(:, :)
+
+      call begin("initial delamination")
+      adjacent = .true.
+      call make(table_6(), self, mesh)
+      allocate (history(history_size(self)), chosen(side**2, size(mesh%quad_id)))
+      history(:) = 0.0_wp
+      chosen(:, :) = .false.
+      chosen(:, 3) = .true.
+      call set_damage(self, 4, chosen, 1.0_wp, history)
+      call add_lanes(self, history, sums)
+      call check(sums%failed, merge(sum(self%metric(5, :, 3)), 0.0_wp, self%upper == 5), &
+         & 1.0e-12_wp, "is one quad of one interface")
+      call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 1.0e-5_wp], unit), &
+         & history, force)
+      call check(resultant(force, 4, levels), [0.0_wp, 0.0_wp, 13.733_wp*(area - sums%failed(4))], &
+         & 1.0e-9_wp, "carries nothing there")
+      call check(resultant(force, 5, levels), [0.0_wp, 0.0_wp, 13.733_wp*area], 1.0e-9_wp, &
+         & "and everything elsewhere")
+   end subroutine test_one_quad
+
+   !> Points integrate what varies over the plate about its middle
+   subroutine test_points()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: place(:, :, :)
+      real(wp) :: moment(2)
+      integer :: c
+
+      call begin("point_positions")
+      call make(table_6(), self, mesh)
+      place = point_positions(self, mesh%position)
+      call check(sum(self%metric(5, :, :)), area, 1.0e-12_wp, "the areas add to that of the plate")
+      do c = 1, 2
+         moment(c) = sum(self%metric(5, :, :)*place(c, :, :))
+      end do
+      ! the map is odd about the middle, so the centroid stays there with any symmetric rule
+      call check(moment/area, [3.0_wp, 2.0_wp], 1.0e-12_wp, "their centroid is in the middle")
+      call check(minval(place) >= -1.0e-12_wp .and. maxval(place(1, :, :)) <= 6.0_wp + 1.0e-12_wp, &
+         & "and all lie on the plate")
+   end subroutine test_points
+
+   !> Forces of an opening that varies linearly are those of its exact integrals
+   subroutine test_patch_of_moments()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: displacement(:), force(:), history(:)
+      integer :: n
+
+      call begin("linear opening")
+      side = 3
+      nodal = .false.
+      adjacent = .true.
+      call make(table_6(), self, mesh)
+      mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.0_wp)
+      deallocate (self%metric)
+      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%law = new_springs([1000.0_wp, 400.0_wp])
+      displacement = moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.0_wp], unit)
+      do n = 1, size(mesh%node_id)
+         displacement(2 + lanes*(levels*(2 + 3*(n - 1)))) = mesh%position(1, n)
+      end do
+      allocate (history(0))
+      call find_forces(self, .false., displacement, history, force)
+      ! the integral of x over the plate, and of its square
+      call check(resultant(force, 1, levels), [0.0_wp, 0.0_wp, 1000.0_wp*72.0_wp], 1.0e-7_wp, &
+         & "resultant")
+      call check(sum([(mesh%position(1, n)*force(1 + lanes*(levels - 1 + levels*(2 + 3*(n - 1)))), &
+         & n=1, size(mesh%node_id))]), 1000.0_wp*288.0_wp, 1.0e-7_wp, "moment")
+   end subroutine test_patch_of_moments
+
+end program test_element_interface
