@@ -161,7 +161,7 @@ contains
       call keyword%add_real("X", "length", "x of the place")
       call keyword%add_real("Y", "length", "y of the place")
       call keyword%add_integer("NPT", "points in each numerical layer, its faces included", &
-         & default=5, least=2)
+         & default=5, least=2, most=100)
       call keyword%add_real("DT", "time", "time between two profiles; 0 for every step", &
          & default=0.0_wp, least=0.0_wp)
    end function database_profile

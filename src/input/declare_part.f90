@@ -107,7 +107,7 @@ contains
       call keyword%add_integer("PLYORDER", "order of the polynomials in these plies", least=1, &
          & most=4)
       call keyword%add_integer("NSUB", "numerical layers in each of these plies", default=1, &
-         & least=1)
+         & least=1, most=100)
    end function section_layerwise
 
    !> What joins two plies

@@ -1,10 +1,12 @@
 !> Readers of what frames a run: title, units, time step, end.
 module plydyn_input_read_control
+   use plydyn_base_precision, only : wp
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_report, only : report_type
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_units, only : derived_units
    use plydyn_model_control, only : control_type, units_type
+   use plydyn_model_curve, only : curve_type
    implicit none
    private
 
@@ -38,9 +40,11 @@ contains
    end subroutine read_control_termination
 
    !> *CONTROL_TIMESTEP: first step, share of the stable one, bound
-   subroutine read_control_timestep(cards, catalogue, control)
+   subroutine read_control_timestep(cards, catalogue, curves, control)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      !> Curves of the model
+      type(curve_type), intent(in) :: curves(:)
       type(control_type), intent(inout) :: control
 
       control%first_step = cards%real("DTINIT")
@@ -48,6 +52,10 @@ contains
       if (cards%integer("LCTM") > 0) then
          call catalogue%find(a_curve, cards, "LCTM", control%step_curve)
       end if
+      if (control%step_curve == 0) return
+      if (all(curves(control%step_curve)%y > 0.0_wp)) return
+      call catalogue%refuse(cards, "LCTM", "the curve bounds the step by 0 or less somewhere", &
+         & "a curve with ordinates above 0")
    end subroutine read_control_timestep
 
    !> *CONTROL_PARALLEL: accepted, the command line decides

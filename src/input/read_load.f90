@@ -5,6 +5,7 @@ module plydyn_input_read_load
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, a_quad_set, catalogue_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_support, only : top_face
    implicit none
    private
@@ -67,9 +68,10 @@ contains
    end subroutine read_load_face_point
 
    !> *LOAD_FACE_LINE: a force per length along element edges
-   subroutine read_load_face_line(cards, catalogue, curves, loads)
+   subroutine read_load_face_line(cards, catalogue, mesh, curves, loads)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(mesh_type), intent(in) :: mesh
       type(curve_type), allocatable, intent(inout) :: curves(:)
       type(line_load_type), allocatable, intent(inout) :: loads(:)
 
@@ -82,9 +84,39 @@ contains
          new(nth)%direction = cards%integer("DOF", nth)
          new(nth)%scale = cards%real("SF", nth)
          new(nth)%face = cards%integer("FACE", nth)
+         if (size(new(nth)%nodes) == 0 .or. .not. catalogue%mesh_is_sound) cycle
+         if (has_edge(mesh, new(nth)%nodes)) cycle
+         call catalogue%refuse(cards, "NSID", "no element has an edge with all its nodes in the " &
+            & //"set", "the nodes along an edge of the elements, mid-side nodes among them", nth)
       end do
       loads = [loads, new]
    end subroutine read_load_face_line
+
+   !> True when all nodes of an element's edge are among some nodes
+   pure logical function has_edge(mesh, nodes)
+      type(mesh_type), intent(in) :: mesh
+      !> Indices of the nodes
+      integer, intent(in) :: nodes(:)
+
+      integer, parameter :: corners = 4
+      logical, allocatable :: inside(:)
+      integer :: e, k
+
+      allocate (inside(size(mesh%node_id)))
+      inside(:) = .false.
+      inside(nodes) = .true.
+      has_edge = .true.
+      do e = 1, size(mesh%quad_id)
+         associate (met => inside(mesh%quad_node(:, e)))
+            do k = 1, corners
+               ! a quad of nine nodes has one in the middle of each edge
+               if (met(k) .and. met(modulo(k, corners) + 1) &
+                  & .and. met(merge(k, corners + k, size(met) == corners))) return
+            end do
+         end associate
+      end do
+      has_edge = .false.
+   end function has_edge
 
    !> *LOAD_SHELL_SET: a pressure onto the top face
    subroutine read_load_shell_set(cards, catalogue, pressures)

@@ -75,6 +75,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       type(part_type), intent(inout) :: parts(:)
 
+      logical, allocatable :: taken(:)
       integer :: first, last, nth, part
 
       call catalogue%define(a_section, cards, "PID")
@@ -83,6 +84,8 @@ contains
       if (part == 0) return
       parts(part)%lobatto = cards%integer("BASIS") == 1
       parts(part)%plies%order = cards%integer("ORDER")
+      allocate (taken(size(parts(part)%plies)))
+      taken(:) = .false.
       do nth = 1, cards%sets()
          call find_ply(cards, "PLYID1", nth, parts(part)%plies, catalogue, first)
          call find_ply(cards, "PLYID2", nth, parts(part)%plies, catalogue, last)
@@ -90,7 +93,11 @@ contains
          if (last < first) then
             call catalogue%refuse(cards, "PLYID2", "PLYID2 lies below PLYID1 in the stack", &
                & "a range of plies from the bottom up", nth)
+         else if (any(taken(first:last))) then
+            call catalogue%refuse(cards, "PLYID1", "some of these plies are in a range already", &
+               & "each ply in one range at most", nth)
          end if
+         taken(first:last) = .true.
          parts(part)%plies(first:last)%order = cards%integer("PLYORDER", nth)
          parts(part)%plies(first:last)%layers = cards%integer("NSUB", nth)
       end do

@@ -1,0 +1,58 @@
+!> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau.
+module plydyn_law_damage_growth
+   use plydyn_base_precision, only : lanes, wp
+   implicit none
+   private
+
+   public :: grow
+
+   !> History of a mode: damage; strain at onset, negative in compression, 0 before; strain at which
+   !> the falling line meets zero
+   integer, parameter :: of_damage = 1, of_onset = 2, of_finish = 3
+
+   !> Keeps divisors off zero where nothing has begun
+   real(wp), parameter :: small = 1.0e-30_wp
+
+contains
+
+   !> Damage of the modes after a step; it never heals. The stress over the strength is
+   !> (finish - strain)/(finish - onset) or the plateau, whichever is more (theory 1.5 and 1.10 ii).
+   pure subroutine grow(plateau, strain, mode, share)
+      !> Share of the strength that remains, by mode, when onset was in compression
+      real(wp), intent(in) :: plateau(lanes, 2)
+      !> Equivalent strain of each mode
+      real(wp), intent(in) :: strain(lanes, 2)
+      !> History of each mode
+      real(wp), intent(inout) :: mode(lanes, of_finish, 2)
+      !> Strain at which the old damage was reached over that of the new one, 1 before onset: what
+      !> makes the end value of the driving force its mean when all strains grow in proportion
+      real(wp), intent(out) :: share(lanes, 2)
+
+      real(wp) :: damage, fall, floor, intact, last, left, now, onset, part, rise
+      integer :: k, l
+
+      do k = 1, 2
+         !$omp simd private(damage, fall, floor, intact, last, left, now, onset, part, rise)
+         do l = 1, lanes
+            damage = mode(l, of_damage, k)
+            onset = abs(mode(l, of_onset, k))
+            last = mode(l, of_finish, k)
+            fall = last - onset
+            floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+
+            ! the old damage stands for the strain rise/part, on the line or on the plateau
+            left = max(last - damage*fall, small)
+            intact = max(1.0_wp - damage, small)
+            rise = onset*max(last*intact, floor*left)
+            part = left*intact
+            share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
+
+            now = max(strain(l, k), onset, small)
+            damage = max(damage, 1.0_wp - onset*max(last - now, floor*fall)/max(now*fall, small))
+            mode(l, of_damage, k) = merge(min(damage, 1.0_wp), mode(l, of_damage, k), &
+               & fall > 0.0_wp)
+         end do
+      end do
+   end subroutine grow
+
+end module plydyn_law_damage_growth

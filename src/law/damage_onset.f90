@@ -1,0 +1,204 @@
+!> Onset of damage of fibres and of matrix: when, and the strains between which it grows.
+!>
+!> Stresses are trial stresses of the intact ply, along and across the fibres, with the shear on its
+!> curve (theory 1.2 to 1.5). Where the crack band is too wide for the toughness, damage starts as
+!> soon as the work of the mode leaves no less than the asked ratio of the two strains: in uniaxial
+!> stress this is the strength sqrt(2 E G/(length*ratio)), and it holds on any other path.
+module plydyn_law_damage_onset
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_constants, only : in_compression, in_tension, onset_hashin, &
+      & ply_constants_type, snap_drop
+   implicit none
+   private
+
+   !> Constants of the lanes
+   type, public :: onset_type
+      private
+      !> Least strain of a mode at onset over its stress, along and across the fibres
+      real(wp) :: least(lanes, 2) = 0.0_wp
+      !> Inverse squares of XT, XC and S12
+      real(wp) :: fibre(lanes, 2) = 0.0_wp, shear(lanes) = 0.0_wp
+      !> Factors of the square of the stress across, in tension and in compression, and of the
+      !> stress itself in compression
+      real(wp) :: matrix(lanes, 2) = 0.0_wp, linear(lanes) = 0.0_wp
+      !> Twice the energies per area of crack: fibres, matrix, matrix by shear; each in tension and
+      !> in compression
+      real(wp) :: fibre_toughness(lanes, 2) = 1.0_wp, matrix_toughness(lanes, 2) = 1.0_wp
+      real(wp) :: shear_toughness(lanes, 2) = 1.0_wp
+      !> Least ratio of the strains at the end and at onset; 0: any
+      real(wp) :: ratio(lanes) = 0.0_wp
+   contains
+      procedure :: set_lane
+      procedure :: find_onset
+      procedure :: begin_fibre
+      procedure :: begin_matrix
+   end type onset_type
+
+   !> Least strain of a mode at onset, as a share of that in uniaxial stress. Poisson's effect can
+   !> bring the stress of a mode to its strength with little strain of it, or none
+   real(wp), parameter :: least_share = 0.1_wp
+   !> Least ratio of the strains when the stress drops at once
+   real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
+
+contains
+
+   !> Give a lane its constants
+   pure subroutine set_lane(self, lane, constants)
+      class(onset_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Its ply
+      type(ply_constants_type), intent(in) :: constants
+
+      real(wp) :: cross
+
+      self%least(lane, :) = least_share/constants%young(1:2)
+      self%fibre(lane, :) = 1.0_wp/constants%fibre_strength**2
+      self%matrix(lane, :) = 1.0_wp/constants%matrix_strength**2
+      self%shear(lane) = 1.0_wp/constants%shear_strength**2
+      self%linear(lane) = 0.0_wp
+      if (constants%onset == onset_hashin) then
+         cross = 1.0_wp/(2.0_wp*constants%cross_strength)
+         associate (strength => constants%matrix_strength(in_compression))
+            self%matrix(lane, in_compression) = cross**2
+            self%linear(lane) = ((strength*cross)**2 - 1.0_wp)/strength
+         end associate
+      end if
+
+      ! a plateau leaves less stress to soften: the line ends at a larger strain
+      self%fibre_toughness(lane, :) = 2.0_wp*constants%fibre_toughness
+      self%fibre_toughness(lane, in_compression) = &
+         & self%fibre_toughness(lane, in_compression)/(1.0_wp - constants%plateau)**2
+      self%matrix_toughness(lane, :) = 2.0_wp*constants%matrix_toughness
+      self%shear_toughness(lane, :) = self%matrix_toughness(lane, :)
+      if (constants%shear_toughness > 0.0_wp) then
+         self%shear_toughness(lane, :) = 2.0_wp*constants%shear_toughness
+      end if
+      self%ratio(lane) = merge(0.0_wp, constants%snap_ratio, constants%snap_back == snap_drop)
+   end subroutine set_lane
+
+   !> How far beyond onset the modes are: 0 or more where damage starts
+   pure subroutine find_onset(self, stress, strain, shear, length, excess)
+      class(onset_type), intent(in) :: self
+      !> Trial stresses 11 and 22
+      real(wp), intent(in) :: stress(lanes, 2)
+      !> Strains 11 and 22
+      real(wp), intent(in) :: strain(lanes, 2)
+      !> Sizes of the shear stress on its curve and of the elastic shear strain
+      real(wp), intent(in) :: shear(lanes, 2)
+      !> Widths of the crack band for fibres and for matrix
+      real(wp), intent(in) :: length(lanes, 2)
+      !> Of fibres and of matrix; only the sign has a meaning
+      real(wp), intent(out) :: excess(lanes, 2)
+
+      real(wp) :: by_shear, criterion, in_t, in_c, s, pull, push, toughness, work
+      integer :: l
+
+      associate (least => self%least, ratio => self%ratio, t => in_tension, c => in_compression)
+         !$omp simd private(s, pull, push, in_t, in_c, criterion, toughness, work)
+         do l = 1, lanes
+            s = stress(l, 1)
+            pull = max(s, 0.0_wp)
+            push = max(-s, 0.0_wp)
+            criterion = self%fibre(l, t)*pull**2 + self%fibre(l, c)*push**2
+            in_t = self%fibre_toughness(l, t)
+            in_c = self%fibre_toughness(l, c)
+            toughness = merge(in_t, in_c, s >= 0.0_wp)
+            work = abs(s)*max(abs(strain(l, 1)), least(l, 1)*abs(s))
+            excess(l, 1) = max(criterion - 1.0_wp, ratio(l)*length(l, 1)*work - toughness)
+         end do
+
+         !$omp simd private(s, pull, push, by_shear, in_t, in_c, criterion, toughness, work)
+         do l = 1, lanes
+            s = stress(l, 2)
+            pull = max(s, 0.0_wp)
+            push = max(-s, 0.0_wp)
+            criterion = self%shear(l)*shear(l, 1)**2 + self%matrix(l, t)*pull**2 &
+               & + (self%matrix(l, c)*push - self%linear(l))*push
+            work = max(s*strain(l, 2), least(l, 2)*s**2)
+            by_shear = shear(l, 1)*shear(l, 2)
+            in_t = self%matrix_toughness(l, t)
+            in_c = self%matrix_toughness(l, c)
+            toughness = work*merge(in_t, in_c, s >= 0.0_wp) + tiny(toughness)
+            in_t = self%shear_toughness(l, t)
+            in_c = self%shear_toughness(l, c)
+            toughness = toughness + by_shear*merge(in_t, in_c, s >= 0.0_wp)
+            work = work + by_shear
+            excess(l, 2) = max(criterion - 1.0_wp, ratio(l)*length(l, 2)*work**2 - toughness)
+         end do
+      end associate
+   end subroutine find_onset
+
+   !> Strains between which the damage of fibres grows, from a state at onset or beyond
+   pure subroutine begin_fibre(self, lane, stress, strain, length, onset, finish)
+      class(onset_type), intent(in) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Trial stress and strain 11
+      real(wp), intent(in) :: stress, strain
+      !> Width of the crack band
+      real(wp), intent(in) :: length
+      !> Strain at onset, negative in compression, and strain at the end, positive
+      real(wp), intent(out) :: onset, finish
+
+      real(wp) :: criterion, scale, size, toughness
+      integer :: sense
+
+      sense = merge(in_tension, in_compression, stress >= 0.0_wp)
+      toughness = self%fibre_toughness(lane, sense)/length
+      size = max(abs(strain), self%least(lane, 1)*abs(stress))
+      ! the state on the surface of onset, behind which the step may have led
+      criterion = max(self%fibre(lane, sense)*stress**2, &
+         & self%ratio(lane)*abs(stress)*size/toughness)
+      scale = 1.0_wp/sqrt(criterion)
+      finish = max(toughness/(scale*abs(stress)), scale*size*at_once)
+      onset = sign(scale*size, stress)
+   end subroutine begin_fibre
+
+   !> Strains between which the damage of matrix grows, from a state at onset or beyond
+   pure subroutine begin_matrix(self, lane, stress, strain, shear, length, onset, finish)
+      class(onset_type), intent(in) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Trial stress and strain 22
+      real(wp), intent(in) :: stress, strain
+      !> Sizes of the shear stress on its curve and of the elastic shear strain
+      real(wp), intent(in) :: shear(2)
+      !> Width of the crack band
+      real(wp), intent(in) :: length
+      !> Equivalent strain at onset, negative in compression, and at the end, positive
+      real(wp), intent(out) :: onset, finish
+
+      real(wp) :: by_shear, least, scale, size, toughness, work
+      integer :: sense
+
+      sense = merge(in_tension, in_compression, stress >= 0.0_wp)
+      least = self%least(lane, 2)*abs(stress)
+      work = max(stress*strain, least*abs(stress))
+      by_shear = shear(1)*shear(2)
+      ! the toughnesses count by the shares of work
+      toughness = (work*self%matrix_toughness(lane, sense) &
+         & + by_shear*self%shear_toughness(lane, sense))/((work + by_shear)*length)
+      work = work + by_shear
+      scale = matrix_scale(self, lane, sense, stress, shear(1))
+      scale = min(scale, 1.0_wp/sqrt(max(self%ratio(lane)*work/toughness, tiny(work))))
+      size = scale*sqrt(max(abs(strain), least)**2 + shear(2)**2)
+      ! equivalent stress: work of the mode over its strain
+      finish = max(toughness*size/(scale**2*work), size*at_once)
+      onset = sign(size, stress)
+   end subroutine begin_matrix
+
+   !> Factor that brings stress across and shear onto the surface of onset
+   pure real(wp) function matrix_scale(self, lane, sense, stress, shear) result(scale)
+      type(onset_type), intent(in) :: self
+      integer, intent(in) :: lane, sense
+      real(wp), intent(in) :: stress, shear
+
+      real(wp) :: linear, square
+
+      square = self%matrix(lane, sense)*stress**2 + self%shear(lane)*shear**2
+      linear = merge(0.0_wp, self%linear(lane)*stress, sense == in_tension)
+      scale = 2.0_wp/(linear + sqrt(linear**2 + 4.0_wp*square))
+   end function matrix_scale
+
+end module plydyn_law_damage_onset

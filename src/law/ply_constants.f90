@@ -1,0 +1,142 @@
+!> What must be known of a ply that can be damaged.
+module plydyn_law_ply_constants
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_law_crack_band, only : longest_length
+   use plydyn_law_elastic, only : is_stable
+   use plydyn_law_shear_curve, only : check_curve, shear_curve_type
+   implicit none
+   private
+
+   !> Places of tension and of compression in pairs of constants
+   integer, parameter, public :: in_tension = 1, in_compression = 2
+
+   !> Onset of matrix damage in compression: quadratic in stress and shear (A), or Hashin's of 1980,
+   !> where compression raises the shear that is borne (B)
+   integer, parameter, public :: onset_quadratic = 1, onset_hashin = 2
+
+   !> What to do where the crack band is too wide for the toughness: start damage early, at the
+   !> stress that leaves the toughness right; refuse the mesh; let the stress drop at once
+   integer, parameter, public :: snap_reduce = 1, snap_refuse = 2, snap_drop = 3
+
+   !> Uniaxial modes of failure, as they are counted and reported
+   integer, parameter, public :: modes = 5
+   character(*), parameter, public :: mode_names(modes) = [character(18) :: "fibre tension", &
+      & "fibre compression", "matrix tension", "matrix compression", "shear"]
+
+   !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
+   type, public :: ply_constants_type
+      !> E1, E2, E3
+      real(wp) :: young(3) = 0.0_wp
+      !> nu12, nu13, nu23: strain in the second direction from stress along the first
+      real(wp) :: poisson(3) = 0.0_wp
+      !> G12, G13, G23
+      real(wp) :: shear(3) = 0.0_wp
+      !> Shear in the plane until the matrix cracks
+      type(shear_curve_type) :: curve
+      !> XT, XC; YT, YC
+      real(wp) :: fibre_strength(2) = 0.0_wp, matrix_strength(2) = 0.0_wp
+      !> S12; S23, which Hashin's onset only needs
+      real(wp) :: shear_strength = 0.0_wp, cross_strength = 0.0_wp
+      !> Energies per area of crack, in tension and in compression
+      real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
+      !> Energy per area of a matrix crack by shear; 0: that of the sign of the stress across
+      real(wp) :: shear_toughness = 0.0_wp
+      !> Onset of matrix damage in compression, quadratic or Hashin's
+      integer :: onset = onset_quadratic
+      !> Onset by the stress of a ply that is intact in both directions, else by that of a ply that
+      !> has lost what it has in the other direction
+      logical :: intact_onset = .false.
+      !> Tension and compression have damage of their own: cracks close
+      logical :: closes = .false.
+      !> Share of the strength that crushed fibres keep in compression
+      real(wp) :: plateau = 0.0_wp
+      !> Damage also weakens the shear across the thickness
+      logical :: weakens_across = .true.
+      !> Least part of a stiffness that remains
+      real(wp) :: residual = 1.0e-6_wp
+      !> What to do about snap-back
+      integer :: snap_back = snap_reduce
+      !> Least ratio of the strain at the end of softening to that at onset, where damage starts
+      !> early
+      real(wp) :: snap_ratio = 1.05_wp
+   contains
+      procedure :: check
+      procedure :: longest_lengths
+      procedure :: refuse_snap_back
+   end type ply_constants_type
+
+contains
+
+   !> Refuse constants that no ply has
+   subroutine check(self, error)
+      class(ply_constants_type), intent(in) :: self
+      !> Says what is wrong
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: words
+
+      words = ""
+      if (.not. is_stable(self%young, self%poisson, self%shear)) then
+         words = "the elastic constants are not those of a stable material"
+      else if (any([self%fibre_strength, self%matrix_strength, self%shear_strength] &
+         & <= 0.0_wp)) then
+         words = "XT, XC, YT, YC and S12 must be above 0"
+      else if (any([self%fibre_toughness, self%matrix_toughness] <= 0.0_wp) &
+         & .or. self%shear_toughness < 0.0_wp) then
+         words = "toughnesses must be above 0; that of shear may be 0"
+      else if (self%onset == onset_hashin .and. self%cross_strength <= 0.0_wp) then
+         words = "Hashin's onset in compression needs S23 above 0"
+      else if (self%plateau < 0.0_wp .or. self%plateau >= 1.0_wp) then
+         words = "the share of strength kept in compression must be from 0 to below 1"
+      else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp) then
+         words = "the least part of a stiffness that remains must be between 0 and 1"
+      else if (self%snap_ratio < 1.0_wp) then
+         words = "the ratio of the strains at the end and at onset of damage must be 1 or more"
+      end if
+      if (len(words) > 0) then
+         call fail(error, exit_input, words)
+      else
+         call check_curve(self%curve, self%shear(1), self%shear_strength, error)
+      end if
+   end subroutine check
+
+   !> Widest crack band of each mode in uniaxial stress at which softening does not snap back
+   pure function longest_lengths(self) result(longest)
+      class(ply_constants_type), intent(in) :: self
+      real(wp) :: longest(modes)
+
+      real(wp) :: shear_toughness
+
+      shear_toughness = self%matrix_toughness(in_tension)
+      if (self%shear_toughness > 0.0_wp) shear_toughness = self%shear_toughness
+      longest(1:2) = longest_length(self%young(1), self%fibre_toughness, self%fibre_strength)
+      longest(in_compression) = longest(in_compression)/(1.0_wp - self%plateau)**2
+      longest(3:4) = longest_length(self%young(2), self%matrix_toughness, self%matrix_strength)
+      longest(5) = longest_length(self%shear(1), shear_toughness, self%shear_strength)
+   end function longest_lengths
+
+   !> Refuse a crack band that snaps back
+   subroutine refuse_snap_back(self, length, error)
+      class(ply_constants_type), intent(in) :: self
+      !> Widths of the band for broken fibres and for matrix cracks
+      real(wp), intent(in) :: length(2)
+      !> Names the first mode that does, and the width that would be right
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: longest(modes), width
+      integer :: i
+
+      longest(:) = self%longest_lengths()/self%snap_ratio
+      do i = 1, modes
+         width = merge(length(1), length(2), i <= in_compression)
+         if (width <= longest(i)) cycle
+         call fail(error, exit_input, "the crack band of "//trim(mode_names(i))//" is " &
+            & //text(width)//" wide and would snap back: make it less than "//text(longest(i)) &
+            & //" by a finer mesh, or let damage start early")
+         return
+      end do
+   end subroutine refuse_snap_back
+
+end module plydyn_law_ply_constants

@@ -1,0 +1,397 @@
+!> Damage of a ply: fibres and matrix, after nonlinear shear in the plane.
+!>
+!> The model of the paper (CODAM2 at the level of the ply, eqs 4 and 7 to 11): onset by stress,
+!> softening that dissipates the toughness over the width of the crack band, unloading to the
+!> origin or to the shear strain that stays. The energy dissipated is that of the stiffness lost at
+!> the strain of the step, and the work on the shear strain that stays.
+module plydyn_law_ply_damage
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_growth, only : grow
+   use plydyn_law_damage_onset, only : onset_type
+   use plydyn_law_law, only : law_type
+   use plydyn_law_ply_constants, only : in_compression, modes, ply_constants_type
+   use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_length, &
+      & fibre_onset, find_remains, give_own, histories_closing, histories_open, matrix_damage, &
+      & matrix_energy, matrix_finish, matrix_length, matrix_onset, shear_energy, shear_peak, &
+      & shear_set, swap_closed, take_own, to_compression
+   use plydyn_law_secant, only : secant_type
+   use plydyn_law_shear_curve, only : shear_lanes_type
+   implicit none
+   private
+
+   !> A law with the constants of the lanes
+   type, public, extends(law_type) :: ply_damage_type
+      private
+      !> Stiffness, curve of shear, onset of damage
+      type(secant_type) :: secant
+      type(shear_lanes_type) :: curve
+      type(onset_type) :: onset
+      !> Share of the strength that crushed fibres keep, and crushed matrix: none
+      real(wp) :: plateau(lanes, 2) = 0.0_wp
+      !> Least part of a stiffness that remains
+      real(wp) :: residual(lanes) = 1.0_wp
+      !> 1 where damage weakens G13 and G23, else 0
+      real(wp) :: across(lanes) = 0.0_wp
+      !> 1 in lanes that the law owns, else 0; whether it owns all
+      real(wp) :: own(lanes) = 0.0_wp
+      logical :: whole = .false.
+      !> 1 in lanes where tension and compression have damage of their own; whether in any
+      real(wp) :: closes(lanes) = 0.0_wp
+      logical :: any_closes = .false.
+      !> 1 in lanes where onset is by the stress of an intact ply; whether in any
+      real(wp) :: intact(lanes) = 0.0_wp
+      logical :: any_intact = .false.
+      !> Widest crack band without snap-back, by mode
+      real(wp) :: longest(lanes, modes) = huge(1.0_wp)
+   contains
+      procedure :: update
+      procedure :: set_lane
+      procedure :: start
+      procedure :: add_snap_backs
+   end type ply_damage_type
+
+   !> What happens to a point in a step
+   type :: step_type
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp) :: shear(lanes, 2)
+      !> Work per volume of a ply without damage on the shear that stays
+      real(wp) :: work(lanes)
+      !> Stresses along and across the fibres of which the signs count; only where cracks close
+      real(wp) :: sense(lanes, 2)
+      !> What remained and what remains: R1 and R2 for normal stress, R1 and R2 for shear
+      real(wp) :: before(lanes, 4), after(lanes, 4)
+      !> How far beyond onset the modes are that have not begun: 0 or more where one begins
+      real(wp) :: excess(lanes, 2)
+      !> Mean of the driving forces over their values at the end, for fibres and for matrix
+      real(wp) :: share(lanes, 2)
+   end type step_type
+
+contains
+
+   !> Give a lane its ply; it is the law's own from then on
+   pure subroutine set_lane(self, lane, constants)
+      class(ply_damage_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Its ply, checked
+      type(ply_constants_type), intent(in) :: constants
+
+      self%owns(lane) = .true.
+      self%own(lane) = 1.0_wp
+      self%whole = all(self%owns)
+      call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
+      call self%curve%set_lane(lane, constants%shear(1), constants%curve)
+      call self%onset%set_lane(lane, constants)
+      self%plateau(lane, 1) = constants%plateau
+      self%residual(lane) = constants%residual
+      self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
+      self%longest(lane, :) = constants%longest_lengths()/constants%snap_ratio
+      self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
+      self%any_closes = any(self%closes > 0.0_wp)
+      self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
+      self%any_intact = any(self%intact > 0.0_wp)
+      self%histories = merge(histories_closing, histories_open, self%any_closes)
+   end subroutine set_lane
+
+   !> History of a point at time zero: all zero but the widths of the crack band
+   pure subroutine start(self, length, history)
+      class(ply_damage_type), intent(in) :: self
+      !> Widths for fibres and for matrix
+      real(wp), intent(in) :: length(lanes, 2)
+      !> (lanes, histories)
+      real(wp), intent(inout) :: history(lanes, *)
+
+      integer :: k
+
+      do k = 1, self%histories
+         where (self%owns) history(:, k) = 0.0_wp
+      end do
+      where (self%owns)
+         history(:, fibre_length) = length(:, 1)
+         history(:, matrix_length) = length(:, 2)
+      end where
+   end subroutine start
+
+   !> Count the modes that a crack band is too wide for: damage starts early, or drops at once
+   pure subroutine add_snap_backs(self, length, counts)
+      class(ply_damage_type), intent(in) :: self
+      !> Widths for fibres and for matrix
+      real(wp), intent(in) :: length(lanes, 2)
+      !> Lanes, by mode as in `mode_names`
+      integer, intent(inout) :: counts(modes)
+
+      integer :: mode
+
+      do mode = 1, modes
+         counts(mode) = counts(mode) + count(self%owns .and. &
+            & length(:, merge(1, 2, mode <= in_compression)) > self%longest(:, mode))
+      end do
+   end subroutine add_snap_backs
+
+   !> Stress and history after a step
+   pure subroutine update(self, step, strain, history, stress)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: e(lanes, 6), h(lanes, histories_closing), s(lanes, 6)
+
+      if (self%whole) then
+         call advance(self, strain, history, stress)
+      else
+         call take_own(self%own, self%histories, strain, history, e, h)
+         call advance(self, e, h, s)
+         call give_own(self%own, self%histories, h, s, history, stress)
+      end if
+   end subroutine update
+
+   !> Stress and history after a step, of all lanes
+   pure subroutine advance(self, e, h, s)
+      class(ply_damage_type), intent(in) :: self
+      !> Strain, history and stress
+      real(wp), intent(in) :: e(lanes, 6)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      real(wp), intent(out) :: s(lanes, 6)
+
+      type(step_type) :: now
+      real(wp) :: share(lanes, 2)
+      logical :: begins, intact
+
+      call advance_shear(self, e(:, 4), h, now)
+      if (self%any_closes) call put_acting_first(self, e, h, now%sense)
+      intact = is_intact(self, h)
+      if (intact) then
+         call self%secant%intact_stress(e(:, 1:3), s(:, 1:3))
+      else
+         call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
+         call soften(self, e, h, now, now%share, s(:, 1:3))
+      end if
+
+      call begin_damage(self, e, s(:, 1:3), h, now, begins)
+      if (begins) then
+         if (intact) now%before(:, :) = 1.0_wp
+         if (intact) now%share(:, :) = 1.0_wp
+         call soften(self, e, h, now, share, s(:, 1:3))
+         now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
+      end if
+
+      if (intact .and. .not. begins) then
+         call add_intact(self, e, now, h, s)
+      else
+         call add_energies(self, e, now, s(:, 1:2), h)
+         call add_damaged(self, e, now, s)
+      end if
+      if (self%any_closes) call swap_closed(self%closes, now%sense, h)
+   end subroutine advance
+
+   !> Shear along its curve until the matrix cracks, and elastic from there
+   pure subroutine advance_shear(self, strain, h, now)
+      class(ply_damage_type), intent(in) :: self
+      !> Shear strain 12
+      real(wp), intent(in) :: strain(lanes)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      type(step_type), intent(inout) :: now
+
+      real(wp) :: cracked(lanes), size(lanes)
+      integer :: l
+
+      size(:) = abs(strain)
+      cracked(:) = h(:, matrix_finish)
+      if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
+      call self%curve%advance(size, cracked, h(:, shear_peak), h(:, shear_set), now%work)
+      associate (modulus => self%secant%shear, shear => now%shear)
+         !$omp simd
+         do l = 1, lanes
+            shear(l, 2) = max(size(l) - h(l, shear_set), 0.0_wp)
+            shear(l, 1) = modulus(l, 1)*shear(l, 2)
+         end do
+      end associate
+   end subroutine advance_shear
+
+   !> Find the signs of the normal stresses, and put first the damage that acts with them. The sign
+   !> of a stress depends on what remains in the other direction only, and on that by Poisson's
+   !> effect: there the damage that goes with the signs of an intact ply will do.
+   pure subroutine put_acting_first(self, e, h, sense)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: e(lanes, 6)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      !> Stresses 11 and 22 of which the signs count
+      real(wp), intent(out) :: sense(lanes, 2)
+
+      real(wp) :: remains(lanes, 4), stress(lanes, 3)
+
+      call self%secant%intact_stress(e(:, 1:3), stress)
+      sense(:, :) = stress(:, 1:2)
+      call swap_closed(self%closes, sense, h)
+      call find_remains(self%residual, self%any_closes, h, sense, remains)
+      call self%secant%damaged_stress(e(:, 1:3), remains(:, 1:2), stress)
+      call swap_closed(self%closes, sense, h)
+      sense(:, :) = stress(:, 1:2)
+      call swap_closed(self%closes, sense, h)
+   end subroutine put_acting_first
+
+   !> Whether no lane has damage, nor has it begun
+   pure logical function is_intact(self, h)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: h(lanes, self%histories)
+
+      real(wp) :: most
+      integer :: l
+
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         most = max(most, h(l, fibre_damage), h(l, fibre_finish), h(l, matrix_damage), &
+            & h(l, matrix_finish))
+      end do
+      if (self%any_closes) most = max(most, maxval(h(:, fibre_damage + to_compression)), &
+         & maxval(h(:, matrix_damage + to_compression)))
+      is_intact = most <= 0.0_wp
+   end function is_intact
+
+   !> Let damage grow that has begun, and find the normal stresses on what remains
+   pure subroutine soften(self, e, h, now, share, stress)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: e(lanes, 6)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      type(step_type), intent(inout) :: now
+      !> Mean of the driving forces over their values at the end
+      real(wp), intent(out) :: share(lanes, 2)
+      real(wp), intent(out) :: stress(lanes, 3)
+
+      real(wp) :: size(lanes, 2)
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         size(l, 1) = abs(e(l, 1))
+         size(l, 2) = sqrt(e(l, 2)**2 + now%shear(l, 2)**2)
+      end do
+      call grow(self%plateau, size, h(:, fibre_damage:matrix_finish), share)
+      ! where cracks close, another damage may meet the strain of the step at once
+      if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
+      call find_remains(self%residual, self%any_closes, h, now%sense, now%after)
+      call self%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), stress)
+   end subroutine soften
+
+   !> Freeze the strains of the modes that begin in this step
+   pure subroutine begin_damage(self, e, stress, h, now, begins)
+      class(ply_damage_type), intent(in) :: self
+      !> Strain, normal stresses on what remains
+      real(wp), intent(in) :: e(lanes, 6), stress(lanes, 3)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      type(step_type), intent(inout) :: now
+      !> A mode begins in some lane
+      logical, intent(out) :: begins
+
+      real(wp) :: in_plane(2), intact(lanes, 3), most, trial(lanes, 2)
+      integer :: l
+
+      trial(:, :) = stress(:, 1:2)
+      if (self%any_intact) then
+         call self%secant%intact_stress(e(:, 1:3), intact)
+         trial(:, :) = merge(intact(:, 1:2), trial, spread(self%intact > 0.0_wp, 2, 2))
+      end if
+      call self%onset%find_onset(trial, e(:, 1:2), now%shear, h(:, fibre_length:matrix_length), &
+         & now%excess)
+      most = -1.0_wp
+      associate (excess => now%excess)
+         !$omp simd reduction(max:most)
+         do l = 1, lanes
+            excess(l, 1) = merge(-1.0_wp, excess(l, 1), h(l, fibre_finish) > 0.0_wp)
+            excess(l, 2) = merge(-1.0_wp, excess(l, 2), h(l, matrix_finish) > 0.0_wp)
+            most = max(most, excess(l, 1), excess(l, 2))
+         end do
+      end associate
+      begins = most >= 0.0_wp
+      if (.not. begins) return
+
+      ! once in the life of a mode at a point
+      do l = 1, lanes
+         if (now%excess(l, 1) >= 0.0_wp) call self%onset%begin_fibre(l, trial(l, 1), e(l, 1), &
+            & h(l, fibre_length), h(l, fibre_onset), h(l, fibre_finish))
+         in_plane(:) = now%shear(l, :)
+         if (now%excess(l, 2) >= 0.0_wp) call self%onset%begin_matrix(l, trial(l, 2), e(l, 2), &
+            & in_plane, h(l, matrix_length), h(l, matrix_onset), h(l, matrix_finish))
+      end do
+   end subroutine begin_damage
+
+   !> Stress and energy of intact lanes, to the normal stresses
+   pure subroutine add_intact(self, e, now, h, s)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: e(lanes, 6)
+      type(step_type), intent(in) :: now
+      real(wp), intent(inout) :: h(lanes, self%histories), s(lanes, 6)
+
+      integer :: l, last
+
+      last = self%histories
+      associate (modulus => self%secant%shear, shear => now%shear, work => now%work)
+         !$omp simd
+         do l = 1, lanes
+            s(l, 4) = sign(shear(l, 1), e(l, 4))
+            s(l, 5) = modulus(l, 2)*e(l, 5)
+            s(l, 6) = modulus(l, 3)*e(l, 6)
+            h(l, shear_energy) = h(l, shear_energy) + work(l)
+            h(l, last) = h(l, shear_energy)
+         end do
+      end associate
+   end subroutine add_intact
+
+   !> Stress of damaged lanes, from the normal stresses on what remains
+   pure subroutine add_damaged(self, e, now, s)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: e(lanes, 6)
+      type(step_type), intent(in) :: now
+      real(wp), intent(inout) :: s(lanes, 6)
+
+      integer :: l
+
+      associate (modulus => self%secant%shear, across => self%across, r => now%after, &
+         & shear => now%shear)
+         !$omp simd
+         do l = 1, lanes
+            s(l, 1) = r(l, 1)*s(l, 1)
+            s(l, 2) = r(l, 2)*s(l, 2)
+            s(l, 4) = r(l, 3)*r(l, 4)*sign(shear(l, 1), e(l, 4))
+            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r(l, 3)))*modulus(l, 2)*e(l, 5)
+            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r(l, 4)))*modulus(l, 3)*e(l, 6)
+         end do
+      end associate
+   end subroutine add_damaged
+
+   !> Energy that the loss of stiffness sets free at the strain of the step, and plastic work
+   pure subroutine add_energies(self, e, now, s, h)
+      class(ply_damage_type), intent(in) :: self
+      real(wp), intent(in) :: e(lanes, 6)
+      type(step_type), intent(in) :: now
+      !> Normal stresses 11 and 22 on what remains
+      real(wp), intent(in) :: s(lanes, 2)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+
+      real(wp) :: loss(4), mean(2), plane
+      integer :: l, last
+
+      last = self%histories
+      associate (compliance => self%secant%compliance, g => self%secant%shear, &
+         & across => self%across, before => now%before, after => now%after, share => now%share)
+         !$omp simd private(loss, mean, plane)
+         do l = 1, lanes
+            loss(:) = before(l, :) - after(l, :)
+            mean(:) = 0.5_wp*(before(l, 3:4) + after(l, 3:4))
+            plane = g(l, 1)*now%shear(l, 2)**2
+            h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
+               & loss(1)*compliance(l, 1)*s(l, 1)**2 &
+               & + loss(3)*(mean(2)*plane + across(l)*g(l, 2)*e(l, 5)**2))
+            h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
+               & loss(2)*compliance(l, 2)*s(l, 2)**2 &
+               & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
+            h(l, shear_energy) = h(l, shear_energy) + now%work(l)*after(l, 3)*after(l, 4)
+            h(l, last) = h(l, fibre_energy) + h(l, matrix_energy) + h(l, shear_energy)
+         end do
+      end associate
+   end subroutine add_energies
+
+end module plydyn_law_ply_damage

@@ -1,0 +1,153 @@
+!> Where the history of a damaged ply keeps what.
+module plydyn_law_ply_history
+   use plydyn_base_precision, only : lanes, wp
+   implicit none
+   private
+
+   public :: find_remains, give_own, swap_closed, take_own
+
+   !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
+   !> 0 before; equivalent strain at the end of softening
+   integer, parameter, public :: fibre_damage = 1, fibre_onset = 2, fibre_finish = 3, &
+      & matrix_damage = 4, matrix_onset = 5, matrix_finish = 6
+   !> Largest shear strain up to the onset of matrix damage, and shear strain that stays
+   integer, parameter, public :: shear_peak = 7, shear_set = 8
+   !> Energies dissipated per volume by fibres, by matrix and by the shear that stays
+   integer, parameter, public :: fibre_energy = 9, matrix_energy = 10, shear_energy = 11
+   !> Widths of the crack band for fibres and for matrix
+   integer, parameter, public :: fibre_length = 12, matrix_length = 13
+   !> Where cracks close, the first six are of tension; those of compression are so much further on
+   integer, parameter, public :: to_compression = 13
+
+   !> Histories without and with cracks that close; the last is always the energy of all three
+   integer, parameter, public :: histories_open = 14, histories_closing = 20
+
+contains
+
+   !> Strain and history of some lanes; zero in the others
+   pure subroutine take_own(own, histories, strain, history, e, h)
+      !> 1 in the lanes to take, else 0
+      real(wp), intent(in) :: own(lanes)
+      !> Histories of a point
+      integer, intent(in) :: histories
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> (lanes, histories)
+      real(wp), intent(in) :: history(lanes, histories)
+      !> What is taken
+      real(wp), intent(out) :: e(lanes, 6), h(lanes, histories)
+
+      real(wp) :: value
+      integer :: k, l
+
+      do k = 1, 6
+         !$omp simd private(value)
+         do l = 1, lanes
+            value = strain(l, k)
+            e(l, k) = merge(value, 0.0_wp, own(l) > 0.0_wp)
+         end do
+      end do
+      do k = 1, histories
+         !$omp simd private(value)
+         do l = 1, lanes
+            value = history(l, k)
+            h(l, k) = merge(value, 0.0_wp, own(l) > 0.0_wp)
+         end do
+      end do
+   end subroutine take_own
+
+   !> Give history and stress back to some lanes
+   pure subroutine give_own(own, histories, h, s, history, stress)
+      !> 1 in the lanes to give, else 0
+      real(wp), intent(in) :: own(lanes)
+      !> Histories of a point
+      integer, intent(in) :: histories
+      !> What is given
+      real(wp), intent(in) :: h(lanes, histories), s(lanes, 6)
+      !> (lanes, histories)
+      real(wp), intent(inout) :: history(lanes, histories)
+      !> Stress
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: kept, value
+      integer :: k, l
+
+      do k = 1, histories
+         !$omp simd private(kept, value)
+         do l = 1, lanes
+            kept = history(l, k)
+            value = h(l, k)
+            history(l, k) = merge(value, kept, own(l) > 0.0_wp)
+         end do
+      end do
+      do k = 1, 6
+         !$omp simd private(kept, value)
+         do l = 1, lanes
+            kept = stress(l, k)
+            value = s(l, k)
+            stress(l, k) = merge(value, kept, own(l) > 0.0_wp)
+         end do
+      end do
+   end subroutine give_own
+
+   !> Put first the damage that acts, of tension or of compression; a second call undoes it
+   pure subroutine swap_closed(closes, trial, h)
+      !> 1 in lanes where cracks close, else 0
+      real(wp), intent(in) :: closes(lanes)
+      !> Trial stresses along and across the fibres: their signs say what acts
+      real(wp), intent(in) :: trial(lanes, 2)
+      !> History in which tension and compression change places where the stress is negative
+      real(wp), intent(inout) :: h(lanes, histories_closing)
+
+      real(wp) :: first, second
+      integer :: k, l, mode
+
+      do k = fibre_damage, matrix_finish
+         mode = merge(1, 2, k <= fibre_finish)
+         !$omp simd private(first, second)
+         do l = 1, lanes
+            first = h(l, k)
+            second = h(l, k + to_compression)
+            h(l, k) = merge(second, first, closes(l)*trial(l, mode) < 0.0_wp)
+            h(l, k + to_compression) = merge(first, second, closes(l)*trial(l, mode) < 0.0_wp)
+         end do
+      end do
+   end subroutine swap_closed
+
+   !> What remains of the stiffness along and across the fibres, for normal stress and for shear.
+   !> Where cracks close, damage of compression is also open in tension, and shear has both.
+   pure subroutine find_remains(residual, any_closes, h, sense, remains)
+      !> Least part that remains
+      real(wp), intent(in) :: residual(lanes)
+      !> Whether cracks close in any lane
+      logical, intent(in) :: any_closes
+      !> History, the damage that acts first
+      real(wp), intent(in) :: h(lanes, *)
+      !> Stresses along and across of which the signs count; not looked at unless cracks close
+      real(wp), intent(in) :: sense(lanes, 2)
+      !> R1 and R2 for normal stress, R1 and R2 for shear
+      real(wp), intent(out) :: remains(lanes, 4)
+
+      real(wp) :: own
+      integer :: from, k, l
+
+      !$omp simd
+      do l = 1, lanes
+         remains(l, 1) = max(1.0_wp - h(l, fibre_damage), residual(l))
+         remains(l, 2) = max(1.0_wp - h(l, matrix_damage), residual(l))
+         remains(l, 3) = remains(l, 1)
+         remains(l, 4) = remains(l, 2)
+      end do
+      if (.not. any_closes) return
+      do k = 1, 2
+         from = merge(fibre_damage, matrix_damage, k == 1) + to_compression
+         !$omp simd private(own)
+         do l = 1, lanes
+            own = remains(l, k)
+            remains(l, k + 2) = min(own, max(1.0_wp - h(l, from), residual(l)))
+            remains(l, k) = merge(remains(l, k + 2), own, sense(l, k) >= 0.0_wp)
+         end do
+      end do
+   end subroutine find_remains
+
+end module plydyn_law_ply_history

@@ -1,0 +1,336 @@
+!> Shear in the plane of a ply up to the first matrix crack: a curve, and what it leaves behind.
+!>
+!> Stress follows the curve while the strain grows beyond all it has been, to either side. Below
+!> that it unloads with the first modulus down to the strain that stays, and is zero between
+!> there and its mirror image (the paper's eqs 7 and 8, the sign of the strain put in).
+module plydyn_law_shear_curve
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   implicit none
+   private
+
+   public :: new_exponential_curve, new_table_curve, new_power_curve, check_curve
+
+   !> Shapes of a curve
+   integer, parameter, public :: shape_line = 0, shape_exponential = 1, shape_table = 2, &
+      & shape_power = 3
+
+   !> Curve of one material; by default a line
+   type, public :: shear_curve_type
+      !> One of the shapes
+      integer :: shape = shape_line
+      !> Stress that an exponential curve tends to
+      real(wp) :: asymptote = 0.0_wp
+      !> Coefficient, stress to the power of 1 - exponent, and exponent of Ramberg and Osgood:
+      !> strain = (stress + coefficient*stress**exponent)/modulus
+      real(wp) :: coefficient = 0.0_wp, exponent = 1.0_wp
+      !> Points of a table; the first is the origin, behind the last the last line goes on
+      real(wp), allocatable :: strain(:), stress(:)
+   end type shear_curve_type
+
+   !> Curves of the lanes of a batch
+   type, public :: shear_lanes_type
+      private
+      !> Shape of each lane
+      integer :: shape(lanes) = shape_line
+      !> Whether any lane has a shape, by shape
+      logical :: has(shape_exponential:shape_power) = .false.
+      !> Modulus at the origin, and its inverse
+      real(wp) :: modulus(lanes) = 1.0_wp, compliance(lanes) = 1.0_wp
+      !> Stress that an exponential tends to, and the rate at which it does: modulus/asymptote
+      real(wp) :: asymptote(lanes) = 1.0_wp, rate(lanes) = 1.0_wp
+      !> Ramberg and Osgood
+      real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
+      !> Strains where a table bends, and change of its slope there, (lanes, points)
+      real(wp), allocatable :: bend(:, :), change(:, :)
+   contains
+      procedure :: set_lane
+      procedure :: advance
+      procedure :: curve_stress
+   end type shear_lanes_type
+
+   !> Share by which a slope may exceed the modulus: the digits of a table
+   real(wp), parameter :: slope_tolerance = 0.01_wp
+   !> Halvings that find the asymptote to the last digit
+   integer, parameter :: halvings = 60
+   !> Relative change of stress that ends the search on a power curve, and most steps of it
+   real(wp), parameter :: close_enough = 1.0e-13_wp
+   integer, parameter :: most_steps = 100
+
+contains
+
+   !> Exponential curve that reaches the strength at a given strain (theory 2.2 i):
+   !> stress = asymptote*(1 - exp(-modulus*strain/asymptote))
+   pure function new_exponential_curve(modulus, strength, ultimate) result(curve)
+      !> Shear modulus at the origin
+      real(wp), intent(in) :: modulus
+      !> Shear strength
+      real(wp), intent(in) :: strength
+      !> Strain at which the strength is reached, larger than strength/modulus
+      real(wp), intent(in) :: ultimate
+      type(shear_curve_type) :: curve
+
+      real(wp) :: low, middle, high
+      integer :: i
+
+      ! strength over asymptote, between that of a line and that of a curve without end
+      low = 0.0_wp
+      high = 1.0_wp
+      do i = 1, halvings
+         middle = 0.5_wp*(low + high)
+         if (1.0_wp - exp(-middle*modulus*ultimate/strength) > middle) then
+            low = middle
+         else
+            high = middle
+         end if
+      end do
+      curve%shape = shape_exponential
+      curve%asymptote = strength/high
+   end function new_exponential_curve
+
+   !> Curve of straight lines through measured points
+   pure function new_table_curve(strain, stress) result(curve)
+      !> Strains, growing from zero
+      real(wp), intent(in) :: strain(:)
+      !> Stresses at them
+      real(wp), intent(in) :: stress(:)
+      type(shear_curve_type) :: curve
+
+      curve%shape = shape_table
+      allocate (curve%strain, source=strain)
+      allocate (curve%stress, source=stress)
+   end function new_table_curve
+
+   !> Curve of Ramberg and Osgood
+   pure function new_power_curve(coefficient, exponent) result(curve)
+      !> Coefficient, stress to the power of 1 - exponent
+      real(wp), intent(in) :: coefficient
+      !> Exponent, larger than 1
+      real(wp), intent(in) :: exponent
+      type(shear_curve_type) :: curve
+
+      curve%shape = shape_power
+      curve%coefficient = coefficient
+      curve%exponent = exponent
+   end function new_power_curve
+
+   !> Refuse a curve that cannot be: it must leave the origin with the modulus, never be steeper,
+   !> and reach the strength
+   subroutine check_curve(curve, modulus, strength, error)
+      !> The curve
+      type(shear_curve_type), intent(in) :: curve
+      !> Shear modulus
+      real(wp), intent(in) :: modulus
+      !> Shear strength
+      real(wp), intent(in) :: strength
+      !> Says what is wrong with it
+      type(error_type), allocatable, intent(out) :: error
+
+      select case (curve%shape)
+      case (shape_line)
+         return
+      case (shape_exponential)
+         if (curve%asymptote > strength) return
+         call fail(error, exit_input, "the shear curve tends to "//text(curve%asymptote) &
+            & //" and never reaches the strength "//text(strength)//": it must reach it at a" &
+            & //" strain larger than strength over modulus")
+      case (shape_table)
+         call check_table(curve%strain, curve%stress, modulus, error)
+      case default
+         if (curve%coefficient > 0.0_wp .and. curve%exponent > 1.0_wp) return
+         call fail(error, exit_input, "a shear curve of Ramberg and Osgood needs a coefficient" &
+            & //" above 0 and an exponent above 1")
+      end select
+   end subroutine check_curve
+
+   !> Refuse a table that does not start at the origin, or is not rising, or too steep
+   subroutine check_table(strain, stress, modulus, error)
+      real(wp), intent(in) :: strain(:), stress(:), modulus
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: slope
+      integer :: i
+
+      if (size(strain) < 2 .or. size(strain) /= size(stress)) then
+         call fail(error, exit_input, "a shear curve needs two points or more")
+         return
+      end if
+      if (abs(strain(1)) > 0.0_wp .or. abs(stress(1)) > 0.0_wp) then
+         call fail(error, exit_input, "a shear curve must start at strain 0 and stress 0")
+         return
+      end if
+      do i = 2, size(strain)
+         if (strain(i) <= strain(i - 1) .or. stress(i) <= stress(i - 1)) then
+            call fail(error, exit_input, "point "//text(i)//" of the shear curve must lie above" &
+               & //" and to the right of the one before")
+            return
+         end if
+         slope = (stress(i) - stress(i - 1))/(strain(i) - strain(i - 1))
+         if (slope > (1.0_wp + slope_tolerance)*modulus) then
+            call fail(error, exit_input, "the shear curve rises by "//text(slope) &
+               & //" before point "//text(i)//", more than the modulus "//text(modulus))
+            return
+         end if
+      end do
+   end subroutine check_table
+
+   !> Give a lane its curve
+   pure subroutine set_lane(self, lane, modulus, curve)
+      class(shear_lanes_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Shear modulus at the origin
+      real(wp), intent(in) :: modulus
+      !> Its curve
+      type(shear_curve_type), intent(in) :: curve
+
+      self%shape(lane) = curve%shape
+      self%modulus(lane) = modulus
+      self%compliance(lane) = 1.0_wp/modulus
+      if (curve%shape == shape_line) return
+      self%has(curve%shape) = .true.
+      select case (curve%shape)
+      case (shape_exponential)
+         self%asymptote(lane) = curve%asymptote
+         self%rate(lane) = modulus/curve%asymptote
+      case (shape_table)
+         call set_table(self, lane, curve%strain, curve%stress)
+      case default
+         self%coefficient(lane) = curve%coefficient
+         self%exponent(lane) = curve%exponent
+      end select
+   end subroutine set_lane
+
+   !> Keep a table as a sum of ramps: where it bends and by how much
+   pure subroutine set_table(self, lane, strain, stress)
+      class(shear_lanes_type), intent(inout) :: self
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: strain(:), stress(:)
+
+      real(wp), allocatable :: bend(:, :), change(:, :)
+      real(wp) :: before, slope
+      integer :: i, known
+
+      known = 0
+      if (allocated(self%bend)) known = size(self%bend, 2)
+      allocate (bend(lanes, max(known, size(strain) - 1)), source=0.0_wp)
+      allocate (change, source=bend)
+      if (known > 0) then
+         bend(:, :known) = self%bend
+         change(:, :known) = self%change
+      end if
+      bend(lane, :) = 0.0_wp
+      change(lane, :) = 0.0_wp
+      before = 0.0_wp
+      do i = 1, size(strain) - 1
+         slope = (stress(i + 1) - stress(i))/(strain(i + 1) - strain(i))
+         bend(lane, i) = strain(i)
+         change(lane, i) = slope - before
+         before = slope
+      end do
+      call move_alloc(bend, self%bend)
+      call move_alloc(change, self%change)
+   end subroutine set_table
+
+   !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
+   pure subroutine advance(self, strain, frozen, peak, set, work)
+      class(shear_lanes_type), intent(in) :: self
+      !> Size of the shear strain
+      real(wp), intent(in) :: strain(lanes)
+      !> Larger than 0 where the matrix has cracked: nothing changes there
+      real(wp), intent(in) :: frozen(lanes)
+      !> Largest size of the shear strain so far
+      real(wp), intent(inout) :: peak(lanes)
+      !> Shear strain that stays on unloading
+      real(wp), intent(inout) :: set(lanes)
+      !> Work per volume spent on what stays
+      real(wp), intent(out) :: work(lanes)
+
+      real(wp) :: grown(lanes), stress(lanes), growth, kept, most
+      integer :: l
+
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         work(l) = 0.0_wp
+         grown(l) = merge(peak(l), max(peak(l), strain(l)), frozen(l) > 0.0_wp)
+         most = max(most, grown(l) - peak(l))
+      end do
+      if (.not. most > 0.0_wp) return
+
+      call self%curve_stress(grown, set, stress)
+      associate (modulus => self%modulus, compliance => self%compliance)
+         !$omp simd private(growth, kept)
+         do l = 1, lanes
+            kept = max(set(l), grown(l) - stress(l)*compliance(l))
+            growth = merge(kept - set(l), 0.0_wp, grown(l) > peak(l))
+            work(l) = 0.5_wp*growth*(stress(l) + modulus(l)*(peak(l) - set(l)))
+            set(l) = set(l) + growth
+            peak(l) = grown(l)
+         end do
+      end associate
+   end subroutine advance
+
+   !> Stress on the curve
+   pure subroutine curve_stress(self, strain, set, stress)
+      class(shear_lanes_type), intent(in) :: self
+      !> Size of the shear strain
+      real(wp), intent(in) :: strain(lanes)
+      !> A strain that the curve leaves behind on the way there, to start a search from
+      real(wp), intent(in) :: set(lanes)
+      !> Stress
+      real(wp), intent(out) :: stress(lanes)
+
+      real(wp) :: bent(lanes)
+      integer :: k, l
+
+      stress(:) = self%modulus*strain
+      if (self%has(shape_exponential)) then
+         associate (asymptote => self%asymptote, rate => self%rate)
+            !$omp simd
+            do l = 1, lanes
+               bent(l) = asymptote(l)*(1.0_wp - exp(-rate(l)*strain(l)))
+            end do
+         end associate
+         stress(:) = merge(bent, stress, self%shape == shape_exponential)
+      end if
+      if (self%has(shape_table)) then
+         bent(:) = 0.0_wp
+         do k = 1, size(self%bend, 2)
+            bent(:) = bent + self%change(:, k)*max(strain - self%bend(:, k), 0.0_wp)
+         end do
+         stress(:) = merge(bent, stress, self%shape == shape_table)
+      end if
+      if (self%has(shape_power)) call find_power_stress(self, strain, set, stress)
+   end subroutine curve_stress
+
+   !> Stress of Ramberg and Osgood by Newton's method, from the elastic guess above it
+   pure subroutine find_power_stress(self, strain, set, stress)
+      class(shear_lanes_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes), set(lanes)
+      real(wp), intent(inout) :: stress(lanes)
+
+      real(wp) :: bent, change, found(lanes), most
+      integer :: i, l
+
+      found(:) = self%modulus*max(strain - set, 0.0_wp)
+      do i = 1, most_steps
+         most = 0.0_wp
+         associate (coefficient => self%coefficient, exponent => self%exponent, &
+            & modulus => self%modulus)
+            !$omp simd reduction(max:most) private(bent, change)
+            do l = 1, lanes
+               bent = coefficient(l)*found(l)**(exponent(l) - 1.0_wp)
+               change = (found(l)*(1.0_wp + bent) - modulus(l)*strain(l)) &
+                  & /(1.0_wp + exponent(l)*bent)
+               most = max(most, abs(change) - close_enough*found(l))
+               found(l) = max(found(l) - change, 0.0_wp)
+            end do
+         end associate
+         if (.not. most > 0.0_wp) exit
+      end do
+      stress(:) = merge(found, stress, self%shape == shape_power)
+   end subroutine find_power_stress
+
+end module plydyn_law_shear_curve
