@@ -148,7 +148,8 @@ contains
          call add_lines(source, (source%file_count), report)
       else
          call report%refuse(place, "the file '"//path//"' cannot be read", &
-            & "the path of a file, relative to the file that includes it")
+            & "the path of a file"//repeat(", relative to the file that includes it", &
+            & merge(1, 0, parent > 0)))
       end if
    end subroutine load
 

@@ -9,6 +9,7 @@ module plydyn_input_read_impact
    use plydyn_model_control, only : profile_type, request_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_material, only : law_elastic, material_type
+   use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
@@ -129,9 +130,10 @@ contains
    end subroutine read_database_field
 
    !> *DATABASE_PROFILE: stress through the thickness
-   subroutine read_database_profile(cards, catalogue, profiles)
+   subroutine read_database_profile(cards, catalogue, mesh, profiles)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(mesh_type), intent(in) :: mesh
       type(profile_type), allocatable, intent(inout) :: profiles(:)
 
       type(profile_type) :: new(cards%sets())
@@ -143,8 +145,33 @@ contains
          new(nth)%position(:) = cards%reals(["X", "Y"], nth)
          new(nth)%points = cards%integer("NPT", nth)
          new(nth)%interval = cards%real("DT", nth)
+         if (.not. catalogue%mesh_is_sound .or. .not. cards%is_fine("X", nth)) cycle
+         if (is_near(mesh, new(nth)%position)) cycle
+         call catalogue%refuse(cards, "X", "the place is not on the plate", &
+            & "a place within an element", nth)
       end do
       profiles = [profiles, new]
    end subroutine read_database_profile
+
+   !> True when a place lies in or close to an element, judged by the extents of elements
+   pure logical function is_near(mesh, place)
+      type(mesh_type), intent(in) :: mesh
+      !> x and y
+      real(wp), intent(in) :: place(2)
+
+      !> Share of the extent by which the edge of a quad may bulge
+      real(wp), parameter :: bulge = 0.25_wp
+      real(wp) :: high(2), low(2), margin(2)
+      integer :: e
+
+      is_near = .true.
+      do e = 1, size(mesh%quad_id)
+         low(:) = minval(mesh%position(:2, mesh%quad_node(:, e)), dim=2)
+         high(:) = maxval(mesh%position(:2, mesh%quad_node(:, e)), dim=2)
+         margin(:) = bulge*(high - low)
+         if (all(place >= low - margin .and. place <= high + margin)) return
+      end do
+      is_near = size(mesh%quad_id) == 0
+   end function is_near
 
 end module plydyn_input_read_impact

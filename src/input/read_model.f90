@@ -201,7 +201,7 @@ contains
       end select
    end subroutine read_laminate
 
-   !> Keywords that hold or move the plate
+   !> Keywords that hold the plate, and how it starts
    subroutine read_support(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
@@ -212,10 +212,6 @@ contains
          call read_boundary_spc_set(cards, catalogue, model%holds)
       case ("BOUNDARY_FACE")
          call read_boundary_face(cards, catalogue, model%holds)
-      case ("BOUNDARY_PRESCRIBED_MOTION_SET")
-         call read_boundary_prescribed_motion_set(cards, catalogue, model%motions)
-      case ("BOUNDARY_FACE_MOTION")
-         call read_boundary_face_motion(cards, catalogue, model%curves, model%motions)
       case ("INITIAL_VELOCITY")
          call read_initial_velocity(cards, catalogue, size(model%mesh%node_id), &
             & model%initial_velocities)
@@ -226,13 +222,17 @@ contains
       end select
    end subroutine read_support
 
-   !> Keywords that load the plate
+   !> Keywords that move or load the plate
    subroutine read_load(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
       select case (cards%name)
+      case ("BOUNDARY_PRESCRIBED_MOTION_SET")
+         call read_boundary_prescribed_motion_set(cards, catalogue, model%holds, model%motions)
+      case ("BOUNDARY_FACE_MOTION")
+         call read_boundary_face_motion(cards, catalogue, model%curves, model%holds, model%motions)
       case ("LOAD_NODE_SET")
          call read_load_node_set(cards, catalogue, model%point_loads)
       case ("LOAD_NODE_POINT")
@@ -240,7 +240,7 @@ contains
       case ("LOAD_FACE_POINT")
          call read_load_face_point(cards, catalogue, model%curves, model%point_loads)
       case ("LOAD_FACE_LINE")
-         call read_load_face_line(cards, catalogue, model%curves, model%line_loads)
+         call read_load_face_line(cards, catalogue, model%mesh, model%curves, model%line_loads)
       case ("LOAD_SHELL_SET")
          call read_load_shell_set(cards, catalogue, model%pressures)
       case ("LOAD_FACE_PRESSURE")
@@ -267,7 +267,7 @@ contains
       case ("CONTROL_TERMINATION")
          call read_control_termination(cards, catalogue%report, model%control)
       case ("CONTROL_TIMESTEP")
-         call read_control_timestep(cards, catalogue, model%control)
+         call read_control_timestep(cards, catalogue, model%curves, model%control)
       case ("CONTROL_PARALLEL")
          call read_control_parallel(cards, catalogue%report)
       case ("CONTROL_LAYERWISE")
@@ -287,7 +287,7 @@ contains
       case ("DATABASE_FIELD")
          call read_database_field(cards, catalogue, model%materials, model%request)
       case ("DATABASE_PROFILE")
-         call read_database_profile(cards, catalogue, model%request%profiles)
+         call read_database_profile(cards, catalogue, model%mesh, model%request%profiles)
       case ("DATABASE_HISTORY_NODE")
          call read_database_history_node(cards, catalogue, model%request)
       case ("DATABASE_HISTORY_NODE_SET")

@@ -5,7 +5,8 @@ module plydyn_input_read_support
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, catalogue_type
    use plydyn_input_read_load, only : find_curve
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_support, only : hold_type, initial_velocity_type, motion_type, one_plane
+   use plydyn_model_support, only : all_planes, hold_type, initial_velocity_type, motion_type, &
+      & one_plane
    implicit none
    private
 
@@ -62,9 +63,11 @@ contains
    end subroutine read_boundary_face
 
    !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
-   subroutine read_boundary_prescribed_motion_set(cards, catalogue, motions)
+   subroutine read_boundary_prescribed_motion_set(cards, catalogue, holds, motions)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      !> All supports of the deck
+      type(hold_type), intent(in) :: holds(:)
       type(motion_type), allocatable, intent(inout) :: motions(:)
 
       type(motion_type) :: motion
@@ -79,15 +82,18 @@ contains
             call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
                & "a time behind BIRTH, or 0 for ever", nth)
          end if
+         call check_free(cards, nth, catalogue, holds, motions, motion)
          motions = [motions, motion]
       end do
    end subroutine read_boundary_prescribed_motion_set
 
    !> *BOUNDARY_FACE_MOTION: one face moved
-   subroutine read_boundary_face_motion(cards, catalogue, curves, motions)
+   subroutine read_boundary_face_motion(cards, catalogue, curves, holds, motions)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(curve_type), allocatable, intent(inout) :: curves(:)
+      !> All supports of the deck
+      type(hold_type), intent(in) :: holds(:)
       type(motion_type), allocatable, intent(inout) :: motions(:)
 
       type(motion_type) :: motion
@@ -97,6 +103,7 @@ contains
          call read_motion(cards, nth, catalogue, motion)
          call find_curve(cards, nth, catalogue, curves, motion%curve)
          motion%face = cards%integer("FACE", nth)
+         call check_free(cards, nth, catalogue, holds, motions, motion)
          motions = [motions, motion]
       end do
    end subroutine read_boundary_face_motion
@@ -168,5 +175,63 @@ contains
       motion%quantity = cards%integer("VAD", nth)
       motion%scale = cards%real("SF", nth)
    end subroutine read_motion
+
+   !> A point cannot be held and moved, or moved twice, in one direction
+   subroutine check_free(cards, nth, catalogue, holds, motions, motion)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> All supports
+      type(hold_type), intent(in) :: holds(:)
+      !> The motions before this one
+      type(motion_type), intent(in) :: motions(:)
+      !> The motion
+      type(motion_type), intent(in) :: motion
+
+      integer :: i
+
+      if (size(motion%nodes) == 0 .or. motion%direction == 0) return
+      do i = 1, size(holds)
+         if (.not. holds(i)%direction(motion%direction)) cycle
+         if (.not. share_points(holds(i)%face, motion%face)) cycle
+         if (.not. share_nodes(holds(i)%nodes, motion%nodes)) cycle
+         call catalogue%refuse(cards, "DOF", "some of these points are held in this direction", &
+            & "each point held or moved", nth)
+         return
+      end do
+      do i = 1, size(motions)
+         if (motions(i)%direction /= motion%direction) cycle
+         if (.not. share_points(motions(i)%face, motion%face)) cycle
+         if (.not. share_nodes(motions(i)%nodes, motion%nodes)) cycle
+         call catalogue%refuse(cards, "DOF", "some of these points are moved in this direction " &
+            & //"already", "each point moved once", nth)
+         return
+      end do
+   end subroutine check_free
+
+   !> True when two choices of faces surely have points in common; planes may have or not
+   pure logical function share_points(one, other)
+      !> Which thickness points
+      integer, intent(in) :: one, other
+
+      share_points = one == other .or. one == all_planes .or. other == all_planes
+   end function share_points
+
+   !> True when two sets have nodes in common
+   pure logical function share_nodes(one, other)
+      !> Indices of nodes
+      integer, intent(in) :: one(:), other(:)
+
+      logical, allocatable :: inside(:)
+
+      share_nodes = .false.
+      if (size(one) == 0 .or. size(other) == 0) return
+      if (max(minval(one), minval(other)) > min(maxval(one), maxval(other))) return
+      allocate (inside(max(maxval(one), maxval(other))))
+      inside(:) = .false.
+      inside(one) = .true.
+      share_nodes = any(inside(other))
+   end function share_nodes
 
 end module plydyn_input_read_support
