@@ -1,6 +1,7 @@
 !> Readers of supports, prescribed motions and initial velocities.
 module plydyn_input_read_support
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, catalogue_type
    use plydyn_input_read_load, only : find_curve
@@ -189,25 +190,26 @@ contains
       !> The motion
       type(motion_type), intent(in) :: motion
 
-      integer :: i
+      integer :: i, node
 
-      if (size(motion%nodes) == 0 .or. motion%direction == 0) return
+      if (motion%direction == 0) return
+      node = 0
       do i = 1, size(holds)
-         if (.not. holds(i)%direction(motion%direction)) cycle
-         if (.not. share_points(holds(i)%face, motion%face)) cycle
-         if (.not. share_nodes(holds(i)%nodes, motion%nodes)) cycle
-         call catalogue%refuse(cards, "DOF", "some of these points are held in this direction", &
-            & "each point held or moved", nth)
-         return
+         if (node > 0 .or. .not. holds(i)%direction(motion%direction)) cycle
+         if (share_points(holds(i)%face, motion%face)) then
+            node = common_node(holds(i)%nodes, motion%nodes)
+         end if
       end do
       do i = 1, size(motions)
-         if (motions(i)%direction /= motion%direction) cycle
-         if (.not. share_points(motions(i)%face, motion%face)) cycle
-         if (.not. share_nodes(motions(i)%nodes, motion%nodes)) cycle
-         call catalogue%refuse(cards, "DOF", "some of these points are moved in this direction " &
-            & //"already", "each point moved once", nth)
-         return
+         if (node > 0 .or. motions(i)%direction /= motion%direction) cycle
+         if (share_points(motions(i)%face, motion%face)) then
+            node = common_node(motions(i)%nodes, motion%nodes)
+         end if
       end do
+      if (node == 0) return
+      call catalogue%refuse(cards, "DOF", "node "//text(catalogue%registers(a_node)%id(node)) &
+         & //" is held or moved in this direction already", "each point held or moved once", &
+         & nth)
    end subroutine check_free
 
    !> True when two choices of faces surely have points in common; planes may have or not
@@ -218,20 +220,24 @@ contains
       share_points = one == other .or. one == all_planes .or. other == all_planes
    end function share_points
 
-   !> True when two sets have nodes in common
-   pure logical function share_nodes(one, other)
+   !> A node that is in both of two sets; 0 when there is none
+   pure integer function common_node(one, other) result(node)
       !> Indices of nodes
       integer, intent(in) :: one(:), other(:)
 
       logical, allocatable :: inside(:)
+      integer :: i
 
-      share_nodes = .false.
+      node = 0
       if (size(one) == 0 .or. size(other) == 0) return
       if (max(minval(one), minval(other)) > min(maxval(one), maxval(other))) return
       allocate (inside(max(maxval(one), maxval(other))))
       inside(:) = .false.
       inside(one) = .true.
-      share_nodes = any(inside(other))
-   end function share_nodes
+      do i = 1, size(other)
+         if (inside(other(i))) node = other(i)
+         if (node > 0) return
+      end do
+   end function common_node
 
 end module plydyn_input_read_support
