@@ -124,7 +124,23 @@ contains
       else
          words = words//"  right would be: "//finding%right//line_feed//line_feed
       end if
+      words = printable(words)
    end function finding_text
+
+   !> A text whose control characters, as of a file that is no deck, do nothing to a terminal
+   pure function printable(words) result(shown)
+      !> The text
+      character(*), intent(in) :: words
+      character(len(words)) :: shown
+
+      integer :: i
+
+      shown = words
+      do i = 1, len(words)
+         if (words(i:i) == line_feed .or. words(i:i) == achar(9)) cycle
+         if (words(i:i) < " " .or. words(i:i) == achar(127)) shown(i:i) = "?"
+      end do
+   end function printable
 
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)
