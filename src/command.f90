@@ -127,7 +127,7 @@ contains
          command%action = word
          if (word == "-h") command%action = "--help"
       case default
-         if (command%action == "--keywords") then
+         if (command%action == "--keywords" .and. len(command%keyword) == 0) then
             command%keyword = word
          else if (len(command%deck) == 0 .and. word(1:min(1, len(word))) /= "-") then
             command%deck = word
@@ -164,6 +164,9 @@ contains
             if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
             command%job = folder//"/"//command%job
          end if
+      else if (len(command%deck) > 0) then
+         call fail(error, exit_usage, "'"//command%deck//"' is not understood"//new_line("a") &
+            & //usage)
       end if
    end subroutine finish
 

@@ -20,6 +20,7 @@ program plydyn
 
    type(command_type) :: command
    type(error_type), allocatable :: error
+   character(:), allocatable :: pages
 
    call read_command(command, error)
    call stop_on(error)
@@ -27,7 +28,9 @@ program plydyn
    case ("--version")
       write (output_unit, "(a)") build_text()
    case ("--keywords")
-      write (output_unit, "(a)") keyword_manual(command%keyword)
+      call keyword_manual(command%keyword, pages, error)
+      call stop_on(error)
+      write (output_unit, "(a)") pages
    case ("--help")
       write (output_unit, "(a)") usage
    case default

@@ -1,5 +1,6 @@
 !> The keyword manual.
 module plydyn_input_manual
+   use plydyn_base_error, only : error_type, exit_usage, fail
    use plydyn_base_text, only : upper_case
    use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
    use plydyn_deck_lookup, only : find_keyword, keyword_advice
@@ -15,10 +16,13 @@ module plydyn_input_manual
 contains
 
    !> Pages of all keywords, or the page of one, in markdown
-   function keyword_manual(name) result(pages)
+   subroutine keyword_manual(name, pages, error)
       !> Name of a keyword with or without star, in either case; empty for all
       character(*), intent(in) :: name
-      character(:), allocatable :: pages
+      !> The pages
+      character(:), allocatable, intent(out) :: pages
+      !> There is no such keyword
+      type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: bare
       type(keyword_type), allocatable :: keywords(:)
@@ -35,9 +39,10 @@ contains
       if (i > 0) then
          pages = keyword_page(keywords(i))
       else
-         pages = "There is no keyword *"//bare//". Right would be: "//keyword_advice(bare, keywords)
+         call fail(error, exit_usage, "there is no keyword *"//bare//": right would be " &
+            & //keyword_advice(bare, keywords))
       end if
-   end function keyword_manual
+   end subroutine keyword_manual
 
    !> Pages of all keywords
    function all_pages(keywords) result(pages)

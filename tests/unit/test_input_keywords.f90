@@ -1,12 +1,15 @@
 !> Declarations are complete, and names do not get in each other's way.
 program test_input_keywords
+   use plydyn_base_error, only : error_type
    use plydyn_deck_declaration, only : field_type, is_read, keyword_type
    use plydyn_input_keywords, only : all_keywords
    use plydyn_input_manual, only : keyword_manual
-   use testing, only : begin, check, finish
+   use testing, only : begin, check, check_error, finish
    implicit none
 
    type(keyword_type), allocatable :: keywords(:)
+   type(error_type), allocatable :: error
+   character(:), allocatable :: pages
    integer :: card, i, k
 
    keywords = all_keywords()
@@ -26,12 +29,15 @@ program test_input_keywords
    end do
 
    call begin("keyword_manual")
-   call check(index(keyword_manual("impactor_sphere"), &
+   call keyword_manual("impactor_sphere", pages, error)
+   call check(index(pages, &
       & "| RADIUS | 11-20 | a number (length)") > 0, "has a page with the fields of a keyword")
-   call check(index(keyword_manual("*NODE"), "| X | 9-24 |") > 0, "with their columns")
-   call check(index(keyword_manual("IMPACTOR_SPEHRE"), "perhaps *IMPACTOR_SPHERE") > 0, &
-      & "and advice for a misspelt one")
-   call check(index(keyword_manual(""), "## *DATABASE_PROFILE") > 0, "and holds all pages")
+   call keyword_manual("*NODE", pages, error)
+   call check(index(pages, "| X | 9-24 |") > 0, "with their columns")
+   call keyword_manual("", pages, error)
+   call check(index(pages, "## *DATABASE_PROFILE") > 0, "and holds all pages")
+   call keyword_manual("IMPACTOR_SPEHRE", pages, error)
+   call check_error(error, "perhaps *IMPACTOR_SPHERE", "and has advice for a misspelt one")
 
    call finish()
 

@@ -1,0 +1,62 @@
+"""What the program answers to the words of its command line, and its exit codes."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from runs import SOLVER
+
+DECK = Path(__file__).parent / "heads" / "deck.k"
+NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
+
+
+def said(*words: object) -> tuple[int, str]:
+    """Exit code, and all that was printed."""
+    done = subprocess.run([SOLVER, *words], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "fragment"),
+    [
+        (["--version"], NORMAL, "flags"),
+        (["--help"], NORMAL, "plydyn run DECK"),
+        (["--keywords", "node"], NORMAL, "## *NODE"),
+        (["--keywords", "*MAT_001"], NORMAL, "## *MAT_ELASTIC"),
+        (
+            ["--keywords", "NODES"],
+            USAGE,
+            "no keyword *NODES: right would be perhaps *NODE",
+        ),
+        (["--keywords", "NODE", "PART"], USAGE, "'PART' is not understood"),
+        (["--version", "deck.k"], USAGE, "'deck.k' is not understood"),
+        ([], USAGE, "plydyn run DECK"),
+        (["run"], USAGE, "run needs a deck"),
+        (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
+        (["run", DECK, "-j"], USAGE, "-j needs a name after it"),
+        (["run", DECK, "ncpu=2"], USAGE, "ncpu=1"),
+        (["run", DECK, "-x"], USAGE, "'-x' is not understood"),
+        (["run", "check", DECK], USAGE, "cannot go together"),
+        (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
+        (["check", Path(__file__).parent], INPUT, "cannot be read"),
+        (["run", DECK, "-o", "no/such/folder"], OUTPUT, "there is no folder no/such/folder"),
+        (["run", DECK, "-o", "/proc"], OUTPUT, "cannot create /proc/deck.out"),
+    ],
+    ids=lambda value: " ".join(str(v) for v in value) if isinstance(value, list) else "",
+)
+def test_command_line(words: list[object], code: int, fragment: str) -> None:
+    """The exit code says what kind of end it was."""
+    found, text = said(*words)
+    assert found == code, text
+    assert fragment in text
+
+
+def test_words_of_other_codes(tmp_path: Path) -> None:
+    """i=, jobid= and ncpu= run a deck; the files have the name of the job."""
+    code, text = said(f"i={DECK}", f"jobid={tmp_path / 'other'}", "ncpu=1")
+    assert code == NORMAL, text
+    assert (tmp_path / "other.vtkhdf").exists()
+    assert f"normal end, results in {tmp_path / 'other'}.*" in text
