@@ -6,6 +6,7 @@ module plydyn_input_check_model
    use plydyn_input_catalogue, only : a_box, a_contact, a_curve, a_material, a_node, a_node_set, &
       & a_part, a_profile, a_quad, a_quad_set, a_section, an_impactor, an_interface_material, &
       & catalogue_type
+   use plydyn_input_check_impact, only : check_impact
    use plydyn_input_check_mesh, only : check_mesh
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layup, only : faces_tied, part_type
@@ -38,6 +39,7 @@ contains
       if (catalogue%mesh_is_sound) call check_mesh(model%mesh, catalogue)
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_impact(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 

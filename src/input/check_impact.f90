@@ -1,0 +1,73 @@
+!> What must hold between impactors and the plate at time zero.
+module plydyn_input_check_impact
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : place_type
+   use plydyn_deck_values, only : number_words
+   use plydyn_input_catalogue, only : an_impactor, catalogue_type
+   use plydyn_model_impactor, only : contact_type
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : top_face
+   implicit none
+   private
+
+   public :: check_impact
+
+   !> Share of the radius by which a node may be inside a sphere: what is less, the contact itself
+   !> judges by its own points
+   real(wp), parameter :: surely = 1.0e-3_wp
+
+contains
+
+   !> No impactor begins inside the plate
+   subroutine check_impact(model, catalogue)
+      !> A sound model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      real(wp) :: inside
+      integer :: i
+
+      do i = 1, size(model%contacts)
+         associate (contact => model%contacts(i))
+            inside = depth(model, contact)
+            if (inside <= surely*model%impactors(contact%impactor)%radius) cycle
+            place%line = catalogue%registers(an_impactor)%line(contact%impactor)
+            call catalogue%report%refuse(place, "impactor " &
+               & //text(model%impactors(contact%impactor)%id)//" begins "//number_words(inside) &
+               & //" inside part "//text(model%parts(contact%part)%id), &
+               & "its centre so much further away, or the other FACE on *CONTACT_IMPACTOR")
+         end associate
+      end do
+   end subroutine check_impact
+
+   !> How far a sphere reaches through the face that it is to touch, at the nodes within its reach
+   pure real(wp) function depth(model, contact)
+      type(model_type), intent(in) :: model
+      !> The impactor and the face
+      type(contact_type), intent(in) :: contact
+
+      real(wp) :: away(3), height, side
+      integer :: e, k
+
+      depth = 0.0_wp
+      side = real(contact%face, wp)
+      associate (part => model%parts(contact%part), sphere => model%impactors(contact%impactor))
+         height = sum(part%plies%thickness) &
+            & *(part%bottom_offset + merge(1.0_wp, 0.0_wp, contact%face == top_face))
+         do e = 1, size(model%mesh%quad_id)
+            if (model%mesh%quad_part(e) /= contact%part) cycle
+            do k = 1, size(model%mesh%quad_node, 1)
+               away(:) = sphere%centre - model%mesh%position(:, model%mesh%quad_node(k, e))
+               away(3) = side*(away(3) - height)
+               if (norm2(away(:2)) >= sphere%radius) cycle
+               ! how far the sphere must go up until it is above the node
+               depth = max(depth, sqrt(sphere%radius**2 - sum(away(:2)**2)) - away(3))
+            end do
+         end do
+      end associate
+   end function depth
+
+end module plydyn_input_check_impact
