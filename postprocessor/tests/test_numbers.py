@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 import synthetic
 
-from plydyn_post.curves import contact, read_numbers, running_mean
+from plydyn_post.curves import contact, mean_window, read_numbers, running_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.numbers import compare, write_numbers
 from plydyn_post.results import open_results
+from plydyn_post.table import read_table
 from plydyn_post.units import factor, readable
 
 SAMPLE = synthetic.END / 600  # time between two samples
@@ -31,6 +32,15 @@ def test_the_numbers_of_half_a_sine(job: Path) -> None:
     assert numbers.absorbed_energy == pytest.approx(given, rel=1e-3)
     assert numbers.energy_error == pytest.approx(np.abs(open_results(job).energy()["error"]).max())
     assert numbers.notes == ()
+
+
+@pytest.mark.parametrize(("header", "scale"), [("time [s]", 1.0), ("time [ms]", 1e3)])
+def test_the_usual_running_mean_spans_20_microseconds(
+    tmp_path: Path, header: str, scale: float
+) -> None:
+    path = tmp_path / "any.csv"
+    path.write_text(f"{header},force [N]\n0,0\n{scale},1\n")
+    assert mean_window(read_table(path)) == pytest.approx(20e-6 * scale)
 
 
 def test_a_run_that_ends_in_contact_has_no_rebound(own_job: Path) -> None:

@@ -80,5 +80,17 @@ def test_what_is_never_used_is_noted(tmp_path: Path, decks: Path) -> None:
     assert result.stderr.strip().endswith("le1.toml: curves.up is never used")
 
 
+def test_a_nearly_folded_quad_is_noted_with_the_deck_and_with_the_mesh(
+    tmp_path: Path, decks: Path
+) -> None:
+    # a core that all but reaches the circle leaves the outer corners of its rings flat
+    words = (decks / "damage_impact" / "q192_le2.toml", "--set", "mesh.core=52.5")
+    for command in ("mesh", "deck"):
+        result = run(tmp_path, command, *words)
+        assert result.returncode == 0
+        assert "is nearly folded: its least Jacobian is" in result.stderr
+    assert "folded" not in run(tmp_path, "deck", words[0]).stderr
+
+
 def test_the_version_is_told(tmp_path: Path) -> None:
     assert run(tmp_path, "--version").stdout.strip() == f"plydyn-pre {pre.__version__}"

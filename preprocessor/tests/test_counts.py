@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -44,10 +46,38 @@ def test_only_tied_plies_share_the_points_of_their_faces(changes: dict, levels: 
     assert laminate.levels == levels
 
 
-def test_separate_plies_have_the_degrees_of_freedom_of_table_7() -> None:
-    for core, order, freedoms in ((6, 2, 39_816), (8, 1, 38_448), (8, 3, 76_896), (10, 2, 77_832)):
-        mesh = pre.make_mesh(pre.OgridDisc(diameter=75.0, core=15.0, n=core, rings=4))
-        laminate = pre.Laminate(
-            layup="[0/90]2s", thickness=0.25, material="m", order=order, interfaces="apart"
-        )
-        assert 3 * len(mesh.nodes) * laminate.levels == freedoms
+#: Recipe of a model of Table 7, its quads and its degrees of freedom
+TABLE_7 = [
+    ("q132_le2", 132, 39_816),
+    ("q192_le1", 192, 38_448),
+    ("q192_le2", 192, 57_672),
+    ("q192_le3", 192, 76_896),
+    ("q260_le2", 260, 77_832),
+]
+
+
+@pytest.mark.parametrize(("name", "quads", "freedoms"), TABLE_7)
+def test_damage_impact_has_the_degrees_of_freedom_of_table_7(
+    decks: Path, name: str, quads: int, freedoms: int
+) -> None:
+    study = pre.load_recipe(decks / "damage_impact" / f"{name}.toml")
+    counts = pre.count(study, pre.make_mesh(study.mesh))
+    assert (counts.quads, counts.freedoms) == (quads, freedoms)
+
+
+@pytest.mark.parametrize(("name", "quads", "freedoms"), TABLE_7)
+def test_the_solver_counts_the_degrees_of_freedom_of_table_7(
+    solver: str, decks: Path, tmp_path: Path, name: str, quads: int, freedoms: int
+) -> None:
+    study = pre.load_recipe(decks / "damage_impact" / f"{name}.toml")
+    deck = tmp_path / f"{name}.k"
+    pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), deck)
+    command = [solver, "check", str(deck)]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert re.search(rf"^quads +{quads} of 9 nodes$", told, re.MULTILINE)
+    assert re.search(rf"^degrees of freedom +{freedoms}$", told, re.MULTILINE)
+
+
+def test_the_sphere_of_the_damage_impact_carries_the_energy_of_the_paper(decks: Path) -> None:
+    impactor = pre.load_recipe(decks / "damage_impact" / "q192_le2.toml").impactor
+    assert 0.5 * impactor.mass * impactor.velocity[2] ** 2 == pytest.approx(7350.0, rel=1e-4)

@@ -8,11 +8,13 @@ import numpy as np
 
 from plydyn_post.results import Results
 from plydyn_post.table import Table
+from plydyn_post.units import factor
+from plydyn_post.units import size as known
 
 # Share of the peak force below which there is no contact
 SILENT = 1e-3
-# Share of the contact's duration that the running mean spans when no other is asked for
-MEAN_SHARE = 0.03
+# Time that the running mean of a force spans when no other is asked for, s
+MEAN_SPAN = 20e-6
 # Share of the peak that noise must have for the running mean to be worth drawing
 NOISE_SHARE = 0.02
 
@@ -45,7 +47,7 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
     time, force, velocity = table["time"], table["force"], table["velocity"]
     peak = int(np.argmax(np.abs(force)))
     start, end = contact(time, force)
-    mean = running_mean(time, force, MEAN_SHARE * (end - start))
+    mean = running_mean(time, force, mean_window(table))
     during = (time >= start) & (time <= end)
     over = abs(force[-1]) <= SILENT * abs(force[peak]) and force[peak] != 0.0
     absorbed = table.get("absorbed")
@@ -115,9 +117,12 @@ def _integral(time: np.ndarray, values: np.ndarray, upto: np.ndarray) -> np.ndar
 
 
 def mean_window(table: Table) -> float:
-    """A window for the running mean of a force, from the duration of the contact."""
-    start, end = contact(table["time"], table["force"])
-    return MEAN_SHARE * (end - start)
+    """The usual window of the running mean of a force: 20 µs, in the unit of its times.
+
+    Times without a known unit are taken as seconds.
+    """
+    unit = table.unit("time")
+    return MEAN_SPAN * factor("s", unit if known(unit) else "s")
 
 
 def is_noisy(values: np.ndarray, mean: np.ndarray) -> bool:

@@ -15,7 +15,7 @@ from plydyn_post.units import factor, in_brackets, readable
 # Name in print, attribute of Numbers, and the columns whose units it has
 QUANTITIES = (
     ("peak force", "peak_force", ("force",)),
-    ("peak of its running mean", "mean_peak_force", ("force",)),
+    ("peak of its 20 µs mean", "mean_peak_force", ("force",)),
     ("time of peak force", "peak_time", ("time",)),
     ("start of contact", "contact_start", ("time",)),
     ("contact duration", "contact_duration", ("time",)),

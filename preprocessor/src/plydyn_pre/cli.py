@@ -18,13 +18,15 @@ from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck
 from plydyn_pre.errors import PreError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
-from plydyn_pre.mesh import Mesh, make_mesh, quality
+from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
 from plydyn_pre.study import Study, unused
 from plydyn_pre.version import VERSION
 
 #: Exit code of an error in what the user wrote, as that of the solver
 INPUT_ERROR = 2
+#: A quad whose least Jacobian is below this share of its mean is nearly folded
+NEARLY_FOLDED = 0.1
 
 app = typer.Typer(
     add_completion=False,
@@ -75,6 +77,7 @@ def deck(
     with blaming(recipe):
         write_deck(_with_progress(deck_text(study, mesh), mesh), path)
         _tell_counts(study, mesh)
+    _note_folded(recipe, quality(mesh))
     _tell("deck", path)
 
 
@@ -89,6 +92,7 @@ def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
     _tell("area", f"{measures.area:.9g} {unit}2")
     _tell("sides of quads", f"{measures.shortest_side:.4g} to {measures.longest_side:.4g} {unit}")
     _tell("least Jacobian", f"{measures.smallest_jacobian:.3f} x mean, quad {measures.worst_quad}")
+    _note_folded(recipe, measures)
     for kind, sets in (("parts", grid.parts), ("node sets", grid.node_sets)):
         _tell(kind, ", ".join(f"{name} ({len(members)})" for name, members in sets.items()))
 
@@ -165,6 +169,14 @@ def _tell_counts(study: Study, mesh: Mesh) -> None:
     _tell("nodes", f"{counts.nodes}")
     _tell("thickness levels", f"{counts.levels}")
     _tell("DOF", f"{counts.freedoms:,}")
+
+
+def _note_folded(recipe: Path, measures: Quality) -> None:
+    """Tell of the worst quad where it is nearly folded: it sets the stable step, or stops a run."""
+    share = measures.smallest_jacobian
+    if share < NEARLY_FOLDED:
+        words = f"quad {measures.worst_quad} is nearly folded: its least Jacobian is {share:.3f}"
+        err.print(f"note: {recipe}: {words} of its mean", markup=False, soft_wrap=True)
 
 
 def _tell(what: str, words: object) -> None:
