@@ -8,12 +8,13 @@
 !> paper; or the points of the plate against the exact sphere. In both the plate is nothing but
 !> surface points with inverse masses: contact knows no layers.
 module plydyn_contact_contact
-   use plydyn_base_error, only : error_type
+   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_contact_constraint, only : constraints_type, new_constraints, opening
    use plydyn_contact_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_near, only : near_type, new_near
-   use plydyn_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_nodes, only : new_nodes, node_set_type, point_distance
    use plydyn_contact_separate, only : is_separate, solve_separate
    use plydyn_contact_sphere, only : sphere_gap
    use plydyn_contact_surface, only : new_surface, surface_type
@@ -79,7 +80,7 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
-      !> Set when the spacing makes too many nodes
+      !> Set when the spacing makes too many nodes, or when a small sphere would pass the points
       type(error_type), allocatable, intent(out) :: error
 
       self%setup = setup
@@ -89,11 +90,26 @@ contains
       call new_near(self%near, self%surface, setup%radius)
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
-      if (.not. setup%exact_sphere) then
+      if (setup%exact_sphere) then
+         call refuse_passage(setup%radius, &
+            & point_distance(self%surface, position, centre, setup%radius), error)
+      else
          call new_nodes(self%nodes, self%surface, position, centre, setup%radius, setup%spacing, &
             & error)
       end if
    end subroutine new_contact
+
+   !> Refuse a sphere that fits between four points of the plate: it would pass them unseen
+   subroutine refuse_passage(radius, distance, error)
+      !> Radius of the sphere; distance between points of the plate under it, length
+      real(wp), intent(in) :: radius, distance
+      type(error_type), allocatable, intent(out) :: error
+
+      if (radius > sqrt(0.5_wp)*distance) return
+      call fail(error, exit_input, "a sphere of radius "//text(radius)//" passes between points " &
+         & //"of the plate that are "//text(distance)//" apart: make the mesh finer there, or use " &
+         & //"METHOD 1")
+   end subroutine refuse_passage
 
    !> Gap between impactor and plate, negative when they penetrate, huge when nothing is under it
    pure real(wp) function initial_gap(self, position, centre)

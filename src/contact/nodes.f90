@@ -12,7 +12,7 @@ module plydyn_contact_nodes
    implicit none
    private
 
-   public :: new_nodes
+   public :: new_nodes, point_distance
 
    !> Spacing made from the mesh, as a share of the distance between points of the plate
    real(wp), parameter :: spacing_share = 0.5_wp
@@ -22,6 +22,12 @@ module plydyn_contact_nodes
 
    !> Distance from a side, in local coordinates, that counts as on the fold
    real(wp), parameter :: fold_width = 1.0e-4_wp
+
+   !> Nodes farther from the axis than this many times the farthest point of the plate are left
+   !> out: the impactor would have to travel sideways by as much again to bring them to the plate
+   real(wp), parameter :: travel_share = 2.0_wp
+
+   real(wp), parameter :: two_pi = 4.0_wp*acos(0.0_wp)
 
    !> Most contact nodes on an impactor
    integer, parameter :: most_nodes = 1000000
@@ -67,24 +73,46 @@ contains
       !> Set when there would be too many nodes
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: used
+      real(wp) :: cap, reach, used
       integer :: nodes
 
       used = spacing
       if (used <= 0.0_wp) used = spacing_share*point_distance(surface, position, centre, radius)
-      ! half a sphere has 2 pi r^2 of surface, each node takes a square of the spacing
-      if (8.0_wp*(radius/used)**2 > most_nodes) then
+      reach = travel_share*farthest(surface, position, centre)
+      ! a cap of the sphere has 2 pi r h of surface, each node takes a square of the spacing
+      cap = radius - sqrt(max(0.0_wp, radius**2 - reach**2))
+      if (two_pi*radius*cap/used**2 > most_nodes) then
          call fail(error, exit_input, "contact nodes "//text(used)//" apart are too many for a " &
-            & //"sphere of radius "//text(radius)//"; give a larger spacing, or use method 2")
+            & //"sphere of radius "//text(radius)//": give a spacing (SPACING) of " &
+            & //text(1.01_wp*sqrt(two_pi*radius*cap/most_nodes), 3)//" or more, or use METHOD 2")
          return
       end if
-      call sphere_nodes(radius, used, nint(surface%side), self%position, self%ring)
+      call sphere_nodes(radius, used, reach, nint(surface%side), self%position, self%ring)
       nodes = size(self%position, 2)
       allocate (self%facet(nodes), source=0)
       allocate (self%place(2, nodes), source=0.0_wp)
       allocate (self%push(nodes), self%wake(nodes), source=0.0_wp)
       allocate (self%ring_wake(size(self%ring) - 1), source=0.0_wp)
    end subroutine new_nodes
+
+   !> Distance from the axis of the impactor to the farthest point of the surface, length
+   pure real(wp) function farthest(surface, position, centre)
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Surface points at the start, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: f, s
+
+      farthest = 0.0_wp
+      do f = 1, size(surface%facet, 2)
+         do s = 1, surface%nodes
+            farthest = max(farthest, norm2(position(:2, surface%facet(s, f)) - centre(:2)))
+         end do
+      end do
+   end function farthest
 
    !> Least distance between points along the sides of the facets under the impactor, length
    pure real(wp) function point_distance(surface, position, centre, radius)

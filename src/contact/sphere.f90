@@ -20,12 +20,14 @@ contains
    !> Rings around the node at the pole, with nodes a spacing apart or a little less along the
    !> meridian and about a spacing apart along the ring, none on the x or y axis where sides of
    !> facets like to be. A quarter turn leaves the pattern as it is, to the last bit, and so does
-   !> a mirror to round-off.
-   pure subroutine sphere_nodes(radius, spacing, side, node, first)
+   !> a mirror to round-off. Rings wider than the reach are left out.
+   pure subroutine sphere_nodes(radius, spacing, reach, side, node, first)
       !> Length
       real(wp), intent(in) :: radius
       !> Distance between nodes, length
       real(wp), intent(in) :: spacing
+      !> Farthest that a node may lie from the axis, length
+      real(wp), intent(in) :: reach
       !> 1 when the plate lies below the sphere, -1 when above
       integer, intent(in) :: side
       !> Positions relative to the centre, (3, nodes), ring after ring from the pole
@@ -38,6 +40,7 @@ contains
 
       rings = max(1, ceiling(right_angle*radius/spacing))
       step = right_angle/rings
+      rings = max(1, count([(radius*sin(r*step) <= reach, r=1, rings)]))
       allocate (first(rings + 2), source=1)
       first(2) = 2
       do r = 1, rings

@@ -54,7 +54,11 @@ contains
                & mass=impactor%mass, guided=impactor%guided, side=contact%face, &
                & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
                & surface%facet, surface%position, impactor%centre, error)
-            if (allocated(error)) return
+            if (allocated(error)) then
+               error%message = "contact "//text(contact%id)//" (*CONTACT_IMPACTOR): " &
+                  & //error%message
+               return
+            end if
             pair%position = surface%position
             allocate (pair%correction(3, size(surface%position, 2)))
             gap = pair%pair%initial_gap(surface%position, impactor%centre)

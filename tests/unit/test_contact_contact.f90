@@ -287,7 +287,7 @@ contains
       setup%mass = mass
       setup%spacing = 1.0e-4_wp
       call new_contact(pair, setup, facet, position, [0.0_wp, 0.0_wp, radius], error)
-      call check_error(error, "larger spacing", "too many contact nodes")
+      call check_error(error, "SPACING", "too many contact nodes")
    end subroutine check_spacing
 
    !> A flat plate at height zero and a sphere that touches its middle

@@ -36,6 +36,10 @@ contains
       call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.0_wp, error)
       call check(.not. allocated(error), "a spacing is made from the mesh")
       call check_first_ring(nodes, 0.25_wp)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e4_wp], 1.0e4_wp, 0.4_wp, error)
+      call check(.not. allocated(error), "a sphere much wider than the plate has few nodes over it")
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 1.0e-3_wp, error)
+      call check(allocated(error), "millions of nodes are refused")
    end subroutine check_spacing
 
    !> The first ring is a spacing from the pole, or a little less
