@@ -56,15 +56,20 @@ contains
       words = " at cycle "//text(state%cycle)//", time "//text(state%time)
    end function when
 
-   !> The first point that is not finite
+   !> The first impactor or point that is not finite
    function culprit(domain, state) result(words)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      integer :: c, k, n, t
+      integer :: c, i, k, n, t
 
-      words = ": an impactor"
+      do i = 1, size(state%impactors)
+         if (all(ieee_is_finite(state%impactors(i)%velocity))) cycle
+         words = ": velocity of impactor "//text(domain%impactors(i)%id)
+         return
+      end do
+      words = ": energies, while no acceleration is"
       do n = 1, domain%columns%nodes
          do k = 1, size(domain%columns%home, 2)
             do t = 1, domain%columns%levels(k)
