@@ -107,8 +107,8 @@ contains
 
       if (radius > sqrt(0.5_wp)*distance) return
       call fail(error, exit_input, "a sphere of radius "//text(radius)//" passes between points " &
-         & //"of the plate that are "//text(distance)//" apart: make the mesh finer there, or use " &
-         & //"METHOD 1")
+         & //"of the plate that are "//text(distance)//" apart: make the mesh finer there, or " &
+         & //"use METHOD 1")
    end subroutine refuse_passage
 
    !> Gap between impactor and plate, negative when they penetrate, huge when nothing is under it
