@@ -9,7 +9,6 @@ module plydyn_solver_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_forces, only : load_power
-   use plydyn_solver_motion, only : sums_type
    use plydyn_solver_supports, only : support_power
    use plydyn_state_state, only : state_type
    implicit none
@@ -25,7 +24,7 @@ contains
       type(state_type), intent(inout) :: state
 
       state%energies%shift = state%energies%shift &
-         & + 0.125_wp*state%pull*(state%step**2 - state%step_before**2)
+         & + 0.125_wp*state%sums%pull*(state%step**2 - state%step_before**2)
    end subroutine change_step
 
    !> Power at the beginning of a step, with the velocity over it; once supports and contact are in
@@ -41,11 +40,9 @@ contains
    end subroutine begin_work
 
    !> Energies at the end of a step, from the accelerations there
-   subroutine balance(domain, sums, state)
+   subroutine balance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Sums over all points
-      type(sums_type), intent(in) :: sums
       !> Energies
       type(state_type), intent(inout) :: state
 
@@ -54,10 +51,9 @@ contains
 
       step = state%step_before
       outside = load_power(domain, state%load_factor, state%velocity) + support_power(domain, state)
-      associate (e => state%energies)
+      associate (e => state%energies, sums => state%sums)
          e%kinetic = 0.5_wp*sums%twice_kinetic
          e%ripple = 0.125_wp*step**2*sums%pull
-         state%pull = sums%pull
          e%internal = e%internal + 0.5_wp*step*(state%internal_power + outside - sums%power)
          e%external = e%external + 0.5_wp*step*(state%external_power + outside)
          e%momentum(:) = sums%momentum

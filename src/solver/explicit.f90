@@ -9,7 +9,7 @@ module plydyn_solver_explicit
    use plydyn_solver_energies, only : balance, begin_work, change_step
    use plydyn_solver_forces, only : add_interface_forces, add_loads, add_ply_forces
    use plydyn_solver_health, only : check_health
-   use plydyn_solver_motion, only : accelerate, advance, sums_type
+   use plydyn_solver_motion, only : accelerate, advance
    use plydyn_solver_supports, only : hold_supports, move_supports
    use plydyn_state_state, only : state_type
    implicit none
@@ -35,10 +35,8 @@ contains
       !> What stopped the run
       type(error_type), allocatable, intent(out) :: error
 
-      type(sums_type) :: sums
-
-      call find_accelerations(domain, state, sums)
-      call balance(domain, sums, state)
+      call find_accelerations(domain, state)
+      call balance(domain, state)
       state%energies%start = state%energies%kinetic + state%energies%impactor
       call writer%record(domain, state, error)
       if (allocated(error)) return
@@ -60,9 +58,9 @@ contains
          state%time = state%time + state%step
          state%cycle = state%cycle + 1
          state%step_before = state%step
-         call find_accelerations(domain, state, sums)
+         call find_accelerations(domain, state)
 
-         call balance(domain, sums, state)
+         call balance(domain, state)
          call writer%record(domain, state, error)
          if (allocated(error)) return
          call check_health(domain, state, error)
@@ -74,13 +72,11 @@ contains
    end subroutine run
 
    !> Forces of plies, interfaces and loads over the masses (the paper's eq. 6)
-   subroutine find_accelerations(domain, state, sums)
+   subroutine find_accelerations(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Accelerations
+      !> Accelerations, and the sums over all points
       type(state_type), intent(inout) :: state
-      !> Sums over all points
-      type(sums_type), intent(out) :: sums
 
       associate (force => state%acceleration)
          force(:) = 0.0_wp
@@ -88,7 +84,7 @@ contains
          call add_interface_forces(domain, state%displacement, state%history, force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
-         call accelerate(domain, state%step_before, state%velocity, force, sums)
+         call accelerate(domain, state%step_before, state%velocity, force, state%sums)
       end associate
    end subroutine find_accelerations
 
@@ -122,7 +118,6 @@ contains
 
       integer, parameter :: tries = 3
       type(state_type) :: copy
-      type(sums_type) :: sums
       integer(int64) :: now, rate, then
       integer :: i
 
@@ -130,7 +125,7 @@ contains
       seconds = huge(1.0_wp)
       do i = 1, tries
          call system_clock(then, rate)
-         call find_accelerations(domain, copy, sums)
+         call find_accelerations(domain, copy)
          call system_clock(now)
          seconds = min(seconds, real(now - then, wp)/real(rate, wp))
       end do

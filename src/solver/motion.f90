@@ -2,80 +2,56 @@
 module plydyn_solver_motion
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : state_type, sums_type
    implicit none
    private
 
    public :: accelerate, advance
 
-   !> Sums over all points at a full step, where the velocity is v + 1/2 dt a
-   type, public :: sums_type
-      !> Momentum along x, y, z
-      real(wp) :: momentum(3) = 0.0_wp
-      !> Twice the kinetic energy; mass times the square of the acceleration
-      real(wp) :: twice_kinetic = 0.0_wp, pull = 0.0_wp
-      !> Power of the forces with the velocity of the half step before
-      real(wp) :: power = 0.0_wp
-   end type sums_type
-
 contains
 
-   !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15)
+   !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). The
+   !> power of all forces with the new velocity, and the work of damping, follow from the sums at
+   !> the full step before, whatever inertia is behind the accelerations
    subroutine advance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity and displacement; power of all forces with the new velocity; work of damping
       type(state_type), intent(inout) :: state
 
-      real(wp) :: brake, middle, power, square
+      real(wp) :: brake, keep, middle, middle_step
       integer :: f
 
-      middle = 0.5_wp*(state%step_before + state%step)
-      brake = 0.5_wp*domain%control%damping*middle
-      power = 0.0_wp
-      square = 0.0_wp
+      middle_step = 0.5_wp*(state%step_before + state%step)
+      brake = 0.5_wp*domain%control%damping*middle_step
+      keep = (1.0_wp - brake)/(1.0_wp + brake)
+      middle = middle_step/(1.0_wp + brake)
       do f = 1, size(domain%columns%families)
          associate (family => domain%columns%families(f))
-            call advance_family(family%blocks*(family%order + 1), domain%columns%nodes, &
-               & (1.0_wp - brake)/(1.0_wp + brake), middle/(1.0_wp + brake), state%step, &
-               & domain%mass(family%first_mass), state%acceleration(family%first), &
-               & state%velocity(family%first), state%displacement(family%first), power, square)
+            call advance_family(3*lanes*family%blocks*(family%order + 1)*domain%columns%nodes, &
+               & keep, middle, state%step, state%acceleration(family%first), &
+               & state%velocity(family%first), state%displacement(family%first))
          end associate
       end do
-      state%internal_power = -power
-      state%energies%damping = state%energies%damping + 0.5_wp*brake*square
+      associate (sums => state%sums, before => state%step_before)
+         state%internal_power = -keep*sums%power - middle*sums%pull
+         ! the velocity before is the one at the full step less 1/2 dt a
+         state%energies%damping = state%energies%damping + 0.5_wp*brake*((1.0_wp + keep)**2 &
+            & *(sums%twice_kinetic - before*(sums%power + 0.25_wp*before*sums%pull)) &
+            & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
+      end associate
    end subroutine advance
 
    !> `advance` for the points of one family
-   pure subroutine advance_family(rows, nodes, keep, middle, step, mass, a, v, u, power, &
-      & square)
-      integer, intent(in) :: rows, nodes
-      real(wp), intent(in) :: keep, middle, step
-      real(wp), intent(in) :: mass(lanes, rows, nodes), a(lanes, rows, 3, nodes)
-      real(wp), intent(inout) :: v(lanes, rows, 3, nodes), u(lanes, rows, 3, nodes)
-      !> Sums of m a v with the new velocity, and of m (v before + v after)^2
-      real(wp), intent(inout) :: power, square
+   pure subroutine advance_family(places, keep, middle, step, a, v, u)
+      integer, intent(in) :: places
+      real(wp), intent(in) :: keep, middle, step, a(places)
+      real(wp), intent(inout) :: v(places), u(places)
+      integer :: i
 
-      real(wp) :: column(lanes), column_square(lanes), new
-      integer :: c, l, n, r
-
-      do n = 1, nodes
-         column(:) = 0.0_wp
-         column_square(:) = 0.0_wp
-         do c = 1, 3
-            do r = 1, rows
-               !$omp simd private(new)
-               do l = 1, lanes
-                  new = keep*v(l, r, c, n) + middle*a(l, r, c, n)
-                  column(l) = column(l) + mass(l, r, n)*a(l, r, c, n)*new
-                  column_square(l) = column_square(l) + mass(l, r, n)*(v(l, r, c, n) + new)**2
-                  u(l, r, c, n) = u(l, r, c, n) + step*new
-                  v(l, r, c, n) = new
-               end do
-            end do
-         end do
-         power = power + sum(column)
-         square = square + sum(column_square)
+      do i = 1, places
+         v(i) = keep*v(i) + middle*a(i)
+         u(i) = u(i) + step*v(i)
       end do
    end subroutine advance_family
 

@@ -42,6 +42,16 @@ module plydyn_state_state
       real(wp) :: penetration = 0.0_wp
    end type impactor_state_type
 
+   !> Sums over all points at a full step, where the velocity is v + 1/2 dt a
+   type, public :: sums_type
+      !> Momentum along x, y, z
+      real(wp) :: momentum(3) = 0.0_wp
+      !> Twice the kinetic energy; mass times the square of the acceleration
+      real(wp) :: twice_kinetic = 0.0_wp, pull = 0.0_wp
+      !> Power of the forces with the velocity of the half step before
+      real(wp) :: power = 0.0_wp
+   end type sums_type
+
    !> The state of a run
    type, public :: state_type
       !> Time and number of steps made
@@ -65,8 +75,8 @@ module plydyn_state_state
       real(wp), allocatable :: support_force(:)
       !> Velocity of the prescribed points over the last step, in the order of `domain%motions`
       real(wp), allocatable :: support_velocity(:)
-      !> Sum of mass times the square of the acceleration, all points
-      real(wp) :: pull = 0.0_wp
+      !> Sums over all points, at this time
+      type(sums_type) :: sums
       !> Power of the inner forces and of loads and supports at the beginning of the last step
       real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
       !> Energies

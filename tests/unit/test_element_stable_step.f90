@@ -6,7 +6,8 @@ program test_element_stable_step
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_stable_step, only : certified_bound, power_iteration
    use plydyn_solver_forces, only : add_ply_forces
-   use plydyn_solver_motion, only : accelerate, sums_type
+   use plydyn_solver_motion, only : accelerate
+   use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
