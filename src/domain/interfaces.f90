@@ -2,10 +2,11 @@
 module plydyn_domain_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_zones, only : new_zone, zone_type
    use plydyn_element_interface, only : face_type, interface_type, set_plane
    use plydyn_element_plate, only : plate_type
-   use plydyn_law_cohesive, only : cohesive_type, new_springs
-   use plydyn_model_material, only : interface_material_type
+   use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & new_springs
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -63,9 +64,11 @@ contains
 
       if (.not. any(here)) return
       k = maxloc(merge(1, 0, here), 1)
-      batch%law = interface_law(model%interface_materials(material))
+      batch%law = interface_law(model, material)
       batch%adjacent = columns%home(1, k) == columns%home(1, k + 1)
-      call set_plane(batch, plate%node, model%mesh%position, nodal=.false.)
+      batch%quad = plate%quad
+      call set_plane(batch, plate%node, model%mesh%position, &
+         & model%interface_materials(material)%nodal)
       lane = 0
       do k = 1, size(here)
          if (.not. here(k)) cycle
@@ -103,11 +106,24 @@ contains
    end subroutine place_face
 
    !> The law of an interface material
-   pure function interface_law(material) result(law)
-      type(interface_material_type), intent(in) :: material
+   pure function interface_law(model, material) result(law)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the interface material
+      integer, intent(in) :: material
       type(cohesive_type) :: law
 
-      law = new_springs([material%normal_stiffness, material%shear_stiffness])
+      type(cohesive_constants_type) :: constants
+      type(zone_type) :: zone
+
+      constants = model%interface_materials(material)%constants
+      if (.not. model%interface_materials(material)%fails) then
+         law = new_springs(constants%stiffness)
+         return
+      end if
+      zone = new_zone(model, material)
+      constants%strength(:) = zone%strength
+      law = new_cohesive(constants)
    end function interface_law
 
 end module plydyn_domain_interfaces

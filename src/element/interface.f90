@@ -43,6 +43,8 @@ module plydyn_element_interface
       logical :: nodal = .false.
       !> Distance of the outer points from the middle of the quad
       real(wp) :: reach = 1.0_wp
+      !> Index of each quad in the mesh
+      integer, allocatable :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, allocatable :: node(:, :)
       !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`

@@ -31,8 +31,8 @@ module plydyn_input_declare_known
    character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
       & "MAT_CODAM2", "MAT_PIECEWISE_LINEAR_PLASTICITY", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
-   character(longest_name), parameter :: only_springs(*) = [character(longest_name) :: &
-      & "MAT_COHESIVE_MIXED_MODE", "MAT_COHESIVE_GENERAL"]
+   character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
+      & "MAT_COHESIVE_GENERAL", "MAT_COHESIVE_TH"]
    character(longest_name), parameter :: own_impactor(*) = [character(longest_name) :: &
       & "MAT_RIGID", "RIGIDWALL_GEOMETRIC_SPHERE_MOTION", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &
       & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &
@@ -60,7 +60,7 @@ contains
          & "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
          & listed(only_elastic, is_refused, &
          & "*MAT_PLY_ELASTIC, or *MAT_PLASTIC_KINEMATIC for metals"), &
-         & listed(only_springs, is_refused, "elastic springs, *MAT_COHESIVE_ELASTIC"), &
+         & listed(other_bonds, is_refused, "a bilinear law, *MAT_COHESIVE_MIXED_MODE"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(other_elements, is_refused, &
          & "nothing: plydyn has no elements that this keyword is for")]

@@ -11,17 +11,15 @@ contains
 
    !> Keywords of laminates and materials
    function part_keywords() result(keywords)
-      type(keyword_type) :: keywords(9)
+      type(keyword_type) :: keywords(7)
 
       keywords(1) = part_composite()
       keywords(2) = part_composite_long()
       keywords(3) = section_layerwise()
-      keywords(4) = interface_cohesive()
-      keywords(5) = mat_elastic()
-      keywords(6) = mat_orthotropic_elastic()
-      keywords(7) = mat_ply_elastic()
-      keywords(8) = mat_cohesive_elastic()
-      keywords(9) = mat_plastic_kinematic()
+      keywords(4) = mat_elastic()
+      keywords(5) = mat_orthotropic_elastic()
+      keywords(6) = mat_ply_elastic()
+      keywords(7) = mat_plastic_kinematic()
    end function part_keywords
 
    !> A laminate, two plies on a card
@@ -109,23 +107,6 @@ contains
       call keyword%add_integer("NSUB", "numerical layers in each of these plies", default=1, &
          & least=1, most=100)
    end function section_layerwise
-
-   !> What joins two plies
-   function interface_cohesive() result(keyword)
-      type(keyword_type) :: keyword
-
-      keyword = new_keyword("INTERFACE_COHESIVE", ours, &
-         & "What lies between the plies of a laminate.", repeated=.true.)
-      keyword%remark = "Interface k lies between plies k and k + 1, counted from the bottom. " &
-         & //"Interfaces that no card names are perfectly tied."
-      call keyword%add_card()
-      call keyword%add_integer("PID", "part", least=1)
-      call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)
-      call keyword%add_integer("IFAC2", "last interface", least=0)
-      call keyword%add_integer("MID", "interface material; -1 for faces that nothing joins", &
-         & least=-1)
-      call keyword%add_integer("NQ", "quadrature; 0 for 3 x 3 Gauss points", default=0, allowed=[0])
-   end function interface_cohesive
 
    !> Isotropic material
    function mat_elastic() result(keyword)
@@ -231,22 +212,5 @@ contains
       call keyword%add_real("G13", "stress", "shear modulus in the plane 1-3", above=0.0_wp)
       call keyword%add_real("G23", "stress", "shear modulus in the plane 2-3", above=0.0_wp)
    end function mat_ply_elastic
-
-   !> Elastic interface material
-   function mat_cohesive_elastic() result(keyword)
-      type(keyword_type) :: keyword
-
-      keyword = new_keyword("MAT_COHESIVE_ELASTIC", standard, &
-         & "Linear elastic springs between two plies.", suffixes="TITLE", alias="MAT_184")
-      call keyword%add_card()
-      call keyword%add_integer("MID", "number of the material", least=1)
-      call keyword%add_real("RO", "mass/length2", "without effect: an interface has no mass", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_unused("ROFLG", neutral=[0.0_wp, 1.0_wp])
-      call keyword%add_unused("INTFAIL")
-      call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
-      call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
-      call keyword%add_unused("FN_FAIL")
-   end function mat_cohesive_elastic
 
 end module plydyn_input_declare_part

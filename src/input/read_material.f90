@@ -4,14 +4,13 @@ module plydyn_input_read_material
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
-   use plydyn_input_catalogue, only : a_material, an_interface_material, catalogue_type
-   use plydyn_model_material, only : interface_material_type, law_plastic_kinematic, &
-      & material_type, plasticity_type
+   use plydyn_input_catalogue, only : a_material, catalogue_type
+   use plydyn_model_material, only : law_plastic_kinematic, material_type, plasticity_type
    implicit none
    private
 
    public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_plastic_kinematic, &
-      & read_mat_ply_elastic, read_mat_cohesive_elastic
+      & read_mat_ply_elastic
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -118,26 +117,6 @@ contains
       end if
       materials = [materials, material]
    end subroutine read_mat_orthotropic_elastic
-
-   !> *MAT_COHESIVE_ELASTIC: springs between plies
-   subroutine read_mat_cohesive_elastic(cards, catalogue, materials)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(interface_material_type), allocatable, intent(inout) :: materials(:)
-
-      type(interface_material_type) :: material
-
-      call catalogue%define(an_interface_material, cards, "MID")
-      material%id = cards%integer("MID")
-      material%title = cards%word("TITLE")
-      material%normal_stiffness = cards%real("EN")
-      material%shear_stiffness = cards%real("ET")
-      if (cards%real("RO") > 0.0_wp) then
-         call catalogue%report%note(cards%place("RO"), "RO is without effect", &
-            & "an interface has no mass")
-      end if
-      materials = [materials, material]
-   end subroutine read_mat_cohesive_elastic
 
    !> Number, title and density of a ply material
    subroutine begin_material(cards, catalogue, material)

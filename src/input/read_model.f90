@@ -13,13 +13,15 @@ module plydyn_input_read_model
    use plydyn_input_read_impact, only : read_contact_impactor, read_database_field, &
       & read_database_history_node, read_database_history_node_set, read_database_profile, &
       & read_impactor_sphere
+   use plydyn_input_read_interface, only : read_interface_cohesive, read_mat_cohesive_elastic, &
+      & read_mat_cohesive_mixed_mode
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
       & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
-   use plydyn_input_read_material, only : read_mat_cohesive_elastic, read_mat_elastic, &
+   use plydyn_input_read_material, only : read_mat_elastic, &
       & read_mat_orthotropic_elastic, read_mat_plastic_kinematic, read_mat_ply_elastic
    use plydyn_input_read_mesh, only : new_mesh, read_element_plate_q9, read_element_shell, &
       & read_node
-   use plydyn_input_read_part, only : read_interface_cohesive, read_part_composite, &
+   use plydyn_input_read_part, only : read_part_composite, &
       & read_part_composite_long, read_section_layerwise
    use plydyn_input_read_set, only : read_define_box, read_define_curve, read_set_node_general, &
       & read_set_node_list, read_set_shell_list
@@ -126,6 +128,8 @@ contains
          call read_mat_ply_elastic(cards, catalogue, model%materials)
       case ("MAT_COHESIVE_ELASTIC")
          call read_mat_cohesive_elastic(cards, catalogue, model%interface_materials)
+      case ("MAT_COHESIVE_MIXED_MODE")
+         call read_mat_cohesive_mixed_mode(cards, catalogue, model%interface_materials)
       case ("IMPACTOR_SPHERE")
          call read_impactor_sphere(cards, catalogue, model%impactors)
       case default
@@ -193,7 +197,7 @@ contains
       case ("SECTION_LAYERWISE")
          call read_section_layerwise(cards, catalogue, model%mesh, model%parts)
       case ("INTERFACE_COHESIVE")
-         call read_interface_cohesive(cards, catalogue, model%parts)
+         call read_interface_cohesive(cards, catalogue, model%interface_materials, model%parts)
       case ("CONTACT_IMPACTOR")
          call read_contact_impactor(cards, catalogue, model%contacts)
       case default

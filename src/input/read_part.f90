@@ -1,18 +1,16 @@
-!> Readers of laminates: plies, expansion through the thickness, interfaces.
+!> Readers of laminates: plies and their expansion through the thickness.
 module plydyn_input_read_part
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_input_catalogue, only : a_material, a_part, a_section, an_interface_material, &
-      & catalogue_type
-   use plydyn_model_layup, only : faces_apart, faces_tied, part_type, ply_type
+   use plydyn_input_catalogue, only : a_material, a_part, a_section, catalogue_type
+   use plydyn_model_layup, only : faces_tied, part_type, ply_type
    use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: read_part_composite, read_part_composite_long, read_section_layerwise, &
-      & read_interface_cohesive
+   public :: read_part_composite, read_part_composite_long, read_section_layerwise
 
    !> Order without *SECTION_LAYERWISE
    integer, parameter :: usual_order = 2
@@ -102,33 +100,6 @@ contains
          parts(part)%plies(first:last)%layers = cards%integer("NSUB", nth)
       end do
    end subroutine read_section_layerwise
-
-   !> *INTERFACE_COHESIVE: what lies between plies
-   subroutine read_interface_cohesive(cards, catalogue, parts)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(part_type), intent(inout) :: parts(:)
-
-      integer :: first, joint, last, nth, part
-
-      do nth = 1, cards%sets()
-         joint = faces_apart
-         if (cards%integer("MID", nth) == 0) then
-            call catalogue%refuse(cards, "MID", "MID cannot be 0", &
-               & "an interface material, or -1 for nothing; tied interfaces need no card", nth)
-         else if (cards%integer("MID", nth) > 0) then
-            call catalogue%find(an_interface_material, cards, "MID", joint, nth)
-         end if
-         call catalogue%find(a_part, cards, "PID", part, nth)
-         if (part == 0) cycle
-         call find_interfaces(cards, nth, size(parts(part)%joint), catalogue, first, last)
-         if (any(parts(part)%joint(first:last) /= faces_tied)) then
-            call catalogue%refuse(cards, "IFAC1", "some of these interfaces have a card already", &
-               & "each interface on one card", nth)
-         end if
-         parts(part)%joint(first:last) = joint
-      end do
-   end subroutine read_interface_cohesive
 
    !> Number, title and reference surface of a part
    subroutine begin_part(cards, catalogue, part)
@@ -250,31 +221,5 @@ contains
       call catalogue%refuse(cards, name, "the part has no ply "//text(cards%integer(name, nth)), &
          & "the number of one of its "//text(size(plies))//" plies", nth)
    end subroutine find_ply
-
-   !> Range of interfaces; an empty one and a report when there are no such interfaces
-   subroutine find_interfaces(cards, nth, count, catalogue, first, last)
-      type(cards_type), intent(in) :: cards
-      !> Which row
-      integer, intent(in) :: nth
-      !> Interfaces of the part
-      integer, intent(in) :: count
-      type(catalogue_type), intent(inout) :: catalogue
-      !> First and last interface
-      integer, intent(out) :: first, last
-
-      first = cards%integer("IFAC1", nth)
-      last = cards%integer("IFAC2", nth)
-      if (first == 0 .and. last == 0 .and. count > 0) then
-         first = 1
-         last = count
-      else if (first < 1 .or. last < first .or. last > count) then
-         call catalogue%refuse(cards, merge("IFAC1", "IFAC2", first < 1 .or. first > count), &
-            & "interfaces "//text(first)//" to "//text(last)//" do not exist", &
-            & "a range within the "//text(count)//" interfaces of the part, or 0 and 0 for all", &
-            & nth)
-         first = 1
-         last = 0
-      end if
-   end subroutine find_interfaces
 
 end module plydyn_input_read_part

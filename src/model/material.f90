@@ -1,6 +1,7 @@
 !> Materials of plies and of interfaces.
 module plydyn_model_material
    use plydyn_base_precision, only : wp
+   use plydyn_law_cohesive, only : cohesive_constants_type
    implicit none
    private
 
@@ -42,16 +43,20 @@ module plydyn_model_material
       real(wp) :: axis_angle = 0.0_wp
    end type material_type
 
-   !> Springs between the faces of two plies
+   !> What lies between the faces of two plies: springs, or a bond that softens and fails
    type, public :: interface_material_type
       !> The user's number
       integer :: id = 0
       !> Title, empty without one
       character(:), allocatable :: title
-      !> Traction per opening, stress per length
-      real(wp) :: normal_stiffness = 0.0_wp
-      !> Traction per sliding, stress per length
-      real(wp) :: shear_stiffness = 0.0_wp
+      !> It softens and fails; springs have a stiffness and nothing else
+      logical :: fails = .false.
+      !> Constants, stress and length
+      type(cohesive_constants_type) :: constants
+      !> Points at the nodes of a quad instead of the Gauss points
+      logical :: nodal = .false.
+      !> Strengths lowered until the mesh resolves the zone that softens
+      logical :: fitted = .false.
    end type interface_material_type
 
 end module plydyn_model_material

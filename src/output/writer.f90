@@ -3,13 +3,13 @@ module plydyn_output_writer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_delamination, only : interface_losses
    use plydyn_domain_dissipation, only : dissipated_energy
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_supports, only : face_point
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : bottom_face, top_face
    use plydyn_output_fields, only : fields_type
    use plydyn_output_history, only : history_type, schedule_type
+   use plydyn_output_node_history, only : node_history_type
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
    use plydyn_state_state, only : state_type
@@ -19,16 +19,14 @@ module plydyn_output_writer
    !> What writes the results of a job
    type, public :: writer_type
       private
-      type(history_type) :: energy, nodes, supports
+      type(history_type) :: energy, supports
+      type(node_history_type) :: nodes
       type(history_type), allocatable :: impactors(:)
       type(profile_file_type), allocatable :: profiles(:)
       type(fields_type) :: fields
       type(schedule_type) :: field_schedule
       !> Time of the last state in the file of fields
       real(wp) :: field_time = -1.0_wp
-      !> Places in the arrays of motion of the nodes with a history, and the row they fill
-      integer, allocatable :: node_freedom(:)
-      real(wp), allocatable :: node_row(:)
       !> Held and prescribed directions, in the order of `state%support_force`
       integer, allocatable :: support_direction(:)
       !> Line of life
@@ -69,7 +67,7 @@ contains
       if (allocated(error)) return
       call open_impactors(self, job, model, error)
       if (allocated(error)) return
-      call open_nodes(self, job, model, domain, error)
+      call self%nodes%open(job//".nodes.csv", model, domain, error)
       if (allocated(error)) return
       call open_supports(self, job, model, domain, error)
       if (allocated(error)) return
@@ -97,15 +95,16 @@ contains
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
-      character(10), parameter :: names(*) = [character(10) :: "cycle", "time", "step", &
+      character(12), parameter :: names(*) = [character(12) :: "cycle", "time", "step", &
          & "kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact", &
-         & "ripple", "total", "error", "momentum x", "momentum y", "momentum z"]
+         & "delamination", "friction", "ripple", "total", "error", "momentum x", "momentum y", &
+         & "momentum z"]
       character(20) :: momentum
 
       associate (u => model%control%units)
          momentum = trim(u%force)//" "//u%time
          call self%energy%open(job//".energy.csv", names, [character(20) :: "-", u%time, u%time, &
-            & spread(u%energy, 1, 9), "-", spread(momentum, 1, 3)], &
+            & spread(u%energy, 1, 11), "-", spread(momentum, 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy
@@ -133,42 +132,6 @@ contains
          end do
       end associate
    end subroutine open_impactors
-
-   !> Motion of nodes on both faces
-   subroutine open_nodes(self, job, model, domain, error)
-      class(writer_type), intent(inout) :: self
-      character(*), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
-
-      character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
-      character(6), parameter :: face_name(2) = ["bottom", "top   "]
-      character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
-      integer :: c, face, i, k, point(2)
-
-      allocate (self%node_freedom(0))
-      names(1) = "time"
-      units(1) = model%control%units%time
-      k = 1
-      do i = 1, size(model%request%nodes)
-         do face = 1, 2
-            point(:) = face_point(domain%layers, merge(bottom_face, top_face, face == 1))
-            do c = 1, size(motion)
-               k = k + 1
-               names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i)))//" " &
-                  & //trim(face_name(face))//" "//motion(c)
-               units(k) = model%control%units%length
-               if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
-            end do
-            self%node_freedom = [self%node_freedom, domain%columns%freedom(point(1), point(2), &
-               & [1, 2, 3], model%request%nodes(i))]
-         end do
-      end do
-      allocate (self%node_row(size(names)))
-      if (size(model%request%nodes) == 0) return
-      call self%nodes%open(job//".nodes.csv", names, units, model%request%node_interval, error)
-   end subroutine open_nodes
 
    !> Force of all supports on the plate
    subroutine open_supports(self, job, model, domain, error)
@@ -279,8 +242,8 @@ contains
          if (self%energy%due(time) .or. is_last) then
             call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
                & e%kinetic, e%internal, dissipated_energy(domain, state%history), e%impactor, &
-               & e%damping, e%external, e%contact, e%ripple - e%shift, e%total(), e%error(), &
-               & e%momentum], error)
+               & e%damping, e%external, e%contact, interface_losses(domain, state%history), &
+               & e%ripple - e%shift, e%total(), e%error(), e%momentum], error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)
@@ -288,11 +251,8 @@ contains
             call self%impactors(i)%record(time, impactor_row(domain, state, i), error)
             if (allocated(error)) return
          end do
-         if (self%nodes%is_open() .and. (self%nodes%due(time) .or. is_last)) then
-            call fill_node_row(self, state)
-            call self%nodes%record(time, self%node_row, error)
-            if (allocated(error)) return
-         end if
+         call self%nodes%record(state, is_last, error)
+         if (allocated(error)) return
          if (self%supports%is_open() .and. (self%supports%due(time) .or. is_last)) then
             call self%supports%record(time, [time, (-sum(state%support_force, &
                & self%support_direction == i), i=1, 3)], error)
@@ -316,24 +276,6 @@ contains
             & start - kinetic, own%force(1:2), real(own%contacts, wp), own%penetration]
       end associate
    end function impactor_row
-
-   !> Displacement and velocity of the nodes with a history; the velocity is that of this time
-   pure subroutine fill_node_row(self, state)
-      class(writer_type), intent(inout) :: self
-      type(state_type), intent(in) :: state
-
-      integer :: first, i
-
-      self%node_row(1) = state%time
-      do i = 1, size(self%node_freedom)/3
-         first = 1 + 6*(i - 1)
-         associate (freedom => self%node_freedom(3*i - 2:3*i))
-            self%node_row(first + 1:first + 3) = state%displacement(freedom)
-            self%node_row(first + 4:first + 6) = state%velocity(freedom) &
-               & + 0.5_wp*state%step_before*state%acceleration(freedom)
-         end associate
-      end do
-   end subroutine fill_node_row
 
    !> The line of life, when its time has come
    subroutine show(self, state, is_last)

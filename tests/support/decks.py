@@ -38,6 +38,27 @@ class Sphere:
     face: int = TOP
 
 
+@dataclass(frozen=True)
+class Bond:
+    """A softening interface; pairs are opening, sliding."""
+
+    stiffness: tuple[float, float]
+    strength: tuple[float, float]
+    toughness: tuple[float, float]
+    exponent: float  # above 0: power law; below 0: Benzeggagh-Kenane
+    whole_penalty: bool = False
+    friction: float = 0.0
+    fit: int = 0
+
+    def toughness_of(self, mix: float) -> float:
+        """Energy per crack area where shear has a share of the energy."""
+        first, second = self.toughness
+        if self.exponent < 0.0:
+            return first + (second - first) * mix**-self.exponent
+        powers = ((1.0 - mix) / first) ** self.exponent + (mix / second) ** self.exponent
+        return powers ** (-1.0 / self.exponent)
+
+
 class Deck:
     """Cards in the order in which they were asked for; nodes and quads are numbered from 0."""
 
@@ -46,6 +67,7 @@ class Deck:
         self._cards: list[str] = []
         self._sets = 0
         self._curves = 0
+        self._bonds = 0
         self._materials: list[Material] = []
         self.add("TITLE", title)
         self.add("CONTROL_TERMINATION", (end_time, 0))
@@ -101,6 +123,15 @@ class Deck:
             return
         self.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, shear, normal))
         self.add("INTERFACE_COHESIVE", (1, 0, 0, 100))
+
+    def cohesive(self, bond: Bond, *, interface: int = 0, nodal: bool = False) -> None:
+        """A bond that fails between all plies of part 1, or at one interface only."""
+        self._bonds += 1
+        stiffness, toughness = bond.stiffness, bond.toughness
+        head = (200 + self._bonds, 0.0, 0, 0, *stiffness, *toughness)
+        self.add("MAT_COHESIVE_MIXED_MODE", head, (bond.exponent, *bond.strength))
+        options = (int(nodal), int(bond.whole_penalty), bond.friction, bond.fit)
+        self.add("INTERFACE_COHESIVE", (1, interface, interface, head[0], *options))
 
     def node_set(self, nodes: Iterable[int]) -> int:
         """A new set of nodes, and its number."""

@@ -4,6 +4,7 @@ program test_domain_interfaces
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
+   use plydyn_law_cohesive, only : cohesive_constants_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
@@ -47,7 +48,7 @@ contains
          & [(0.0_wp, n=1, size(order))], 0.25_wp, order)
       model%parts(1)%joint(:) = joint
       model%interface_materials = [(interface_material_type(id=n, title="springs", &
-         & normal_stiffness=stiffness(1, n), shear_stiffness=stiffness(2, n)), n=1, 2)]
+         & constants=cohesive_constants_type(stiffness=stiffness(:, n))), n=1, 2)]
       do kinematics = min(linear_strain, total_lagrangian), max(linear_strain, total_lagrangian)
          model%control%kinematics = kinematics
          call build_domain(model, domain, error)

@@ -78,13 +78,6 @@ program test_input_read_material
    call read_with("*MAT_PLY_ELASTIC|5,1.6e-9,1.0e4,1.0e4,1.0e4,0.6,0.6,0.6|5000.,4000.,3500.|")
    call check_error(error, "the three Poisson's ratios together", "nor are three large ones")
 
-   call begin("read_mat_cohesive_elastic")
-   call read_plate("*MAT_COHESIVE_ELASTIC|6,1.0e-9,0,0,2.0e5,3.0e5|*INTERFACE_COHESIVE|7,0,0,6|")
-   call check(.not. allocated(error), "is read")
-   call check(model%interface_materials(1)%normal_stiffness, 3.0e5_wp, 0.0_wp, "normal stiffness")
-   call check(model%interface_materials(1)%shear_stiffness, 2.0e5_wp, 0.0_wp, "shear stiffness")
-   call check(index(messages, "RO is without effect") > 0, "a density makes a note")
-
    call finish()
 
 contains

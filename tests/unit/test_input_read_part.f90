@@ -1,9 +1,9 @@
-!> Laminates have their plies, layers and interfaces.
+!> Laminates have their plies and layers.
 program test_input_read_part
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_input_read_model, only : read_model
-   use plydyn_model_layup, only : faces_apart, faces_tied
+   use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -61,18 +61,6 @@ program test_input_read_part
    call check_error(error, "PLYID2 lies below PLYID1", "a range upside down")
    call read_plate("*SECTION_LAYERWISE|7,1|")
    call check_error(error, "THEORY cannot be 1", "another theory")
-
-   call begin("read_interface_cohesive")
-   call read_plate("*MAT_COHESIVE_ELASTIC|6,0.,0,0,2.0e5,3.0e5|*INTERFACE_COHESIVE|7,1,1,6|" &
-      & //"7,2,2,-1|")
-   call check(.not. allocated(error), "is read")
-   call check(all(model%parts(1)%joint == [1, faces_apart]), "springs and nothing")
-   call read_plate("*INTERFACE_COHESIVE|7,0,0,-1|7,2,2,-1|")
-   call check_error(error, "have a card already", "an interface twice")
-   call read_plate("*INTERFACE_COHESIVE|7,2,3,-1|")
-   call check_error(error, "interfaces 2 to 3 do not exist", "an interface that is none")
-   call read_plate("*INTERFACE_COHESIVE|7,1,1,0|")
-   call check_error(error, "MID cannot be 0", "a tied one")
 
    call finish()
 

@@ -7,6 +7,7 @@ program test_solver_forces
    use plydyn_element_recover, only : layer_values, ply_stress_at, recovered
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
    use plydyn_law_orthotropic, only : orthotropic_type
+   use plydyn_law_cohesive, only : cohesive_constants_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
@@ -175,7 +176,7 @@ contains
          & [0.0_wp, 90.0_wp], 0.25_wp, [2, 1])
       model%parts(1)%joint(1) = 1
       model%interface_materials = [interface_material_type(id=7, title="springs", &
-         & normal_stiffness=1000.0_wp, shear_stiffness=400.0_wp)]
+         & constants=cohesive_constants_type(stiffness=[1000.0_wp, 400.0_wp]))]
       call build_domain(model, domain, error)
       call check(.not. allocated(error), "the domain is built")
       allocate (displacement(domain%columns%freedoms), force(domain%columns%freedoms))

@@ -4,7 +4,7 @@ from runs import Results
 
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
 SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
-SHARES += ("ripple", "total")
+SHARES += ("delamination", "friction", "ripple", "total")
 NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
 
 HEADS = {

@@ -1,0 +1,108 @@
+!> Keywords of what lies between plies.
+module plydyn_input_declare_interface
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   implicit none
+   private
+
+   public :: interface_keywords
+
+contains
+
+   !> Keywords of what lies between plies
+   function interface_keywords() result(keywords)
+      type(keyword_type) :: keywords(3)
+
+      keywords(1) = interface_cohesive()
+      keywords(2) = mat_cohesive_elastic()
+      keywords(3) = mat_cohesive_mixed_mode()
+   end function interface_keywords
+
+   !> What joins two plies
+   function interface_cohesive() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("INTERFACE_COHESIVE", ours, &
+         & "What lies between the plies of a laminate.", repeated=.true.)
+      keyword%remark = "Interface k lies between plies k and k + 1, counted from the bottom. " &
+         & //"Interfaces that no card names are perfectly tied. CLOSE, FRIC and FIT need a " &
+         & //"material that fails. CLOSE 1 is the classical law; faces that fail and close again " &
+         & //"then gain energy in steps near the stable one, see the theory. FIT 1 replaces the " &
+         & //"shear stiffness by EN GIC/GIIC (S/T)**2, FIT 2 lowers both strengths by one " &
+         & //"factor, FIT 3 does both; the listing prints what came of it."
+      call keyword%add_card()
+      call keyword%add_integer("PID", "part", least=1)
+      call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)
+      call keyword%add_integer("IFAC2", "last interface", least=0)
+      call keyword%add_integer("MID", "interface material; -1 for faces that nothing joins", &
+         & least=-1)
+      call keyword%add_integer("NQ", "quadrature: 0 Gauss points, 1 nodes", default=0, &
+         & allowed=[0, 1])
+      call keyword%add_integer("CLOSE", "stiffness against closing of a damaged face: 0 falls " &
+         & //"with the damage, down to 2 %; 1 stays whole", default=0, allowed=[0, 1])
+      call keyword%add_real("FRIC", "-", "coefficient of friction of failed faces", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_integer("FIT", "constants that are fitted: 0 none, 1 the shear stiffness, " &
+         & //"to the energy, 2 the strengths, to the mesh, 3 both", default=0, least=0, most=3)
+   end function interface_cohesive
+
+   !> Elastic interface material
+   function mat_cohesive_elastic() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_COHESIVE_ELASTIC", standard, &
+         & "Linear elastic springs between two plies.", suffixes="TITLE", alias="MAT_184")
+      call keyword%add_card()
+      call add_cohesive_head(keyword)
+      call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
+      call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
+      call keyword%add_unused("FN_FAIL")
+   end function mat_cohesive_elastic
+
+   !> Interface material that softens
+   function mat_cohesive_mixed_mode() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_COHESIVE_MIXED_MODE", standard, &
+         & "Bond between two plies that softens and fails in opening, sliding and both.", &
+         & suffixes="TITLE", alias="MAT_138")
+      keyword%remark = "A bilinear law: damage starts at (t_n/T)**2 + (t_s/S)**2 = 1 and is " &
+         & //"complete when the toughness of the mix of modes is spent. XMU above 0: power law, " &
+         & //"(G_I/GIC)**XMU + (G_II/GIIC)**XMU = 1. XMU below 0: Benzeggagh-Kenane, " &
+         & //"GIC + (GIIC - GIC) B**|XMU| with the share B of shear in the energy. T or S of 0 " &
+         & //"follow from the ultimate displacements: T = 2 GIC/UND, S = 2 GIIC/UTD. Failed " &
+         & //"faces are never deleted: closed, they still push (INTFAIL 0). Quadrature: NQ of " &
+         & //"*INTERFACE_COHESIVE."
+      call keyword%add_card()
+      call add_cohesive_head(keyword)
+      call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
+      call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
+      call keyword%add_real("GIC", "energy/length2", "toughness in opening", above=0.0_wp)
+      call keyword%add_real("GIIC", "energy/length2", "toughness in sliding", above=0.0_wp)
+      call keyword%add_card()
+      call keyword%add_real("XMU", "-", "exponent of mixed modes: above 0 power law, below 0 " &
+         & //"Benzeggagh-Kenane")
+      call keyword%add_real("T", "stress", "strength in opening; 0 for 2 GIC/UND", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("S", "stress", "strength in sliding; 0 for 2 GIIC/UTD", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("UND", "length", "opening at failure, where T is 0", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("UTD", "length", "sliding at failure, where S is 0", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_unused("GAMMA", neutral=[0.0_wp, 1.0_wp])
+   end function mat_cohesive_mixed_mode
+
+   !> Number and density of an interface material
+   subroutine add_cohesive_head(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_integer("MID", "number of the material", least=1)
+      call keyword%add_real("RO", "mass/length2", "without effect: an interface has no mass", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_unused("ROFLG", neutral=[0.0_wp, 1.0_wp])
+      call keyword%add_unused("INTFAIL")
+   end subroutine add_cohesive_head
+
+end module plydyn_input_declare_interface

@@ -1,0 +1,258 @@
+!> Readers of what lies between plies: interface materials, and where they are.
+module plydyn_input_read_interface
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
+   use plydyn_input_catalogue, only : a_part, an_interface_material, catalogue_type
+   use plydyn_law_cohesive, only : benzeggagh_kenane, cohesive_constants_type, normal, power_law, &
+      & shear
+   use plydyn_law_cohesive_check, only : about_exponent, about_toughness, &
+      & check_cohesive, finding_type
+   use plydyn_model_layup, only : faces_apart, faces_tied, part_type
+   use plydyn_model_material, only : interface_material_type
+   implicit none
+   private
+
+   public :: read_interface_cohesive, read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
+
+   !> Share by which a strength may differ from what the ultimate displacement gives
+   real(wp), parameter :: same_strength = 1.0e-3_wp
+
+contains
+
+   !> *MAT_COHESIVE_ELASTIC: springs between plies
+   subroutine read_mat_cohesive_elastic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+
+      type(interface_material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      material%constants%stiffness(:) = cards%reals(["EN", "ET"])
+      materials = [materials, material]
+   end subroutine read_mat_cohesive_elastic
+
+   !> *MAT_COHESIVE_MIXED_MODE: a bond that softens and fails
+   subroutine read_mat_cohesive_mixed_mode(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+
+      type(interface_material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      material%fails = .true.
+      associate (constants => material%constants)
+         constants%stiffness(:) = cards%reals(["EN", "ET"])
+         constants%toughness(:) = cards%reals(["GIC ", "GIIC"])
+         constants%criterion = merge(power_law, benzeggagh_kenane, cards%real("XMU") > 0.0_wp)
+         constants%exponent = abs(cards%real("XMU"))
+         call read_strength(cards, ["T  ", "UND"], constants%toughness(normal), catalogue, &
+            & constants%strength(normal))
+         call read_strength(cards, ["S  ", "UTD"], constants%toughness(shear), catalogue, &
+            & constants%strength(shear))
+         if (all(constants%strength > 0.0_wp)) call refuse_findings(cards, constants, catalogue)
+      end associate
+      materials = [materials, material]
+   end subroutine read_mat_cohesive_mixed_mode
+
+   !> A strength, or the ultimate displacement that it follows from
+   subroutine read_strength(cards, names, toughness, catalogue, strength)
+      type(cards_type), intent(in) :: cards
+      !> Fields of the strength and of the ultimate displacement
+      character(*), intent(in) :: names(2)
+      !> Energy per crack area of the mode
+      real(wp), intent(in) :: toughness
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Strength; 0 where there is none, which is reported
+      real(wp), intent(out) :: strength
+
+      real(wp) :: ultimate
+
+      strength = cards%real(names(1))
+      ultimate = cards%real(names(2))
+      if (strength > 0.0_wp .and. ultimate > 0.0_wp) then
+         if (abs(strength*ultimate/(2.0_wp*toughness) - 1.0_wp) <= same_strength) return
+         call catalogue%refuse(cards, names(2), trim(names(1))//" and "//trim(names(2)) &
+            & //" do not fit to the toughness", "one of them, and 0 for the other; "//trim( &
+            & names(2))//" "//number_words(2.0_wp*toughness/strength)//" follows from "//trim( &
+            & names(1)))
+      else if (ultimate > 0.0_wp) then
+         strength = 2.0_wp*toughness/ultimate
+      else if (strength <= 0.0_wp .and. cards%is_fine(names(1))) then
+         call catalogue%refuse(cards, names(1), trim(names(1))//" is missing", &
+            & "a strength above 0, or the ultimate displacement "//trim(names(2)))
+      end if
+   end subroutine read_strength
+
+   !> Report what is wrong with the constants of *MAT_COHESIVE_MIXED_MODE, at their fields
+   subroutine refuse_findings(cards, constants, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Constants, some of which may be wrong
+      type(cohesive_constants_type), intent(in) :: constants
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(*), parameter :: toughness(2) = ["GIC ", "GIIC"]
+      type(finding_type), allocatable :: findings(:)
+      character(:), allocatable :: name
+      integer :: i
+
+      ! bounds of the fields have told of all others
+      call check_cohesive(constants, findings)
+      do i = 1, size(findings)
+         select case (findings(i)%constant)
+         case (about_exponent)
+            call catalogue%refuse(cards, "XMU", "XMU cannot be 0", "an exponent above 0 for the " &
+               & //"power law, below 0 for Benzeggagh-Kenane")
+            cycle
+         case (about_toughness); name = toughness(max(findings(i)%mode, normal))
+         case default; cycle
+         end select
+         if (.not. cards%is_fine(name)) cycle
+         call catalogue%refuse(cards, name, findings(i)%wrong, findings(i)%right)
+      end do
+   end subroutine refuse_findings
+
+   !> Number and title of an interface material
+   subroutine begin_material(cards, catalogue, material)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The material
+      type(interface_material_type), intent(inout) :: material
+
+      call catalogue%define(an_interface_material, cards, "MID")
+      material%id = cards%integer("MID")
+      material%title = cards%word("TITLE")
+      if (cards%real("RO") > 0.0_wp) then
+         call catalogue%report%note(cards%place("RO"), "RO is without effect", &
+            & "an interface has no mass")
+      end if
+   end subroutine begin_material
+
+   !> *INTERFACE_COHESIVE: what lies between plies
+   subroutine read_interface_cohesive(cards, catalogue, materials, parts)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Interface materials; gets another one for each set of options
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      type(part_type), intent(inout) :: parts(:)
+
+      integer :: first, joint, last, nth, part
+
+      do nth = 1, cards%sets()
+         joint = faces_apart
+         if (cards%integer("MID", nth) == 0) then
+            call catalogue%refuse(cards, "MID", "MID cannot be 0", &
+               & "an interface material, or -1 for nothing; tied interfaces need no card", nth)
+         else if (cards%integer("MID", nth) > 0) then
+            call catalogue%find(an_interface_material, cards, "MID", joint, nth)
+         end if
+         call read_options(cards, nth, catalogue, materials, joint)
+         call catalogue%find(a_part, cards, "PID", part, nth)
+         if (part == 0) cycle
+         call find_interfaces(cards, nth, size(parts(part)%joint), catalogue, first, last)
+         if (any(parts(part)%joint(first:last) /= faces_tied)) then
+            call catalogue%refuse(cards, "IFAC1", "some of these interfaces have a card already", &
+               & "each interface on one card", nth)
+         end if
+         parts(part)%joint(first:last) = joint
+      end do
+   end subroutine read_interface_cohesive
+
+   !> Let the joint be the material with the options of its card
+   subroutine read_options(cards, nth, catalogue, materials, joint)
+      type(cards_type), intent(in) :: cards
+      !> Which row
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Interface materials
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      !> Index of the material; in without options, out with them
+      integer, intent(inout) :: joint
+
+      character(*), parameter :: names(3) = ["CLOSE", "FRIC ", "FIT  "]
+      type(finding_type), allocatable :: findings(:)
+      type(interface_material_type) :: material
+      integer :: i, fit
+
+      if (joint > 0) material = materials(joint)
+      if (.not. material%fails) then
+         do i = 1, size(names)
+            if (cards%real(names(i), nth) <= 0.0_wp) cycle
+            call catalogue%refuse(cards, names(i), trim(names(i)) &
+               & //" needs an interface that fails", "0, or a material such as " &
+               & //"*MAT_COHESIVE_MIXED_MODE", nth)
+         end do
+      end if
+      if (joint <= 0) return
+      fit = cards%integer("FIT", nth)
+      material%nodal = cards%integer("NQ", nth) == 1
+      material%fitted = fit >= 2
+      associate (constants => material%constants)
+         constants%falling_penalty = material%fails .and. cards%integer("CLOSE", nth) == 0
+         constants%friction = cards%real("FRIC", nth)
+         constants%consistent = modulo(fit, 2) == 1
+         if (constants%consistent .and. .not. catalogue%report%has_errors()) then
+            call check_cohesive(constants, findings)
+            if (size(findings) > 0) then
+               call catalogue%refuse(cards, "FIT", "with the fitted shear stiffness, " &
+                  & //findings(1)%wrong, findings(1)%right, nth)
+            end if
+         end if
+      end associate
+      call find_alike(material, materials, joint)
+   end subroutine read_options
+
+   !> Index of a material with the same number and options; a new one if there is none
+   subroutine find_alike(material, materials, index)
+      type(interface_material_type), intent(in) :: material
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      integer, intent(out) :: index
+
+      do index = 1, size(materials)
+         if (is_alike(material, materials(index))) return
+      end do
+      materials = [materials, material]
+   end subroutine find_alike
+
+   !> Whether two materials are one with the same options
+   pure logical function is_alike(one, other)
+      type(interface_material_type), intent(in) :: one, other
+
+      associate (a => one%constants, b => other%constants)
+         is_alike = one%id == other%id .and. (one%nodal .eqv. other%nodal) &
+            & .and. (one%fitted .eqv. other%fitted) .and. (a%consistent .eqv. b%consistent) &
+            & .and. (a%falling_penalty .eqv. b%falling_penalty) &
+            & .and. abs(a%friction - b%friction) <= 0.0_wp
+      end associate
+   end function is_alike
+
+   !> Range of interfaces; an empty one and a report when there are no such interfaces
+   subroutine find_interfaces(cards, nth, count, catalogue, first, last)
+      type(cards_type), intent(in) :: cards
+      !> Which row
+      integer, intent(in) :: nth
+      !> Interfaces of the part
+      integer, intent(in) :: count
+      type(catalogue_type), intent(inout) :: catalogue
+      !> First and last interface
+      integer, intent(out) :: first, last
+
+      first = cards%integer("IFAC1", nth)
+      last = cards%integer("IFAC2", nth)
+      if (first == 0 .and. last == 0 .and. count > 0) then
+         first = 1
+         last = count
+      else if (first < 1 .or. last < first .or. last > count) then
+         call catalogue%refuse(cards, merge("IFAC1", "IFAC2", first < 1 .or. first > count), &
+            & "interfaces "//text(first)//" to "//text(last)//" do not exist", &
+            & "a range within the "//text(count)//" interfaces of the part, or 0 and 0 for all", &
+            & nth)
+         first = 1
+         last = 0
+      end if
+   end subroutine find_interfaces
+
+end module plydyn_input_read_interface
