@@ -85,6 +85,14 @@ def read_point_field(path: Path, name: str, step: int) -> np.ndarray:
         return np.asarray(root["PointData"][name][start : start + points], dtype=float)
 
 
+def has_point_field(path: Path, name: str) -> bool:
+    """Whether a file of fields is there and has a field at its points."""
+    if not path.is_file():
+        return False
+    with opened(path) as file:
+        return name in file["VTKHDF"].get("PointData", ())
+
+
 def largest_deflection(path: Path) -> int:
     """The state at which a point has moved farthest along z."""
     moved = [

@@ -27,7 +27,7 @@ img.wide { width: 56rem; }
 figcaption, .quiet { color: #666; font-size: 0.87rem; }
 """
 # Images of these sections take the whole width
-WIDE_SECTIONS = ("Through the thickness", "The plate")
+WIDE_SECTIONS = ("Damage of the plies", "Through the thickness", "The plate")
 
 
 @dataclass(frozen=True)

@@ -7,37 +7,17 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
+from plydyn_post.damage_report import damage_tasks
 from plydyn_post.errors import ResultsError
 from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.grid import read_header
 from plydyn_post.numbers import Comparison, compare, write_numbers
 from plydyn_post.page import Image, Sheet, write_page
 from plydyn_post.picture import draw_picture
+from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
-from plydyn_post.results import Results, labels
+from plydyn_post.results import labels
 from plydyn_post.scene import Wish
-
-
-@dataclass(frozen=True)
-class Plan:
-    """What a report is made of."""
-
-    jobs: tuple[Results, ...]
-    folder: Path
-    measured: tuple[Path, ...] = ()
-    window: float | None = None  # of the running mean, in time
-    time: float | None = None  # of pictures and profiles
-    plain: bool = False  # pictures by matplotlib
-
-
-@dataclass(frozen=True)
-class Task:
-    """An image to make."""
-
-    section: str
-    name: str  # of the file
-    caption: str
-    draw: Callable[[Path], Path]
 
 
 @dataclass(frozen=True)
@@ -52,7 +32,13 @@ class Report:
 
 def tasks_of(plan: Plan) -> list[Task]:
     """All images that the jobs have results for."""
-    return _history_tasks(plan) + _energy_tasks(plan) + _profile_tasks(plan) + _picture_tasks(plan)
+    return [
+        *_history_tasks(plan),
+        *_energy_tasks(plan),
+        *damage_tasks(plan),
+        *_profile_tasks(plan),
+        *_picture_tasks(plan),
+    ]
 
 
 def make_report(
@@ -113,7 +99,7 @@ def _energy_tasks(plan: Plan) -> list[Task]:
     return [
         Task(
             "Energy",
-            f"energy_{_file_name(name)}",
+            f"energy_{file_name(name)}",
             f"Energies of {name}, and the error of their balance as a share of the energy put in.",
             partial(draw_energy, job),
         )
@@ -152,14 +138,10 @@ def _picture_tasks(plan: Plan) -> list[Task]:
     return [
         Task(
             "The plate",
-            f"{kind}_{_file_name(name)}",
+            f"{kind}_{file_name(name)}",
             caption.format(name),
             partial(draw_picture, job, wish=wish, plain=plan.plain),
         )
         for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
         for kind, caption, wish in looks
     ]
-
-
-def _file_name(label: str) -> str:
-    return label.replace("/", "_")

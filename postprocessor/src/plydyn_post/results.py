@@ -12,7 +12,9 @@ from plydyn_post.table import Table, read_table
 
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
-    r"\.(vtkhdf|out|log|(energy|nodes|supports|impactor_\d+|profile_\d+)\.csv)$", re.IGNORECASE
+    r"\.((interfaces\.)?vtkhdf|out|log"
+    r"|(energy|nodes|supports|delamination|impactor_\d+|profile_\d+)\.csv)$",
+    re.IGNORECASE,
 )
 
 
@@ -27,6 +29,11 @@ class Results:
     def fields(self) -> Path:
         """The file of fields, there or not."""
         return self.folder / f"{self.job}.vtkhdf"
+
+    @property
+    def interface_fields(self) -> Path:
+        """The file of fields of the interfaces, there or not."""
+        return self.folder / f"{self.job}.interfaces.vtkhdf"
 
     @property
     def impactors(self) -> tuple[int, ...]:
@@ -49,6 +56,14 @@ class Results:
     def profile(self, number: int | None = None) -> Table:
         """A profile through the thickness over time, the first without a number."""
         return self._table(f"profile_{self._chosen('profile', number)}")
+
+    def delamination(self) -> Table:
+        """Delaminated areas over time, and what they dissipated."""
+        return self._table("delamination")
+
+    def has(self, name: str) -> bool:
+        """Whether the job has a table, such as ``delamination``."""
+        return (self.folder / f"{self.job}.{name}.csv").is_file()
 
     def nodes(self) -> Table:
         """Histories of nodes."""

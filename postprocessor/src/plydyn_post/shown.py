@@ -17,7 +17,13 @@ TENSORS = {
 }
 VECTORS = {"u": ("displacement", "length"), "v": ("velocity", "length/time")}
 # Name of a field of one number -> symbol, kind of unit
-SCALARS = {"plastic_strain": (r"\bar{\varepsilon}^{p}", "")}
+SCALARS = {
+    "plastic_strain": (r"\bar{\varepsilon}^{p}", ""),
+    "damage_fibre": (r"\omega_1", ""),
+    "damage_matrix": (r"\omega_2", ""),
+    "damage_shear": (r"\omega_{12}", ""),
+    "dissipated": ("w", "stress"),
+}
 
 
 @dataclass(frozen=True)

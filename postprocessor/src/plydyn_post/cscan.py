@@ -1,0 +1,186 @@
+"""What an ultrasonic scan would show: delaminated interfaces, over each other and one by one."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from plydyn_post.interfaces import (
+    DELAMINATED,
+    Areas,
+    Interface,
+    Interfaces,
+    read_areas,
+    read_interfaces,
+)
+from plydyn_post.maps import (
+    area_words,
+    damage_bar,
+    draw_damage,
+    draw_plate,
+    fill_beyond,
+    half_window,
+    hit_from_above,
+    instant,
+    look_from_above,
+    mark_impact,
+    middle_of,
+    outline_beyond,
+    scale_bar,
+)
+from plydyn_post.results import Results
+from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of
+from plydyn_post.style import INK, WIDE, figure, save
+from plydyn_post.units import readable
+
+#: Ends of the colours of depth that are used, near to far from the impacted face
+DEPTHS, NEAR, FAR = "turbo", 0.90, 0.10
+#: Most panels side by side
+COLUMNS = 4
+
+
+@dataclass(frozen=True)
+class Scan:
+    """Interfaces at an instant with all that their maps need."""
+
+    state: Interfaces
+    sheets: tuple[Sheet, ...]
+    areas: Areas
+    middle: np.ndarray  # (2,) below the impactor
+    half: float  # half the side of the window
+
+
+def read_scan(results: Results, time: float | None = None, whole: bool = False) -> Scan:
+    """The interfaces at an instant, the last one without a time."""
+    state = read_interfaces(results, time)
+    sheets = tuple(sheet_of(one.places, one.damage) for one in state.each)
+    middle = middle_of(state.header, state.each[0].places)
+    if results.has("delamination"):
+        areas = read_areas(results, state.time)
+    else:
+        areas = drawn_areas(state, sheets)
+    return Scan(state, sheets, areas, middle, half_window(sheets, middle, whole))
+
+
+def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
+    """Areas measured on the maps, for results without a history of them."""
+    each = {
+        one.number: area_beyond(sheet, DELAMINATED)
+        for one, sheet in zip(state.each, sheets, strict=True)
+    }
+    worst = np.max([sheet.values for sheet in sheets], axis=0)
+    projected = area_beyond(Sheet(sheets[0].places, sheets[0].triangles, worst), DELAMINATED)
+    unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
+    return Areas(each, projected, sum(each.values()), unit)
+
+
+def draw_cscan(
+    results: Results, path: Path, time: float | None = None, whole: bool = False
+) -> Path:
+    """Delaminated interfaces over each other, coloured by depth, as seen from the impactor."""
+    scan = read_scan(results, time, whole)
+    order = list(zip(scan.state.each, scan.sheets, strict=True))
+    if not hit_from_above(scan.state.header):
+        order.reverse()
+    with figure(1, 2, size=(WIDE, 4.15), width_ratios=[1.72, 1]) as (made, (axes, side)):
+        colours = _colours(len(order))
+        draw_plate(axes, edges_of(scan.state.each[0].places))
+        for (_, sheet), colour in zip(order, colours, strict=True):
+            fill_beyond(axes, sheet, DELAMINATED, colour)
+        for (_, sheet), colour in zip(order, colours, strict=True):
+            outline_beyond(axes, sheet, DELAMINATED, "white", 1.5)
+            outline_beyond(axes, sheet, DELAMINATED, colour, 1.0)
+        mark_impact(axes, scan.middle)
+        look_from_above(axes, scan.middle, scan.half)
+        scale_bar(axes, scan.middle, scan.half, scan.state.header.units.get("length", ""))
+        side.set_axis_off()
+        _legend(made, side, scan, [one for one, _ in order][::-1], colours[::-1])
+        return save(made, path)
+
+
+def _colours(count: int) -> list[tuple[float, ...]]:
+    """Colours of depth, from the far interface to the near one."""
+    return [colormaps[DEPTHS](share) for share in np.linspace(FAR, NEAR, max(count, 2))[:count]]
+
+
+def _legend(
+    made: Figure, side: Axes, scan: Scan, near_first: list[Interface], colours: list[object]
+) -> None:
+    """Depth, angles and area of each interface, and the areas together."""
+    header, unit = scan.state.header, scan.areas.unit
+    rows: list[tuple[object, str]] = []
+    for one, colour in zip(near_first, colours, strict=True):
+        depth = _depth(scan, one)
+        words = f"{depth}{one.words}\n{area_words(scan.areas.each.get(one.number, 0.0), unit)}"
+        rows.append((Patch(facecolor=colour), words))
+    projected = area_words(scan.areas.projected, unit)
+    total = area_words(scan.areas.total, unit)
+    rows.append((Line2D([], [], linestyle="none"), f"projected {projected}\nall together {total}"))
+    side.legend(
+        [row[0] for row in rows],
+        [row[1] for row in rows],
+        loc="center left",
+        bbox_to_anchor=(-0.12, 0.5),
+        title=f"Delaminated, {instant(header, scan.state.time)}\n"
+        f"depth below the {'top' if hit_from_above(header) else 'bottom'},  ply below / above",
+        alignment="left",
+        labelspacing=0.75,
+        handleheight=1.6,
+        handlelength=1.6,
+    )
+
+
+def _depth(scan: Scan, one: Interface) -> str:
+    """How deep an interface lies below the impacted face, where the plies are known."""
+    header = scan.state.header
+    faces = [
+        row[name]
+        for row in header.plies
+        for name in row
+        if name.split()[0].split("[")[0].strip() in ("bottom", "top")
+    ]
+    if not faces:
+        return f"{one.number}:  "
+    face = max(faces) if hit_from_above(header) else min(faces)
+    scale = readable(header.units.get("length", ""), abs(face - one.height))
+    return f"{abs(face - one.height) * scale.factor:.3g} {scale.unit},  "
+
+
+def draw_delamination(
+    results: Results, path: Path, time: float | None = None, whole: bool = False
+) -> Path:
+    """Damage of every interface in a panel of its own, from the bottom up."""
+    scan = read_scan(results, time, whole)
+    columns = min(COLUMNS, len(scan.sheets))
+    rows = -(-len(scan.sheets) // columns)
+    wide = WIDE if columns > 1 else 0.6 * WIDE
+    high = 0.45 + rows * (0.36 + 0.92 * wide / columns)
+    with figure(rows, columns, size=(wide, high), squeeze=False) as (made, grid):
+        edges = edges_of(scan.state.each[0].places)
+        for axes, one, sheet in zip(grid.flat, scan.state.each, scan.sheets, strict=False):
+            draw_damage(axes, sheet)
+            outline_beyond(axes, sheet, DELAMINATED, "white", 0.8)
+            draw_plate(axes, edges)
+            mark_impact(axes, scan.middle)
+            look_from_above(axes, scan.middle, scan.half)
+            area = area_words(scan.areas.each.get(one.number, 0.0), scan.areas.unit)
+            axes.set_title(f"{one.number}:  {one.words}\n{area}", fontsize=7.5, pad=3)
+        for axes in grid.flat[len(scan.sheets) :]:
+            axes.set_axis_off()
+        scale_bar(grid[0, 0], scan.middle, scan.half, scan.state.header.units.get("length", ""))
+        damage_bar(made, grid.ravel().tolist())
+        words = f"Interfaces from the bottom up, plies below / above; {_state_words(scan)}"
+        made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
+        return save(made, path)
+
+
+def _state_words(scan: Scan) -> str:
+    """The instant and what the white lines are."""
+    return f"{instant(scan.state.header, scan.state.time)}; delaminated inside white lines"

@@ -1,0 +1,89 @@
+"""Commands of plydyn-post about damage and delamination."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from plydyn_post.commands import Job, Output, Time, Whole, app, beside, console, tells_errors
+from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.dissipation import draw_areas, draw_dissipation
+from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
+from plydyn_post.results import open_results
+from plydyn_post.section import draw_section
+
+Mechanisms = Annotated[
+    list[str] | None,
+    typer.Option("--show", help=f"One of {', '.join(MECHANISMS)}; may be given again."),
+]
+
+
+@app.command()
+@tells_errors
+def cscan(job: Job, output: Output = None, time: Time = None, whole: Whole = False) -> None:
+    """Delaminated interfaces over each other, coloured by depth, with their areas."""
+    found = open_results(job)
+    made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole)
+    console.print(str(made), markup=False)
+
+
+@app.command()
+@tells_errors
+def delamination(
+    job: Job,
+    output: Output = None,
+    time: Time = None,
+    whole: Whole = False,
+    over_time: Annotated[
+        bool, typer.Option("--over-time", help="Draw areas over time, not a map.")
+    ] = False,
+) -> None:
+    """Damage of every interface in a panel of its own, or areas over time."""
+    found = open_results(job)
+    path = output or beside(found, "areas.png" if over_time else "delamination.png")
+    made = draw_areas(found, path) if over_time else draw_delamination(found, path, time, whole)
+    console.print(str(made), markup=False)
+
+
+@app.command()
+@tells_errors
+def damage(
+    job: Job,
+    output: Output = None,
+    time: Time = None,
+    show: Mechanisms = None,
+    whole: Whole = False,
+) -> None:
+    """Damage of every ply in a panel of its own, a row for each mechanism."""
+    found = open_results(job)
+    path = output or beside(found, "damage.png")
+    console.print(str(draw_ply_maps(found, path, time, tuple(show or ()), whole)), markup=False)
+
+
+@app.command()
+@tells_errors
+def section(
+    job: Job,
+    output: Output = None,
+    time: Time = None,
+    show: Annotated[str, typer.Option("--show", help="Damage to show.")] = "damage_matrix",
+    angle: Annotated[
+        list[float] | None, typer.Option("--angle", help="Direction of a cut, degrees from x.")
+    ] = None,
+    whole: Whole = False,
+) -> None:
+    """Cuts through the point of impact: damage of the plies, interfaces that came apart."""
+    found = open_results(job)
+    path = output or beside(found, "section.png")
+    made = draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
+    console.print(str(made), markup=False)
+
+
+@app.command()
+@tells_errors
+def dissipation(job: Job, output: Output = None) -> None:
+    """Energy that each mechanism of damage took, over time."""
+    found = open_results(job)
+    path = output or beside(found, "dissipation.png")
+    console.print(str(draw_dissipation(found, path)), markup=False)

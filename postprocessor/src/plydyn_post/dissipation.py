@@ -1,0 +1,83 @@
+"""What damage took: energy by mechanism over time, and delaminated areas over time."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.interfaces import area_columns
+from plydyn_post.results import Results
+from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, save
+from plydyn_post.table import Table
+from plydyn_post.units import Scale, in_brackets, readable
+
+#: Mechanisms in the order in which they are stacked, with their names in print
+MECHANISMS = {
+    "delamination": "delamination",
+    "matrix damage": "matrix",
+    "ply plasticity": "shear that stays",
+    "fibre damage": "fibres",
+    "metal plasticity": "plastic flow of metals",
+    "friction": "friction",
+}
+#: A mechanism that took less than this share of all is not drawn
+UNSEEN = 1e-3
+
+
+def mechanisms(table: Table) -> dict[str, np.ndarray]:
+    """Energy that each mechanism took so far, (rows,) each."""
+    return {name: table[name] for name in MECHANISMS if name in table}
+
+
+def draw_dissipation(results: Results, path: Path) -> Path:
+    """Stack what each mechanism took over time, below what the impactor gave."""
+    table = results.energy()
+    found = mechanisms(table)
+    whole = sum(found.values(), np.zeros(len(table["time"])))
+    if not found or whole.max() <= 0.0:
+        raise ResultsError(f"{table.path}: nothing was dissipated")
+    shown = [name for name, taken in found.items() if taken.max() > UNSEEN * whole.max()]
+    time = readable(table.unit("time"), float(table["time"][-1]))
+    energy = readable(table.unit(shown[0]), float(whole.max()))
+    x = table["time"] * time.factor
+    with figure(size=(NARROW, 3.3)) as (made, axes):
+        axes.stackplot(
+            x,
+            [found[name] * energy.factor for name in shown],
+            labels=[_label(name, found[name][-1] * energy.factor, energy) for name in shown],
+            colors=[COLOURS[list(MECHANISMS).index(name) % len(COLOURS)] for name in shown],
+            alpha=0.82,
+            linewidth=0,
+        )
+        axes.plot(x, whole * energy.factor, color="black", linewidth=0.9)
+        axes.set_xlabel(in_brackets("Time", time.unit))
+        axes.set_ylabel(in_brackets("Dissipated energy", energy.unit))
+        axes.set_xlim(x[0], x[-1])
+        axes.set_ylim(bottom=0.0)
+        legend_above(made, axes, longest=66)
+        return save(made, path)
+
+
+def _label(name: str, last: float, energy: Scale) -> str:
+    return f"{MECHANISMS[name]}, {last:.3g} {energy.unit}".rstrip()
+
+
+def draw_areas(results: Results, path: Path) -> Path:
+    """Delaminated area of each interface over time, and the projected one."""
+    table = results.delamination()
+    columns = area_columns(table)
+    unit = table.unit("projected area")
+    time = readable(table.unit("time"), float(table["time"][-1]))
+    x = table["time"] * time.factor
+    with figure(size=(NARROW, 3.3)) as (made, axes):
+        for place, (number, name) in enumerate(columns.items()):
+            axes.plot(x, table[name], label=f"interface {number}", **look_of(place))
+        axes.plot(x, table["projected area"], color="black", linewidth=1.6, label="projected")
+        axes.set_xlabel(in_brackets("Time", time.unit))
+        axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))
+        axes.set_xlim(x[0], x[-1])
+        axes.set_ylim(bottom=0.0)
+        legend_above(made, axes, longest=64)
+        return save(made, path)

@@ -1,0 +1,123 @@
+"""Interfaces between plies: states of JOB.interfaces.vtkhdf, and delaminated areas over time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pyvista as pv
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.grid import Header, nearest, read_header, read_state, read_times
+from plydyn_post.results import Results
+from plydyn_post.sheets import LATTICES
+from plydyn_post.table import Table
+
+#: Damage from which on an interface counts as delaminated
+DELAMINATED = 0.99
+FIELDS = ("damage", "mode_mixity", "dissipated")
+
+
+@dataclass(frozen=True)
+class Interface:
+    """What lies between two plies, at an instant; quads in the order of their elements."""
+
+    number: int  # from the bottom, from 1
+    angles: tuple[float, float]  # of the ply below and of the one above, degrees
+    height: float  # z at time zero
+    places: np.ndarray  # (quads, n, n, 2) at time zero
+    fields: dict[str, np.ndarray]  # (quads, n, n) each
+
+    @property
+    def damage(self) -> np.ndarray:
+        """Damage at the nodes, 0 to 1, (quads, n, n)."""
+        return np.clip(self.fields["damage"], 0.0, 1.0)
+
+    @property
+    def words(self) -> str:
+        """The angles in print, from the bottom up."""
+        below, above = (f"{angle:g}°".replace("-", "−") for angle in self.angles)
+        return f"{below} / {above}"
+
+
+@dataclass(frozen=True)
+class Interfaces:
+    """All interfaces at an instant, from the bottom up."""
+
+    time: float
+    header: Header
+    each: tuple[Interface, ...]
+
+
+def read_interfaces(results: Results, time: float | None = None) -> Interfaces:
+    """The interfaces at the state nearest to a time, at the last one without."""
+    path = results.interface_fields
+    times = read_times(path)
+    step = len(times) - 1 if time is None else nearest(times, time)
+    grid = read_state(path, step)
+    for name, data in (("damage", grid.point_data), ("interface", grid.cell_data)):
+        if name not in data:
+            raise ResultsError(f"{path} has no field {name!r}")
+    kinds = set(map(int, grid.celltypes))
+    if len(kinds) != 1 or not kinds <= LATTICES.keys():
+        raise ResultsError(f"{path} holds no quads of 4 or 9 nodes to draw")
+    nodes = grid.cells_dict[kinds.pop()]
+    numbers = np.asarray(grid.cell_data["interface"]).astype(int)
+    each = [_interface(grid, nodes, numbers == one, one) for one in np.unique(numbers)]
+    return Interfaces(float(times[step]), read_header(results.fields), tuple(each))
+
+
+def _interface(
+    grid: pv.UnstructuredGrid, nodes: np.ndarray, own: np.ndarray, number: int
+) -> Interface:
+    """One of the interfaces of a state."""
+    cells = np.flatnonzero(own)
+    if "element" in grid.cell_data:
+        cells = cells[np.argsort(np.asarray(grid.cell_data["element"])[cells], kind="stable")]
+    lattice = nodes[cells][:, LATTICES[_kind(nodes)]]
+    points = np.asarray(grid.points, dtype=float)[lattice]
+    fields = {
+        name: np.asarray(grid.point_data[name], dtype=float)[lattice]
+        for name in FIELDS
+        if name in grid.point_data
+    }
+    angles = tuple(
+        float(np.asarray(grid.cell_data[name])[cells[0]]) if name in grid.cell_data else np.nan
+        for name in ("angle_below", "angle_above")
+    )
+    height = float(points[..., 2].mean())
+    return Interface(number, angles, height, points[..., :2], fields)
+
+
+def _kind(nodes: np.ndarray) -> int:
+    """VTK's type of quads of 4 or 9 nodes, (quads, nodes)."""
+    return 9 if nodes.shape[1] == 4 else 28
+
+
+@dataclass(frozen=True)
+class Areas:
+    """Delaminated areas at an instant, as the solver counts them at its quadrature points."""
+
+    each: dict[int, float]  # by the number of the interface
+    projected: float
+    total: float
+    unit: str
+
+
+def read_areas(results: Results, time: float) -> Areas:
+    """The areas of JOB.delamination.csv at a time."""
+    table = results.delamination()
+    row = int(np.argmin(np.abs(table["time"] - time)))
+    each = {number: float(table[name][row]) for number, name in area_columns(table).items()}
+    projected = float(table["projected area"][row])
+    return Areas(each, projected, sum(each.values()), table.unit("projected area"))
+
+
+def area_columns(table: Table) -> dict[int, str]:
+    """Columns of the areas of single interfaces, by their numbers."""
+    parts = ((name, name.split()) for name in table.names)
+    return {
+        int(words[1]): name
+        for name, words in parts
+        if len(words) == 3 and words[0] == "interface" and words[2] == "area"
+    }

@@ -1,0 +1,148 @@
+"""Maps of the plate seen from above: their window, the outline of the plate, and their colours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.figure import Figure
+from matplotlib.tri import Triangulation
+
+from plydyn_post.grid import Header
+from plydyn_post.sheets import Sheet
+from plydyn_post.style import INK
+from plydyn_post.units import readable
+
+#: Damage from nothing to all: paper, straw, orange, red, nearly black
+DAMAGE_MAP = LinearSegmentedColormap.from_list(
+    "damage", ["#f6f5f2", "#fbe3a1", "#f7ad4c", "#dd5a2a", "#9c1c27", "#3b0a1c"]
+)
+#: Damage that the window of a map must hold
+SEEN = 0.05
+#: Free share around it, and the least share of the plate that a window shows
+MARGIN, SMALLEST = 0.18, 0.12
+PAPER = "#f6f5f2"
+
+
+def middle_of(header: Header, places: np.ndarray) -> np.ndarray:
+    """Below the first impactor; without one the middle of the plate, (2,)."""
+    for sphere in header.impactors.values():
+        return np.array(sphere.centre[:2])
+    flat = places.reshape(-1, 2)
+    return (flat.min(axis=0) + flat.max(axis=0)) / 2
+
+
+def hit_from_above(header: Header) -> bool:
+    """Whether the first impactor comes from above, as it does without one."""
+    spheres = list(header.impactors.values())
+    return not spheres or spheres[0].centre[2] >= 0.0
+
+
+def half_window(sheets: Sequence[Sheet], middle: np.ndarray, whole: bool) -> float:
+    """Half the side of a square around the impact that holds all damage, or the whole plate."""
+    reach = max(float(np.abs(sheet.places - middle).max()) for sheet in sheets)
+    if whole:
+        return 1.04 * reach
+    distances = [
+        float(np.abs(sheet.places[sheet.values > SEEN] - middle).max(initial=0.0))
+        for sheet in sheets
+    ]
+    return float(np.clip((1.0 + MARGIN) * max(distances), SMALLEST * reach, 1.04 * reach))
+
+
+def look_from_above(axes: Axes, middle: np.ndarray, half: float) -> None:
+    """Equal axes without a frame around a place."""
+    axes.set_aspect("equal")
+    axes.set(xlim=(middle[0] - half, middle[0] + half), ylim=(middle[1] - half, middle[1] + half))
+    axes.grid(False)
+    axes.set_axis_off()
+
+
+def draw_plate(axes: Axes, edges: tuple[np.ndarray, np.ndarray], faint: bool = True) -> None:
+    """Sides of quads, faintly, and the rim."""
+    between, rim = edges
+    if faint:
+        axes.add_collection(LineCollection(between, colors=INK, alpha=0.13, linewidths=0.35))
+    axes.add_collection(LineCollection(rim, colors=INK, linewidths=0.9, zorder=4))
+
+
+def mark_impact(axes: Axes, middle: np.ndarray) -> None:
+    """A small cross below the impactor."""
+    axes.plot(*middle, marker="+", markersize=5, color=INK, markeredgewidth=0.7, zorder=5)
+
+
+def draw_damage(axes: Axes, sheet: Sheet) -> None:
+    """Damage from 0 to 1 in the colours of damage."""
+    axes.tripcolor(
+        _triangulation(sheet),
+        sheet.values,
+        shading="gouraud",
+        cmap=DAMAGE_MAP,
+        vmin=0.0,
+        vmax=1.0,
+        rasterized=True,
+    )
+
+
+def fill_beyond(axes: Axes, sheet: Sheet, level: float, colour: object, alpha: float = 1.0) -> None:
+    """Fill where a field is at or above a level."""
+    if sheet.values.max() > level:
+        most = max(2.0, 2.0 * float(sheet.values.max()))
+        axes.tricontourf(
+            _triangulation(sheet), sheet.values, levels=[level, most], colors=[colour], alpha=alpha
+        )
+
+
+def outline_beyond(axes: Axes, sheet: Sheet, level: float, colour: object, width: float) -> None:
+    """Draw the border of where a field is at or above a level."""
+    if sheet.values.max() > level > sheet.values.min():
+        axes.tricontour(
+            _triangulation(sheet), sheet.values, levels=[level], colors=[colour], linewidths=width
+        )
+
+
+def _triangulation(sheet: Sheet) -> Triangulation:
+    return Triangulation(*sheet.places.T, sheet.triangles)
+
+
+def scale_bar(axes: Axes, middle: np.ndarray, half: float, unit: str) -> None:
+    """A bar of a round length in the lower left corner."""
+    length = _round(0.5 * half)
+    scale = readable(unit, length)
+    x, y = middle[0] - 0.96 * half, middle[1] - 0.96 * half
+    axes.plot([x, x + length], [y, y], color=INK, linewidth=1.6, solid_capstyle="butt", zorder=6)
+    words = f"{length * scale.factor:g} {scale.unit}".rstrip()
+    axes.text(x, y + 0.03 * half, words, fontsize=7.5, va="bottom", ha="left", zorder=6)
+
+
+def _round(length: float) -> float:
+    """The largest of 1, 2, 5, 10, … times a power of ten that is not above a length."""
+    power = 10.0 ** np.floor(np.log10(length))
+    return float(max(step for step in (1, 2, 5) if step * power <= length * 1.0001) * power)
+
+
+def damage_bar(made: Figure, axes: Sequence[Axes], words: str = "Damage") -> None:
+    """The bar of the colours of damage beside some maps."""
+    mappable = ScalarMappable(Normalize(0.0, 1.0), DAMAGE_MAP)
+    bar = made.colorbar(
+        mappable, ax=list(axes), fraction=0.025, pad=0.015, aspect=28, ticks=[0, 0.25, 0.5, 0.75, 1]
+    )
+    bar.outline.set_linewidth(0.5)
+    bar.ax.tick_params(width=0.5, length=2.5, direction="out")
+    bar.set_label(words)
+
+
+def instant(header: Header, time: float) -> str:
+    """A time in print."""
+    scale = readable(header.units.get("time", ""), time)
+    return f"t = {time * scale.factor:.3g} {scale.unit}".rstrip()
+
+
+def area_words(area: float, unit: str) -> str:
+    """An area in print."""
+    digits = 0 if area >= 100.0 else 1
+    return f"{area:.{digits}f} {unit.replace('2', '²')}".rstrip()

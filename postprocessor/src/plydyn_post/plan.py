@@ -1,0 +1,36 @@
+"""What a report is to be made of."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from plydyn_post.results import Results
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a report is made of."""
+
+    jobs: tuple[Results, ...]
+    folder: Path
+    measured: tuple[Path, ...] = ()
+    window: float | None = None  # of the running mean, in time
+    time: float | None = None  # of pictures and profiles
+    plain: bool = False  # pictures by matplotlib
+
+
+@dataclass(frozen=True)
+class Task:
+    """An image to make."""
+
+    section: str
+    name: str  # of the file
+    caption: str
+    draw: Callable[[Path], Path]
+
+
+def file_name(label: str) -> str:
+    """A label as a part of the name of a file."""
+    return label.replace("/", "_")

@@ -1,0 +1,77 @@
+"""Plies of a state: its hexahedra sorted into plies and columns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pyvista as pv
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.grid import nearest, read_state, read_times
+from plydyn_post.hexahedra import lattice
+from plydyn_post.results import Results
+from plydyn_post.surface import blocks_of
+
+
+@dataclass(frozen=True)
+class PlyCells:
+    """The cells of a ply; layers of a column lie above each other."""
+
+    number: int  # from the bottom, from 1
+    angle: float  # degrees, nan where not known
+    nodes: np.ndarray  # (columns, layers, n, n, n) points of the grid, from the bottom up
+
+
+@dataclass(frozen=True)
+class Stack:
+    """All plies at an instant, from the bottom up, with columns in the same order."""
+
+    time: float
+    grid: pv.UnstructuredGrid
+    plies: tuple[PlyCells, ...]
+
+    @property
+    def places(self) -> np.ndarray:
+        """The quads of the columns at time zero, (columns, n, n, 2)."""
+        return np.asarray(self.grid.points)[self.plies[0].nodes[:, 0, :, :, 0], :2].astype(float)
+
+    def values(self, ply: PlyCells, name: str) -> np.ndarray:
+        """A field at the nodes of a ply, (columns, layers, n, n, n) or with components."""
+        return np.asarray(self.grid.point_data[name], dtype=float)[ply.nodes]
+
+
+def read_stack(results: Results, time: float | None = None) -> Stack:
+    """The plies at the state nearest to a time, at the last one without."""
+    times = read_times(results.fields)
+    step = len(times) - 1 if time is None else nearest(times, time)
+    grid = read_state(results.fields, step)
+    blocks = blocks_of(grid)
+    if len(blocks) != 1:
+        raise ResultsError(f"{results.fields} mixes kinds of hexahedra; maps need one kind")
+    data = grid.cell_data
+    ply = np.asarray(data["ply"]).astype(int) if "ply" in data else np.ones(grid.n_cells, int)
+    angle = np.asarray(data["angle"], float) if "angle" in data else np.full(grid.n_cells, np.nan)
+    nodes = grid.cells_dict[blocks[0].kind][:, lattice(blocks[0].kind)]
+    order = _columns(grid, nodes)
+    plies = []
+    for number in np.unique(ply):
+        own = order[ply[order] == number]
+        columns = len(np.unique(_element(grid, nodes)[own]))
+        shaped = nodes[own].reshape(columns, len(own) // columns, *nodes.shape[1:])
+        plies.append(PlyCells(int(number), float(angle[own[0]]), shaped))
+    return Stack(float(times[step]), grid, tuple(plies))
+
+
+def _element(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:
+    """The quad above or below which each cell lies, (cells,)."""
+    if "element" in grid.cell_data:
+        return np.asarray(grid.cell_data["element"]).astype(int)
+    middle = np.asarray(grid.points)[nodes[:, :, :, 0]][..., :2].mean(axis=(1, 2))
+    return np.unique(np.round(middle, 6), axis=0, return_inverse=True)[1].ravel()
+
+
+def _columns(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:
+    """Cells column by column, each from the bottom up, (cells,)."""
+    height = np.asarray(grid.points)[nodes[:, 0, 0, 0], 2]
+    return np.lexsort((height, _element(grid, nodes)))

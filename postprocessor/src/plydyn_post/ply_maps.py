@@ -1,0 +1,118 @@
+"""Maps of the damage of every ply, a row for each mechanism."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.grid import read_header
+from plydyn_post.maps import (
+    damage_bar,
+    draw_damage,
+    draw_plate,
+    half_window,
+    instant,
+    look_from_above,
+    mark_impact,
+    middle_of,
+    scale_bar,
+)
+from plydyn_post.plies import PlyCells, Stack, read_stack
+from plydyn_post.results import Results
+from plydyn_post.sheets import Sheet, edges_of, sheet_of
+from plydyn_post.style import INK, WIDE, figure, save
+
+#: Fields of damage with their names in print
+MECHANISMS = {
+    "damage_fibre": "fibre",
+    "damage_matrix": "matrix",
+    "damage_shear": "shear",
+}
+#: Most plies in a row, and width of a figure of many, inches
+COLUMNS, WIDEST = 8, 9.0
+#: Finer parts of the sides of quads: maps are small
+PARTS = 6
+
+
+def draw_ply_maps(
+    results: Results,
+    path: Path,
+    time: float | None = None,
+    mechanisms: tuple[str, ...] = (),
+    whole: bool = False,
+) -> Path:
+    """Draw the largest damage through the thickness of every ply, plies from the bottom up."""
+    stack, header = read_stack(results, time), read_header(results.fields)
+    names = mechanisms or tuple(name for name in MECHANISMS if name in stack.grid.point_data)
+    for name in names or ("damage_matrix",):
+        if name not in stack.grid.point_data:
+            raise ResultsError(
+                f"{results.fields} has no field {name!r}; damage is written where a material of a"
+                " ply can be damaged"
+            )
+    sheets = [[_sheet(stack, ply, name) for ply in stack.plies] for name in names]
+    middle = middle_of(header, stack.places)
+    half = half_window([sheet for row in sheets for sheet in row], middle, whole)
+    columns = min(COLUMNS, len(stack.plies))
+    blocks = -(-len(stack.plies) // columns)
+    wide = max(WIDE, WIDEST * columns / COLUMNS)
+    side = (wide - 1.1) / columns
+    size = (wide, 0.35 + len(names) * blocks * (side + 0.12) + 0.28 * blocks)
+    with figure(len(names) * blocks, columns, size=size, squeeze=False) as (made, grid):
+        for axes in grid.flat:
+            axes.set_axis_off()
+        for row, (name, maps) in enumerate(zip(names, sheets, strict=True)):
+            panels = grid[row * blocks : (row + 1) * blocks].ravel()
+            _draw_row(panels, stack, maps, (middle, half), row == 0 or blocks > 1)
+            _name_row(panels[0], MECHANISMS.get(name, name))
+        scale_bar(grid[0, 0], middle, half, header.units.get("length", ""))
+        damage_bar(made, grid.ravel().tolist())
+        words = f"Damage of the plies from the bottom up, {instant(header, stack.time)}"
+        made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
+        return save(made, path)
+
+
+def _draw_row(
+    panels: np.ndarray,
+    stack: Stack,
+    maps: list[Sheet],
+    window: tuple[np.ndarray, float],
+    titled: bool,
+) -> None:
+    """Draw a mechanism in all plies."""
+    edges = edges_of(stack.places)
+    for axes, ply, sheet in zip(panels, stack.plies, maps, strict=False):
+        draw_damage(axes, sheet)
+        draw_plate(axes, edges)
+        mark_impact(axes, window[0])
+        look_from_above(axes, *window)
+        if titled:
+            axes.set_title(_ply_words(ply), fontsize=7.5, pad=2)
+
+
+def _sheet(stack: Stack, ply: PlyCells, name: str) -> Sheet:
+    """The largest value through the thickness of a ply."""
+    values = np.clip(stack.values(ply, name), 0.0, 1.0)
+    return sheet_of(stack.places, values.max(axis=(1, 4)), PARTS)
+
+
+def _ply_words(ply: PlyCells) -> str:
+    angle = "" if np.isnan(ply.angle) else f":  {ply.angle:g}°".replace("-", "−")
+    return f"ply {ply.number}{angle}"
+
+
+def _name_row(axes: Axes, words: str) -> None:
+    """Write the mechanism at the left of its row."""
+    axes.text(
+        -0.06,
+        0.5,
+        words,
+        rotation=90,
+        va="center",
+        ha="right",
+        transform=axes.transAxes,
+        fontsize=9,
+    )

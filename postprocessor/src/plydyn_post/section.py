@@ -1,0 +1,158 @@
+"""A cut through the point of impact: damage of the plies, and where interfaces have come apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.grid import Header, read_header
+from plydyn_post.hexahedra import finer
+from plydyn_post.interfaces import DELAMINATED, Interfaces, read_interfaces
+from plydyn_post.maps import (
+    DAMAGE_MAP,
+    MARGIN,
+    SEEN,
+    SMALLEST,
+    damage_bar,
+    instant,
+    middle_of,
+)
+from plydyn_post.plies import PlyCells, Stack, read_stack
+from plydyn_post.ply_maps import MECHANISMS
+from plydyn_post.results import Results
+from plydyn_post.sheets import Found, find
+from plydyn_post.style import INK, QUIET, WIDE, figure, save
+from plydyn_post.units import in_brackets, readable
+
+#: Places along a cut, and finer parts of each layer through the thickness
+PLACES, PARTS = 1201, 6
+#: Colour of delaminated interfaces
+APART = "#0050a8"
+
+
+@dataclass(frozen=True)
+class Cut:
+    """Plies along a line, from the bottom up."""
+
+    along: np.ndarray  # (places,) distance from the point of impact
+    places: np.ndarray  # (places, 2) in the plane
+    heights: list[np.ndarray]  # (places, levels) deformed, one for each ply
+    values: list[np.ndarray]  # (places, levels)
+
+
+def draw_section(
+    results: Results,
+    path: Path,
+    time: float | None = None,
+    mechanism: str = "damage_matrix",
+    angles: tuple[float, ...] = (0.0, 90.0),
+    whole: bool = False,
+) -> Path:
+    """Draw cuts along some directions, degrees from x, deformed as the plate is.
+
+    Heights are drawn larger than lengths along the plate, as their axis says.
+    """
+    stack, header = read_stack(results, time), read_header(results.fields)
+    if mechanism not in stack.grid.point_data:
+        raise ResultsError(f"{results.fields} has no field {mechanism!r} to draw")
+    between = _interfaces(results, stack.time)
+    middle = middle_of(header, stack.places)
+    cuts = [_cut(stack, middle, angle, mechanism) for angle in angles]
+    half = max(_half(cut, whole) for cut in cuts)
+    size = (WIDE, 0.5 + 1.75 * len(cuts))
+    with figure(len(cuts), 1, size=size, squeeze=False, sharey=True) as (made, grid):
+        for axes, cut, angle in zip(grid[:, 0], cuts, angles, strict=True):
+            _draw(axes, cut, half, header)
+            if between:
+                _draw_apart(axes, cut, between, header)
+            axes.set_title(f"cut along {angle:g}°", fontsize=8.5, loc="left")
+        words = f"{MECHANISMS.get(mechanism, mechanism)} damage".capitalize()
+        damage_bar(made, grid[:, 0].tolist(), words)
+        told = f"{instant(header, stack.time)}; blue: delaminated" if between else None
+        grid[0, 0].set_title(told or instant(header, stack.time), fontsize=8, loc="right")
+        return save(made, path)
+
+
+def _interfaces(results: Results, time: float) -> Interfaces | None:
+    """The interfaces at a time, where the job has a file of them."""
+    return read_interfaces(results, time) if results.interface_fields.is_file() else None
+
+
+def _cut(stack: Stack, middle: np.ndarray, angle: float, mechanism: str) -> Cut:
+    """Sample the plies along a line through the point of impact."""
+    way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
+    reach = float(np.abs(stack.places - middle).max())
+    along = np.linspace(-reach, reach, PLACES)
+    places = middle + along[:, None] * way
+    found = find(stack.places, places)
+    inside = found.quad >= 0
+    found = Found(found.quad[inside], found.weights[inside])
+    heights, values = [], []
+    for ply in stack.plies:
+        height = np.asarray(stack.grid.points)[..., 2][ply.nodes].astype(float)
+        if "displacement" in stack.grid.point_data:
+            height = height + stack.values(ply, "displacement")[..., 2]
+        heights.append(_sampled(height, ply, found))
+        values.append(np.clip(_sampled(stack.values(ply, mechanism), ply, found), 0.0, 1.0))
+    return Cut(along[inside], places[inside], heights, values)
+
+
+def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
+    """Values at the nodes of a ply at places of a cut and at heights, (places, levels)."""
+    at = np.einsum("pab,plabk->plk", found.weights, values[found.quad])
+    fine = np.einsum("hk,plk->plh", finer(ply.nodes.shape[4], PARTS), at)
+    return fine.reshape(len(fine), -1)
+
+
+def _half(cut: Cut, whole: bool) -> float:
+    """Half the length of a cut that is shown."""
+    reach = float(np.abs(cut.along).max())
+    if whole:
+        return reach
+    damaged = np.max([values.max(axis=1) for values in cut.values], axis=0) > SEEN
+    far = float(np.abs(cut.along[damaged]).max(initial=0.0))
+    return float(np.clip((1.0 + MARGIN) * far, SMALLEST * reach, reach))
+
+
+def _draw(axes: Axes, cut: Cut, half: float, header: Header) -> None:
+    """Plies with their faces."""
+    length = readable(header.units.get("length", ""), half)
+    x = cut.along * length.factor
+    seen = np.abs(cut.along) <= 1.05 * half
+    for height, values in zip(cut.heights, cut.values, strict=True):
+        z = height[seen] * length.factor
+        axes.pcolormesh(
+            np.broadcast_to(x[seen][:, None], z.shape), z, values[seen],
+            shading="gouraud", cmap=DAMAGE_MAP, vmin=0.0, vmax=1.0, rasterized=True,
+        )  # fmt: skip
+        for face in (z[:, 0], z[:, -1]):
+            axes.plot(x[seen], face, color=QUIET, linewidth=0.5)
+    low = min(float(height[seen].min()) for height in cut.heights) * length.factor
+    high = max(float(height[seen].max()) for height in cut.heights) * length.factor
+    free = 0.08 * (high - low)
+    axes.set(xlim=(-half * length.factor, half * length.factor), ylim=(low - free, high + free))
+    axes.grid(False)
+    axes.set_xlabel(in_brackets("Distance from the impact", length.unit))
+    axes.set_ylabel(in_brackets("$z$", length.unit))
+
+
+def _draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> None:
+    """Both faces of interfaces that are delaminated, where they are."""
+    length = readable(header.units.get("length", ""), 1.0)
+    for one in between.each:
+        if one.number not in range(1, len(cut.heights)):
+            continue
+        found = find(one.places, cut.places)
+        damage = np.einsum("pab,pab->p", found.weights, one.damage[found.quad])
+        apart = (damage >= DELAMINATED) & (found.quad >= 0)
+        below, above = cut.heights[one.number - 1], cut.heights[one.number]
+        for face in (below[:, -1], above[:, 0]):
+            ends = np.column_stack([cut.along, face]) * length.factor
+            pieces = np.stack([ends[:-1], ends[1:]], axis=1)[apart[:-1] & apart[1:]]
+            axes.add_collection(LineCollection(pieces, colors=APART, linewidths=1.1, zorder=3))
+    axes.axvline(0.0, color=INK, linewidth=0.4, linestyle=(0, (4, 4)), zorder=0.5)

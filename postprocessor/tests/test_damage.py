@@ -1,0 +1,196 @@
+"""Maps, areas, cuts and energies of damage with known shapes."""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+import synthetic
+import synthetic_damage as known
+from matplotlib.image import imread
+from typer.testing import CliRunner
+
+from plydyn_post.cli import app
+from plydyn_post.cscan import drawn_areas, read_scan
+from plydyn_post.dissipation import mechanisms
+from plydyn_post.errors import ResultsError
+from plydyn_post.interfaces import read_areas, read_interfaces
+from plydyn_post.maps import half_window
+from plydyn_post.plies import read_stack
+from plydyn_post.ply_maps import draw_ply_maps
+from plydyn_post.results import open_results
+from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
+
+runner = CliRunner()
+
+
+@pytest.fixture(scope="module")
+def damaged(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A job with damage, only to be read."""
+    return known.write_job(tmp_path_factory.mktemp("damaged"))
+
+
+def square(sides: int = 3) -> np.ndarray:
+    """Quads of nine nodes that fill the square from 0 to 1, one side bent, (quads, 3, 3, 2)."""
+    lines = np.linspace(0.0, 1.0, 2 * sides + 1)
+    x, y = np.meshgrid(lines, lines, indexing="ij")
+    y = y + 0.1 * np.sin(np.pi * x) * y
+    points = np.stack([x, y], axis=2)
+    places = [(2 * i, 2 * j) for i in range(sides) for j in range(sides)]
+    return np.array([points[i : i + 3, j : j + 3] for i, j in places])
+
+
+def test_the_area_beyond_a_level_of_a_plane_is_exact() -> None:
+    places = np.array([[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]])
+    sheet = Sheet(places, np.array([[0, 1, 2]]), np.array([0.0, 1.0, 0.0]))
+    # x/2 >= level cuts a triangle off that is (1 - level) times the whole along both sides
+    for level in (0.0, 0.25, 0.9):
+        assert area_beyond(sheet, level) == pytest.approx((1.0 - level) ** 2)
+    other = Sheet(places, sheet.triangles, np.array([1.0, 0.0, 1.0]))
+    assert area_beyond(other, 0.25) == pytest.approx(1.0 - 0.25**2)
+    assert area_beyond(other, 1.5) == 0.0
+
+
+def test_a_map_stays_within_the_values_of_its_quads() -> None:
+    quads = square()
+    values = (quads[..., 0] > 0.4).astype(float)
+    sheet = sheet_of(quads, values)
+    assert sheet.values.min() >= 0.0
+    assert sheet.values.max() <= 1.0
+
+
+def test_places_are_found_in_bent_quads() -> None:
+    quads = square()
+    wanted = np.array([[0.3, 0.2], [0.5, 0.5], [0.99, 0.1], [1.2, 0.5], [0.5, 1.09]])
+    found = find(quads, wanted)
+    inside = found.quad >= 0
+    assert inside.tolist() == [True, True, True, False, True]
+    back = np.einsum("pab,pabk->pk", found.weights[inside], quads[found.quad[inside]])
+    assert back == pytest.approx(wanted[inside], abs=1e-9)
+
+
+def test_sides_between_quads_and_the_rim_are_told_apart() -> None:
+    between, rim = edges_of(square(3))
+    assert (len(between), len(rim)) == (12, 12)
+
+
+@pytest.mark.parametrize("nodes", [4, 9])
+def test_areas_of_ellipses_are_measured_on_the_maps(tmp_path: Path, nodes: int) -> None:
+    job = known.write_job(tmp_path)
+    known.write_interfaces(tmp_path, "plate", quads=60, nodes=nodes)
+    job.with_name("plate.delamination.csv").unlink()
+    scan = read_scan(open_results(job))
+    # the rim lies between nodes: half their distance along the whole ellipse may be lost
+    spacing = synthetic.SIDE / (120 if nodes == 9 else 60)
+    for number, ((a, b), area) in enumerate(zip(known.ELLIPSES, known.areas(), strict=True)):
+        lost = 0.5 * spacing * 2 * np.pi * np.hypot(a, b) / np.sqrt(2)
+        assert scan.areas.each[number + 1] == pytest.approx(area, abs=lost)
+    assert scan.areas.total == pytest.approx(sum(scan.areas.each.values()))
+    # the ellipses cross: together they cover less than their sum and more than the largest
+    assert max(known.areas()) < scan.areas.projected < sum(known.areas())
+    assert scan.areas.unit == "mm2"
+
+
+def test_the_areas_of_the_solver_come_first(damaged: Path) -> None:
+    scan = read_scan(open_results(damaged))
+    assert list(scan.areas.each.values()) == pytest.approx(known.areas())
+    assert scan.areas.projected == pytest.approx(90.0)
+    assert drawn_areas(scan.state, scan.sheets).projected != pytest.approx(90.0)
+    half = read_areas(open_results(damaged), synthetic.STATES[1])
+    assert half.projected == pytest.approx(90.0 * 0.5**2)
+
+
+def test_a_state_of_the_interfaces_is_that_of_its_time(damaged: Path) -> None:
+    early = read_interfaces(open_results(damaged), 0.0)
+    late = read_interfaces(open_results(damaged))
+    assert (early.time, late.time) == (synthetic.STATES[0], synthetic.STATES[-1])
+    assert max(one.damage.max() for one in early.each) == 0.0
+    assert [one.number for one in late.each] == [1, 2, 3]
+    assert [one.words for one in late.each] == ["0° / 90°", "90° / 0°", "0° / 90°"]
+    assert [one.height for one in late.each] == pytest.approx([0.5, 1.0, 1.5])
+
+
+def test_a_window_holds_all_damage_or_the_plate(damaged: Path) -> None:
+    scan = read_scan(open_results(damaged))
+    assert 6.0 < scan.half < 1.5 * 6.0 * (1 + known.RIM)
+    assert half_window(scan.sheets, scan.middle, whole=True) >= synthetic.SIDE / 2
+    quiet = read_scan(open_results(damaged), time=0.0)
+    assert 0.0 < quiet.half < synthetic.SIDE / 2
+
+
+def test_plies_are_sorted_into_columns(damaged: Path) -> None:
+    stack = read_stack(open_results(damaged))
+    assert [(ply.number, ply.angle) for ply in stack.plies] == [(1, 0.0), (2, 90.0)]
+    assert [ply.nodes.shape for ply in stack.plies] == [(36, 1, 3, 3, 3)] * 2
+    points = np.asarray(stack.grid.points)
+    for ply in stack.plies:
+        assert points[ply.nodes][:, 0, :, :, 0, :2] == pytest.approx(stack.places)
+
+
+def test_mechanisms_are_read_by_their_names(damaged: Path) -> None:
+    found = mechanisms(open_results(damaged).energy())
+    last = {name: values[-1] for name, values in found.items()}
+    assert last["matrix damage"] == pytest.approx(700.0)
+    assert last["delamination"] == pytest.approx(900.0)
+    assert last["friction"] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["cscan"], "plate_cscan.png"),
+        (["cscan", "--whole", "--time", "0.001"], "plate_cscan.png"),
+        (["delamination"], "plate_delamination.png"),
+        (["delamination", "--over-time"], "plate_areas.png"),
+        (["damage"], "plate_damage.png"),
+        (["damage", "--show", "damage_fibre", "--whole"], "plate_damage.png"),
+        (["section", "--angle", "30"], "plate_section.png"),
+        (["dissipation"], "plate_dissipation.png"),
+        (["picture", "--plain", "--show", "damage_matrix"], "plate_damage_matrix.png"),
+    ],
+)
+def test_each_command_draws(damaged: Path, words: list[str], name: str) -> None:
+    result = runner.invoke(app, [words[0], str(damaged), *words[1:]])
+    assert result.exit_code == 0, result.output
+    image = imread(damaged.with_name(name))[..., :3]
+    assert float(image.std()) > 0.02
+
+
+def test_nothing_to_draw_before_the_impact_is_drawn_as_such(damaged: Path, tmp_path: Path) -> None:
+    for command in ("cscan", "delamination", "section"):
+        path = tmp_path / f"{command}.png"
+        words = [command, str(damaged), "--time", "0", "-o", str(path)]
+        assert runner.invoke(app, words).exit_code == 0
+        assert path.is_file()
+
+
+def test_a_report_holds_the_damage(damaged: Path, tmp_path: Path) -> None:
+    result = runner.invoke(app, ["report", str(damaged), "-o", str(tmp_path), "--plain"])
+    assert result.exit_code == 0, result.output
+    page = (tmp_path / "report.html").read_text()
+    for name in ("cscan", "areas", "dissipation", "delamination", "damage", "section"):
+        assert f'src="{name}_plate.png"' in page
+
+
+def test_what_is_missing_is_told(damaged: Path, tmp_path: Path) -> None:
+    job = synthetic.write_job(tmp_path)
+    with pytest.raises(ResultsError, match="damage is written where"):
+        draw_ply_maps(open_results(job), tmp_path / "a.png")
+    for words, told in (
+        (["cscan"], "plate.interfaces.vtkhdf: there is no such file"),
+        (["delamination", "--over-time"], "plate.delamination.csv"),
+        (["dissipation"], "nothing was dissipated"),
+        (["section"], "'damage_matrix'"),
+    ):
+        result = runner.invoke(app, [words[0], str(job), *words[1:]])
+        assert result.exit_code == 2
+        assert told in result.stderr
+
+
+def test_interfaces_without_damage_are_told(tmp_path: Path) -> None:
+    job = known.write_job(tmp_path)
+    with h5py.File(job.with_name("plate.interfaces.vtkhdf"), "r+") as file:
+        del file["VTKHDF/PointData/damage"]
+        del file["VTKHDF/Steps/PointDataOffsets/damage"]
+    with pytest.raises(ResultsError, match="no field 'damage'"):
+        read_interfaces(open_results(job))
