@@ -52,7 +52,9 @@ contains
       keyword = new_keyword("ELEMENT_SHELL", standard, "Plate elements.", repeated=.true.)
       keyword%remark = "Four nodes counter-clockwise seen from above (+z), or nine on one line " &
          & //"with commas, as gmsh writes them: corners, mid-sides, centre. All elements of a " &
-         & //"deck have the same number of nodes. Triangles and 8-node elements are refused."
+         & //"deck have the same number of nodes. Quads of four nodes are stiff in bending " &
+         & //"unless they are shorter than the plate is thick. Triangles and " &
+         & //"8-node elements are refused."
       keyword%width = element_width
       call keyword%add_card()
       call keyword%add_integer("EID", "number of the element", least=1)
