@@ -25,6 +25,30 @@ CARBON = pre.PlyElastic(
     G23=2800.0,
 )
 
+#: Tables 5 and 6 of the paper
+DAMAGED = pre.PlyCodam2(
+    density=1.6e-9,
+    E1=153000.0,
+    E2=10300.0,
+    E3=10300.0,
+    nu12=0.3,
+    nu13=0.3,
+    nu23=0.4,
+    G12=6000.0,
+    G13=6000.0,
+    G23=3700.0,
+    XT=2537.0,
+    XC=1580.0,
+    YT=82.0,
+    YC=236.0,
+    SL=90.0,
+    G1T=91.6,
+    G1C=79.9,
+    G2T=0.22,
+    G2C=1.1,
+)
+BOND = pre.Cohesive(normal=1373300.0, shear=493300.0, N=62.3, S=92.3, GIC=0.28, GIIC=0.79)
+
 LOADS = (
     pre.Pressure(value=0.1, set="core", curve="ramp"),
     pre.Pressure(value=0.2, face="bottom"),
@@ -49,6 +73,18 @@ def solver() -> str:
 def decks() -> Path:
     """The folder of the recipes that come with plydyn."""
     return DECKS
+
+
+@pytest.fixture
+def ply() -> pre.PlyCodam2:
+    """A ply that is damaged."""
+    return DAMAGED
+
+
+@pytest.fixture
+def bond() -> pre.Cohesive:
+    """A bond between plies that fails."""
+    return BOND
 
 
 @pytest.fixture

@@ -95,6 +95,15 @@ def test_the_example_is_a_study_that_can_be_written(tmp_path: Path) -> None:
     assert text.startswith("*KEYWORD") and text.endswith("*END")
 
 
+def test_damage_without_what_it_needs_is_refused(ply: pre.PlyCodam2, bond: pre.Cohesive) -> None:
+    with pytest.raises(pre.RecipeError, match="ST: needed for"):
+        replace(ply, matrix_compression="hashin")
+    with pytest.raises(pre.RecipeError, match="shear_curve: the name of a curve"):
+        replace(ply, shear="curve")
+    with pytest.raises(pre.RecipeError, match=r"GIC: 0\.0 must be above zero"):
+        replace(bond, GIC=0.0)
+
+
 def switched_on(text: str, tables: bool) -> str:
     """The example with its commented keys switched on; tables that are comments too, or left."""
     lines, table_is_comment = [], False
@@ -116,12 +125,16 @@ def test_the_defaults_that_the_example_shows_are_the_defaults(tmp_path: Path) ->
         assert name in others or vars(shown)[name] == value, name
     # what depends on the mesh, and what is left to the solver, is shown with values of its own
     assert replace(shown.impactor, position=None) == study.impactor
-    outputs = replace(shown.outputs, fields=(), support_interval=None)
+    outputs = replace(shown.outputs, fields=(), support_interval=None, delamination_interval=None)
     assert outputs == study.outputs
 
 
-def test_all_that_the_example_shows_in_comments_can_be_switched_on(tmp_path: Path) -> None:
+def test_all_that_the_example_shows_in_comments_can_be_switched_on(
+    tmp_path: Path, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
     study = pre.load_recipe(recipe(tmp_path, switched_on(pre.example_recipe(), tables=True)))
+    assert study.materials["weak_carbon"] == ply
+    assert study.materials["bond"] == bond
     assert len(study.loads) == 2
     assert len(study.laminate.refine) == 1
     assert set(study.sets) == {"line", "gauge"}

@@ -29,6 +29,7 @@ from plydyn_pre.mesh import (
 )
 from plydyn_pre.recipe import example_recipe, load_recipe
 from plydyn_pre.study import (
+    Cohesive,
     Contact,
     Control,
     Curve,
@@ -43,6 +44,7 @@ from plydyn_pre.study import (
     NodeSet,
     Outputs,
     PlasticKinematic,
+    PlyCodam2,
     PlyElastic,
     PlyRange,
     Pressure,
@@ -58,6 +60,7 @@ from plydyn_pre.version import VERSION
 __version__ = VERSION
 
 __all__ = [
+    "Cohesive",
     "Contact",
     "Control",
     "Counts",
@@ -80,6 +83,7 @@ __all__ = [
     "Outputs",
     "PlasticKinematic",
     "Ply",
+    "PlyCodam2",
     "PlyElastic",
     "PlyRange",
     "PreError",

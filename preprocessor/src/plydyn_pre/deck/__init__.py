@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
 
-from plydyn_pre.deck import conditions, control, grid, plates
+from plydyn_pre.deck import conditions, control, grid, materials, plates
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Mesh
@@ -25,7 +25,7 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
         control.control_keywords(names),
         control.output_keywords(names),
         plates.part_keywords(names),
-        plates.material_keywords(names),
+        materials.material_keywords(names),
         conditions.impactor_keywords(names),
         conditions.support_keywords(names),
         conditions.load_keywords(names),

@@ -14,6 +14,7 @@ _INTERVALS = {
     "impactor_interval": "DATABASE_IMPACTOR",
     "node_interval": "DATABASE_NODOUT",
     "support_interval": "DATABASE_SPCFORC",
+    "delamination_interval": "DATABASE_DELAM",
     "field_interval": "DATABASE_BINARY_D3PLOT",
 }
 

@@ -1,16 +1,19 @@
-"""Keywords of materials and laminates."""
+"""Keywords of laminates and of what joins their plies."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import groupby
 
-from plydyn_pre.deck.cards import Card, keyword, title_line, titled
+from plydyn_pre.deck.cards import Card, keyword, title_line
 from plydyn_pre.deck.names import Names
-from plydyn_pre.study import Elastic, Laminate, Material, PlasticKinematic, PlyElastic, Springs
+from plydyn_pre.study import Cohesive, Laminate
 
 _REFERENCES = {"bottom": -1, "middle": 0, "top": 1}
 _BASES = {"equispaced": 0, "gauss_lobatto": 1}
+_PLACES = {"gauss": 0, "nodes": 1}
+_CLOSINGS = {"falling": 0, "whole": 1}
+_FITS = {"none": 0, "stiffness": 1, "strengths": 2, "both": 3}
 
 
 def part_keywords(names: Names) -> Iterator[str]:
@@ -23,16 +26,7 @@ def part_keywords(names: Names) -> Iterator[str]:
         )
         yield keyword("SECTION_LAYERWISE", _section(laminate, pid), *_expansions(laminate))
         if not laminate.tied:
-            apart = laminate.interfaces == "apart"
-            mid = -1 if apart else names.material(laminate.interfaces)
-            card = {"pid": pid, "ifac1": 0, "ifac2": 0, "mid": mid, "nq": 0}
-            yield keyword("INTERFACE_COHESIVE", card)
-
-
-def material_keywords(names: Names) -> Iterator[str]:
-    """The materials that are used."""
-    for name, mid in names.materials.items():
-        yield _material(names.study.materials[name], name, mid)
+            yield keyword("INTERFACE_COHESIVE", _joint(names, laminate, pid))
 
 
 def _part(laminate: Laminate, pid: int) -> Card:
@@ -75,6 +69,20 @@ def _section(laminate: Laminate, pid: int) -> Card:
     }
 
 
+def _joint(names: Names, laminate: Laminate, pid: int) -> Card:
+    """What lies between all plies of a laminate."""
+    card = {"pid": pid, "ifac1": 0, "ifac2": 0}
+    if laminate.interfaces == "apart":
+        return card | {"mid": -1, "nq": 0}
+    card["mid"] = names.material(laminate.interfaces)
+    match names.study.materials[laminate.interfaces]:
+        case Cohesive() as joint:
+            choices = {"close": _CLOSINGS[joint.closing], "fric": joint.friction}
+            return card | {"nq": _PLACES[joint.quadrature]} | choices | {"fit": _FITS[joint.fit]}
+        case joint:
+            return card | {"nq": _PLACES[joint.quadrature]}
+
+
 def _expansions(laminate: Laminate) -> Iterator[Card]:
     """Ranges of plies whose expansion is not the usual one of a single layer."""
     numbered = enumerate(laminate.stack, start=1)
@@ -82,36 +90,3 @@ def _expansions(laminate: Laminate) -> Iterator[Card]:
         places = [place for place, _ in plies]
         if (order, layers) != (laminate.order, 1):
             yield {"plyid1": places[0], "plyid2": places[-1], "order": order, "nsub": layers}
-
-
-def _material(material: Material, name: str, mid: int) -> str:
-    """The keyword of a material."""
-    title = material.title or name
-    match material:
-        case PlyElastic():
-            return titled("MAT_PLY_ELASTIC", title, *_ply_elastic(material, mid))
-        case Elastic():
-            card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
-            return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
-        case PlasticKinematic():
-            return titled("MAT_PLASTIC_KINEMATIC", title, *_plastic_kinematic(material, mid))
-        case Springs():
-            card = {"mid": mid, "ro": 0.0, "roflg": 0, "intfail": 0.0}
-            stiffness = {"et": material.shear, "en": material.normal, "fn_fail": 0.0}
-            return titled("MAT_COHESIVE_ELASTIC", title, card | stiffness)
-
-
-def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card]:
-    """The cards of a metal with linear hardening."""
-    elastic = {"mid": mid, "ro": material.density, "e": material.young, "pr": material.poisson}
-    hardening = {"sigy": material.yield_stress, "etan": material.tangent, "beta": material.beta}
-    rate = {"src": material.rate, "srp": material.power, "fs": 0.0, "vp": 0.0}
-    return elastic | hardening, rate
-
-
-def _ply_elastic(material: PlyElastic, mid: int) -> tuple[Card, Card]:
-    """The cards of an orthotropic ply."""
-    young = {name.lower(): getattr(material, name) for name in ("E1", "E2", "E3")}
-    poisson = {name: getattr(material, name) for name in ("nu12", "nu13", "nu23")}
-    shear = {name.lower(): getattr(material, name) for name in ("G12", "G13", "G23")}
-    return {"mid": mid, "ro": material.density} | young | poisson, shear

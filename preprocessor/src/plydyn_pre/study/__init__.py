@@ -18,11 +18,21 @@ from plydyn_pre.study.conditions import (
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
-from plydyn_pre.study.materials import Elastic, Material, PlasticKinematic, PlyElastic, Springs
+from plydyn_pre.study.materials import (
+    Cohesive,
+    Elastic,
+    Joint,
+    Material,
+    PlasticKinematic,
+    PlyCodam2,
+    PlyElastic,
+    Springs,
+)
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
 __all__ = [
+    "Cohesive",
     "Contact",
     "Control",
     "Curve",
@@ -31,6 +41,7 @@ __all__ = [
     "FrameAcceleration",
     "Impactor",
     "InitialVelocity",
+    "Joint",
     "Laminate",
     "LineForce",
     "Load",
@@ -39,6 +50,7 @@ __all__ = [
     "NodeSet",
     "Outputs",
     "PlasticKinematic",
+    "PlyCodam2",
     "PlyElastic",
     "PlyRange",
     "Pressure",

@@ -8,7 +8,17 @@ from typing import Literal
 from plydyn_pre.errors import require, require_positive
 
 Quantity = Literal[
-    "displacement", "velocity", "stress", "strain", "stress_ply", "strain_ply", "plastic_strain"
+    "displacement",
+    "velocity",
+    "stress",
+    "strain",
+    "stress_ply",
+    "strain_ply",
+    "plastic_strain",
+    "damage_fibre",
+    "damage_matrix",
+    "damage_shear",
+    "dissipated",
 ]
 
 
@@ -71,11 +81,12 @@ class Outputs:
     node_interval: float | None = None
     nodes: tuple[str, ...] = ()  # names of node sets with a history
     support_interval: float | None = None  # support forces; none if absent
+    delamination_interval: float | None = None  # delaminated areas
     profiles: tuple[Profile, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse what cannot be written."""
-        for name in ("field", "energy", "impactor", "node", "support"):
+        for name in ("field", "energy", "impactor", "node", "support", "delamination"):
             value = getattr(self, f"{name}_interval")
             rule = f"{value!r} must be above zero; leave it out for the solver's own"
             require(value is None or value > 0.0, f"{name}_interval", rule)

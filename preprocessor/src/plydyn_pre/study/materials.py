@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_positive
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
 _POISSON = "must be above -1 and below 0.5"
+
+Quadrature = Literal["gauss", "nodes"]
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,60 @@ class PlyElastic:
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "density", *_YOUNG_SHEAR)
+
+
+@dataclass(frozen=True)
+class PlyCodam2:
+    """A ply whose fibres and matrix are damaged after nonlinear shear."""
+
+    kind: ClassVar[str] = "ply_codam2"
+
+    density: float  # mass per volume
+    E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
+    E2: float
+    E3: float
+    nu12: float  # strain along the second direction from stress along the first
+    nu13: float
+    nu23: float
+    G12: float  # shear moduli, stress
+    G13: float
+    G23: float
+    XT: float  # strengths of fibres in tension and compression
+    XC: float
+    YT: float  # strengths of matrix in tension and compression
+    YC: float
+    SL: float  # shear strength in the plane 12
+    G1T: float  # toughnesses of fibres, energy per area
+    G1C: float
+    G2T: float  # toughnesses of matrix
+    G2C: float
+    ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
+    G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
+    largest_damage: float = 0.999999
+    shear: Literal["linear", "exponential", "curve", "ramberg_osgood"] = "linear"
+    shear_curve: str = ""  # name of a curve of stress over strain, for shear = "curve"
+    shear_strain: float = 0.05  # at which an exponential curve reaches SL
+    shear_coefficient: float = 0.0  # of Ramberg and Osgood
+    shear_exponent: float = 0.0
+    width: float = 0.0  # of the crack band, length; 0 for width_rule
+    width_rule: Literal["band", "gauss_point", "root_point", "root_quad"] = "band"
+    snap_back: Literal["reduce", "refuse", "drop"] = "reduce"
+    snap_ratio: float = 1.05  # least ratio of the strains at the end and at onset of damage
+    matrix_compression: Literal["quadratic", "hashin"] = "quadratic"
+    onset: Literal["remaining", "intact"] = "remaining"  # whose stress starts damage
+    closure: bool = False  # cracks close in compression, which has damage of its own
+    plateau: float = 0.0  # share of XC that crushed fibres keep
+    weakens_across: bool = True  # damage weakens G13 and G23
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "density", *_YOUNG_SHEAR, "XT", "XC", "YT", "YC", "SL")
+        require_positive(self, "G1T", "G1C", "G2T", "G2C")
+        has_curve = bool(self.shear_curve) == (self.shear == "curve")
+        require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
+        hashin = self.matrix_compression == "hashin"
+        require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
 
 
 @dataclass(frozen=True)
@@ -88,6 +144,7 @@ class Springs:
 
     normal: float  # traction per opening, stress per length
     shear: float  # traction per sliding, stress per length
+    quadrature: Quadrature = "gauss"  # where springs are: Gauss points or nodes
     title: str = ""
 
     def __post_init__(self) -> None:
@@ -95,4 +152,31 @@ class Springs:
         require_positive(self, "normal", "shear")
 
 
-Material = PlyElastic | Elastic | PlasticKinematic | Springs
+@dataclass(frozen=True)
+class Cohesive:
+    """A bond between two plies that softens and fails in opening, sliding and both."""
+
+    kind: ClassVar[str] = "cohesive"
+
+    normal: float  # traction per opening, stress per length
+    shear: float  # traction per sliding, stress per length
+    N: float  # strength in opening
+    S: float  # strength in sliding
+    GIC: float  # toughness in opening, energy per area
+    GIIC: float  # toughness in sliding
+    exponent: float = 1.634  # of the toughness of mixed modes
+    mixing: Literal["benzeggagh_kenane", "power"] = "benzeggagh_kenane"
+    quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
+    closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged
+    friction: float = 0.0  # coefficient, of failed faces
+    fit: Literal["none", "stiffness", "strengths", "both"] = "none"  # constants that are fitted
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC", "exponent")
+        require(self.friction >= 0.0, "friction", f"{self.friction!r} must be zero or more")
+
+
+Joint = Springs | Cohesive
+Material = PlyElastic | PlyCodam2 | Elastic | PlasticKinematic | Springs | Cohesive

@@ -18,7 +18,7 @@ from plydyn_pre.study.conditions import (
 )
 from plydyn_pre.study.control import Control, Outputs, Units
 from plydyn_pre.study.laminate import Laminate
-from plydyn_pre.study.materials import Material, Springs
+from plydyn_pre.study.materials import Cohesive, Material, PlyCodam2, Springs
 from plydyn_pre.suggest import suggestion
 
 _JOINTS = ("tied", "apart")
@@ -79,7 +79,7 @@ class Study:
 
 def _is_joint(material: Material) -> bool:
     """Whether a material lies between plies."""
-    return isinstance(material, Springs)
+    return isinstance(material, Springs | Cohesive)
 
 
 def _laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
@@ -95,6 +95,9 @@ def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
     for number, load in enumerate(study.loads, start=1):
         if curve := getattr(load, "curve", ""):
             yield f"loads[{number}].curve", curve
+    for name, material in study.materials.items():
+        if isinstance(material, PlyCodam2) and material.shear_curve:
+            yield f"materials.{name}.shear_curve", material.shear_curve
     if study.control.step_curve:
         yield "control.step_curve", study.control.step_curve
 

@@ -10,7 +10,7 @@ def unused(study: Study) -> list[str]:
     used = {
         "materials": _materials(study),
         "sets": _sets(study),
-        "curves": {study.control.step_curve} | {getattr(load, "curve", "") for load in study.loads},
+        "curves": _curves(study),
     }
     return [
         f"{table}.{name}"
@@ -25,6 +25,14 @@ def _materials(study: Study) -> set[str]:
     laminates = [*study.laminates.values(), *([study.laminate] if study.laminate else [])]
     plies = {ply.material for laminate in laminates for ply in laminate.stack}
     return plies | {laminate.interfaces for laminate in laminates}
+
+
+def _curves(study: Study) -> set[str]:
+    """Names of the curves of the step, of loads and of materials in use."""
+    materials = [study.materials[name] for name in _materials(study) if name in study.materials]
+    shear = {getattr(material, "shear_curve", "") for material in materials}
+    loads = {getattr(load, "curve", "") for load in study.loads}
+    return {study.control.step_curve} | loads | shear
 
 
 def _sets(study: Study) -> set[str]:

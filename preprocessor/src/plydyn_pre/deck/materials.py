@@ -1,0 +1,107 @@
+"""Keywords of materials."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from plydyn_pre.deck.cards import Card, titled
+from plydyn_pre.deck.names import Names
+from plydyn_pre.study import (
+    Cohesive,
+    Elastic,
+    Material,
+    PlasticKinematic,
+    PlyCodam2,
+    PlyElastic,
+    Springs,
+)
+
+_SHEARS = {"linear": 0, "exponential": 1, "curve": 2, "ramberg_osgood": 3}
+_WIDTHS = {"band": 0, "gauss_point": 1, "root_point": 2, "root_quad": 3}
+_SNAPS = {"reduce": 0, "refuse": 1, "drop": 2}
+_COMPRESSIONS = {"quadratic": 0, "hashin": 1}
+_ONSETS = {"remaining": 0, "intact": 1}
+
+
+def material_keywords(names: Names) -> Iterator[str]:
+    """The materials that are used."""
+    for name, mid in names.materials.items():
+        yield _material(names, name, mid)
+
+
+def _material(names: Names, name: str, mid: int) -> str:
+    """The keyword of a material."""
+    material: Material = names.study.materials[name]
+    title = material.title or name
+    match material:
+        case PlyElastic():
+            return titled("MAT_PLY_ELASTIC", title, *_elastic_cards(material, mid))
+        case PlyCodam2():
+            return titled("MAT_PLY_CODAM2", title, *_codam2_cards(names, material, mid))
+        case Elastic():
+            card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
+            return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
+        case PlasticKinematic():
+            return titled("MAT_PLASTIC_KINEMATIC", title, *_plastic_kinematic(material, mid))
+        case Springs():
+            stiffness = {"et": material.shear, "en": material.normal, "fn_fail": 0.0}
+            return titled("MAT_COHESIVE_ELASTIC", title, _joint_head(mid) | stiffness)
+        case Cohesive():
+            return titled("MAT_COHESIVE_MIXED_MODE", title, *_cohesive_cards(material, mid))
+
+
+def _joint_head(mid: int) -> Card:
+    """The first fields of what joins plies: it has no mass and is never deleted."""
+    return {"mid": mid, "ro": 0.0, "roflg": 0, "intfail": 0.0}
+
+
+def _cohesive_cards(material: Cohesive, mid: int) -> tuple[Card, Card]:
+    """The cards of a bond that softens."""
+    stiffness = {"en": material.normal, "et": material.shear}
+    toughness = {"gic": material.GIC, "giic": material.GIIC}
+    sign = -1.0 if material.mixing == "benzeggagh_kenane" else 1.0
+    strength = {"xmu": sign * material.exponent, "t": material.N, "s": material.S}
+    unused = {"und": 0.0, "utd": 0.0, "gamma": 0.0}
+    return _joint_head(mid) | stiffness | toughness, strength | unused
+
+
+def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card]:
+    """The cards of a metal with linear hardening."""
+    elastic = {"mid": mid, "ro": material.density, "e": material.young, "pr": material.poisson}
+    hardening = {"sigy": material.yield_stress, "etan": material.tangent, "beta": material.beta}
+    rate = {"src": material.rate, "srp": material.power, "fs": 0.0, "vp": 0.0}
+    return elastic | hardening, rate
+
+
+def _elastic_cards(material: PlyElastic | PlyCodam2, mid: int) -> tuple[Card, Card]:
+    """The cards of an orthotropic ply."""
+    young = {name.lower(): getattr(material, name) for name in ("E1", "E2", "E3")}
+    poisson = {name: getattr(material, name) for name in ("nu12", "nu13", "nu23")}
+    shear = {name.lower(): getattr(material, name) for name in ("G12", "G13", "G23")}
+    return {"mid": mid, "ro": material.density} | young | poisson, shear
+
+
+def _codam2_cards(names: Names, ply: PlyCodam2, mid: int) -> tuple[Card, ...]:
+    """The cards of a ply that is damaged."""
+    strengths = ("XT", "XC", "YT", "YC", "SL", "ST")
+    energies = {name.lower(): getattr(ply, name) for name in ("G1T", "G1C", "G2T", "G2C")}
+    band = {"lstar": ply.width, "dmax": ply.largest_damage, "g2s": ply.G2S}
+    curve = {
+        "shear": _SHEARS[ply.shear],
+        "lcid": names.curve(ply.shear_curve),
+        "gamu": ply.shear_strain,
+        "alpha": ply.shear_coefficient,
+        "n": ply.shear_exponent,
+    }
+    choices = {
+        "lrule": _WIDTHS[ply.width_rule],
+        "snap": _SNAPS[ply.snap_back],
+        "rsnap": ply.snap_ratio,
+        "mcomp": _COMPRESSIONS[ply.matrix_compression],
+        "trial": _ONSETS[ply.onset],
+        "close": int(ply.closure),
+        "plateau": ply.plateau,
+        "gz": int(not ply.weakens_across),
+    }
+    strong = {name.lower(): getattr(ply, name) for name in strengths}
+    return *_elastic_cards(ply, mid), strong, energies | band, curve, choices
