@@ -3,6 +3,8 @@ module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_layers, only : layers_type
+   use plydyn_domain_links, only : links_type
+   use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : control_type
@@ -50,6 +52,8 @@ module plydyn_domain_domain
       integer :: quad = 0, ply = 0
       !> Largest eigenvalue of the plies and that of the interfaces, 1/time squared
       real(wp) :: ply_rate = 0.0_wp, interface_rate = 0.0_wp
+      !> What is left of the latter where interfaces are implicit; all of it where not
+      real(wp) :: interface_rest = 0.0_wp
       !> Stable step of each quad, its weakest ply; (quads of the mesh)
       real(wp), allocatable :: quad_step(:)
       !> That ply of each quad, the user's number
@@ -98,6 +102,12 @@ module plydyn_domain_domain
       type(surface_type), allocatable :: surfaces(:)
       !> Where the time step comes from
       type(step_limit_type) :: limit
+      !> Largest step that will be taken
+      real(wp) :: step = 0.0_wp
+      !> Inertia across interfaces; not active where their springs are explicit
+      type(pair_inertia_type) :: pairs
+      !> What of it lies between prescribed points
+      type(links_type) :: moved_links
    contains
       procedure :: is_finished
    end type domain_type

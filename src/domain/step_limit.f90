@@ -4,9 +4,11 @@ module plydyn_domain_step_limit
    use plydyn_domain_domain, only : domain_type, step_limit_type
    use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_domain_masses, only : surface_density
+   use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
+   use plydyn_model_control, only : all_explicit
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -32,10 +34,10 @@ contains
       rate(:) = 0.0_wp
       ply(:) = 0
       call add_layer_rates(model, domain, rate, ply)
-      limit%interface_rate = interface_rate(model, domain)
+      call add_interface_rates(model, domain, limit%interface_rate, limit%interface_rest)
       worst = maxloc(rate, 1)
       limit%ply_rate = rate(worst)
-      limit%step = 2.0_wp/sqrt(limit%ply_rate + limit%interface_rate)
+      limit%step = 2.0_wp/sqrt(limit%ply_rate + limit%interface_rest)
       limit%quad = model%mesh%quad_id(worst)
       limit%ply = ply(worst)
       limit%quad_step = 2.0_wp/sqrt(rate)
@@ -82,16 +84,22 @@ contains
    end subroutine add_layer_rates
 
    !> Bound on the eigenvalues of the interfaces: stiffness over the mass per area of both faces,
-   !> times the largest eigenvalue that the points of one quad have against the areas of its nodes
-   real(wp) function interface_rate(model, domain) result(rate)
+   !> times the largest eigenvalue that the points of one quad have against the areas of its nodes.
+   !> Where interfaces are implicit the inertia that they add at the nodes outweighs all or most of
+   !> that: with K the springs at the points and K' those at the nodes, dt**2 K/4 is no more than
+   !> beta dt**2 K' as long as the eigenvalue of K against K' is no more than 4 beta
+   subroutine add_interface_rates(model, domain, rate, rest)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      !> Of all springs, and of those that are not implicit
+      real(wp), intent(out) :: rate, rest
 
       type(layers_type) :: layers
       real(wp) :: largest, inverse
       integer :: e, k, l, p
 
       rate = 0.0_wp
+      rest = 0.0_wp
       if (size(domain%interfaces) == 0) return
       ! points at the nodes have their areas
       largest = merge(1.0_wp, 0.0_wp, any(domain%interfaces%nodal))
@@ -113,7 +121,11 @@ contains
             end associate
          end do
       end do
-   end function interface_rate
+      rest = rate
+      if (domain%control%scheme /= all_explicit) then
+         rest = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/largest)
+      end if
+   end subroutine add_interface_rates
 
    !> Mass per area that a layer has on one of its faces
    pure real(wp) function face_density(model, domain, p, layers, layer) result(density)

@@ -146,13 +146,20 @@ contains
    function control_layerwise() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics and health of the run.")
+      keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics, health and scheme of the run.")
       call keyword%add_card()
       call keyword%add_integer("KINEM", &
          & "0 linear strain, 1 large displacement (total Lagrangian)", default=1, allowed=[0, 1])
       call keyword%add_real("ENGLIM", "-", &
          & "the run stops when the energy balance is off by more than this share", &
          & default=0.05_wp, above=0.0_wp)
+      call keyword%add_integer("IMPL", "0 central differences throughout, 1 interfaces locally " &
+         & //"implicit: their springs no longer bound the step", default=0, allowed=[0, 1])
+      call keyword%add_real("DTMAX", "time", "largest step; 0 for none", default=0.0_wp, &
+         & least=0.0_wp)
+      keyword%remark = "With IMPL the step may be several times larger, and inertia is added to " &
+         & //"the opening of interfaces in proportion to the square of the step; the listing " &
+         & //"tells how much. DTMAX keeps it small. See the theory, Locally implicit operators."
    end function control_layerwise
 
    !> Damping in proportion to mass

@@ -69,13 +69,15 @@ contains
       end if
    end subroutine read_control_parallel
 
-   !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance
+   !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
    subroutine read_control_layerwise(cards, control)
       type(cards_type), intent(in) :: cards
       type(control_type), intent(inout) :: control
 
       control%kinematics = cards%integer("KINEM")
       control%energy_limit = cards%real("ENGLIM")
+      control%scheme = cards%integer("IMPL")
+      control%largest_step = cards%real("DTMAX")
    end subroutine read_control_layerwise
 
 end module plydyn_input_read_control

@@ -7,6 +7,10 @@ module plydyn_model_control
    !> Strain measures, numbered as on the card
    integer, parameter, public :: linear_strain = 0, total_lagrangian = 1
 
+   !> What is taken half at the end of the step, numbered as on the card: nothing, the springs of
+   !> interfaces, or those and the stiffness through the thickness
+   integer, parameter, public :: all_explicit = 0, implicit_interfaces = 1
+
    !> Names of the user's units, for print only
    type, public :: units_type
       !> Names of length, time, mass, force, stress and energy
@@ -26,6 +30,10 @@ module plydyn_model_control
       real(wp) :: step_factor = 0.9_wp
       !> First step; 0 for the stable one
       real(wp) :: first_step = 0.0_wp
+      !> Largest step; 0 for none
+      real(wp) :: largest_step = 0.0_wp
+      !> `all_explicit` or what is implicit
+      integer :: scheme = all_explicit
       !> Index into `model%curves` of a bound on the step over time; 0 for none
       integer :: step_curve = 0
       !> The run stops when the step falls below this share of the first one; 0 for none

@@ -10,6 +10,7 @@ module plydyn_output_listing
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components
    use plydyn_output_progress, only : duration_text
+   use plydyn_output_step_listing, only : write_step
    use plydyn_output_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
    implicit none
@@ -17,8 +18,6 @@ module plydyn_output_listing
 
    public :: independent_freedoms, write_end, write_listing
 
-   !> Quads named in the table of smallest steps
-   integer, parameter :: smallest_shown = 20
    !> Bytes in a megabyte, and in a real of the results file
    real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp
 
@@ -167,42 +166,6 @@ contains
       freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties))
    end function independent_freedoms
 
-   !> The stable step and the quads that have the smallest
-   subroutine write_step(unit, model, domain)
-      integer, intent(in) :: unit
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-
-      type(table_type) :: table
-      logical :: left(size(domain%limit%quad_step))
-      integer :: i, worst
-
-      call write_section(unit, "Stable step")
-      associate (limit => domain%limit)
-         write (unit, "(a,es12.5,4a)") "stable step of central differences ", limit%step, &
-            & " ", trim(model%control%units%time), ", controlled by quad "//text(limit%quad), &
-            & ", ply "//text(limit%ply)
-         if (limit%interface_rate > 0.0_wp) then
-            write (unit, "(a,es12.5)") "it would be, without the interfaces ", &
-               & 2.0_wp/sqrt(limit%ply_rate)
-         end if
-         write (unit, "(a,f5.3,a,/)") "share taken ", domain%control%step_factor, " (TSSFAC)"
-         call table%start(unit)
-         call table%add_column("quad", 8, "i0")
-         call table%add_column("ply", 6, "i0")
-         call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
-         call table%write_heads()
-         left(:) = .true.
-         do i = 1, min(smallest_shown, size(left))
-            worst = minloc(limit%quad_step, 1, left)
-            left(worst) = .false.
-            call table%put(model%mesh%quad_id(worst))
-            call table%put(limit%quad_ply(worst))
-            call table%put(limit%quad_step(worst))
-         end do
-      end associate
-   end subroutine write_step
-
    !> Memory, file size and time to come
    subroutine write_effort(unit, model, domain, seconds_per_step)
       integer, intent(in) :: unit
@@ -214,7 +177,7 @@ contains
       integer :: i
 
       call write_section(unit, "Effort")
-      steps = domain%control%end_time/(domain%control%step_factor*domain%limit%step)
+      steps = domain%control%end_time/domain%step
       if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
       bytes = real(storage_size(1.0_wp)/8, wp)*(3.0_wp*domain%columns%freedoms &
          & + 2.0_wp*domain%columns%masses)
@@ -251,11 +214,12 @@ contains
          write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
          write (unit, "(2a)") "elapsed ", duration_text(seconds)
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
-         write (unit, "(a,9(/,a,es14.6,1x,a))") "energies", &
+         write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
             & trim(u%energy), "  dissipated", dissipated_energy(domain, state%history), &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
+            & "  added     ", e%added, trim(u%energy), &
             & "  ripple    ", e%ripple - e%shift, trim(u%energy), &
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
          write (unit, "(a,es10.2)") "share out of balance ", e%error()

@@ -179,7 +179,7 @@ contains
       self%screen = screen
       self%progress%end_time = domain%control%end_time
       self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
-      if (domain%limit%interface_rate > domain%limit%ply_rate) self%progress%cause = "interfaces"
+      if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
       call self%pulse%start()
       if (screen < 0) return
       write (screen, "(a)") progress_heads(model%control%units%time, model%control%units%force)
@@ -243,7 +243,7 @@ contains
             call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
                & e%kinetic, e%internal, dissipated_energy(domain, state%history), e%impactor, &
                & e%damping, e%external, e%contact, interface_losses(domain, state%history), &
-               & e%ripple - e%shift, e%total(), e%error(), e%momentum], error)
+               & e%ripple - e%shift - e%added, e%total(), e%error(), e%momentum], error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)

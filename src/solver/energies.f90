@@ -53,6 +53,7 @@ contains
       outside = load_power(domain, state%load_factor, state%velocity) + support_power(domain, state)
       associate (e => state%energies, sums => state%sums)
          e%kinetic = 0.5_wp*sums%twice_kinetic
+         e%added = 0.5_wp*sums%twice_added
          e%ripple = 0.125_wp*step**2*sums%pull
          e%internal = e%internal + 0.5_wp*step*(state%internal_power + outside - sums%power)
          e%external = e%external + 0.5_wp*step*(state%external_power + outside)

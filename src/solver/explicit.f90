@@ -96,7 +96,7 @@ contains
       type(state_type), intent(in) :: state
 
       associate (control => domain%control)
-         step = control%step_factor*domain%limit%step
+         step = domain%step
          if (state%cycle == 0 .and. control%first_step > 0.0_wp) then
             step = min(step, control%first_step)
          end if

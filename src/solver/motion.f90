@@ -2,6 +2,7 @@
 module plydyn_solver_motion
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_solver_pair_inertia, only : couple_pairs
    use plydyn_state_state, only : state_type, sums_type
    implicit none
    private
@@ -37,7 +38,8 @@ contains
          state%internal_power = -keep*sums%power - middle*sums%pull
          ! the velocity before is the one at the full step less 1/2 dt a
          state%energies%damping = state%energies%damping + 0.5_wp*brake*((1.0_wp + keep)**2 &
-            & *(sums%twice_kinetic - before*(sums%power + 0.25_wp*before*sums%pull)) &
+            & *(sums%twice_kinetic + sums%twice_added &
+            & - before*(sums%power + 0.25_wp*before*sums%pull)) &
             & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
       end associate
    end subroutine advance
@@ -86,6 +88,10 @@ contains
                & velocity(family%first:), force(family%first:), sums)
          end associate
       end do
+      if (domain%pairs%active) then
+         call couple_pairs(domain%pairs, domain%columns, [1, domain%columns%nodes], &
+            & 0.5_wp*step, velocity, force, sums)
+      end if
    end subroutine accelerate
 
    !> Give both points of every tied face between lanes side by side the sum of their forces

@@ -71,7 +71,7 @@ contains
       real(wp) :: before, unbraked, velocity, work
       integer :: i, k, m
 
-      work = 0.0_wp
+      work = -domain%moved_links%energy(state%velocity)
       k = 0
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m))
@@ -92,6 +92,7 @@ contains
             end do
          end associate
       end do
+      work = work + domain%moved_links%energy(state%velocity)
       state%energies%external = state%energies%external + work
    end subroutine move_supports
 

@@ -8,6 +8,8 @@ module plydyn_state_state
    type, public :: energies_type
       !> Motion of the plate and of the impactors
       real(wp) :: kinetic = 0.0_wp, impactor = 0.0_wp
+      !> Motion of the inertia that locally implicit operators add to the plate
+      real(wp) :: added = 0.0_wp
       !> What central differences add to the kinetic energy of the highest modes, 1/8 dt^2 a M a:
       !> small in a smooth motion, without bound in an unstable one
       real(wp) :: ripple = 0.0_wp
@@ -48,6 +50,8 @@ module plydyn_state_state
       real(wp) :: momentum(3) = 0.0_wp
       !> Twice the kinetic energy; mass times the square of the acceleration
       real(wp) :: twice_kinetic = 0.0_wp, pull = 0.0_wp
+      !> Twice the kinetic energy of the inertia that locally implicit operators add
+      real(wp) :: twice_added = 0.0_wp
       !> Power of the forces with the velocity of the half step before
       real(wp) :: power = 0.0_wp
    end type sums_type
@@ -89,8 +93,8 @@ contains
    pure real(wp) function total(self)
       class(energies_type), intent(in) :: self
 
-      total = self%kinetic - self%ripple + self%shift + self%internal + self%impactor &
-         & + self%damping + self%contact
+      total = self%kinetic + self%added - self%ripple + self%shift + self%internal &
+         & + self%impactor + self%damping + self%contact
    end function total
 
    !> Energy that appeared from nowhere, as a share of what went in

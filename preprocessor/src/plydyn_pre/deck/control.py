@@ -9,6 +9,7 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.study import Control, Study
 
 _KINEMATICS = {"linear": 0, "total_lagrangian": 1}
+_SCHEMES = {"explicit": 0, "implicit_interfaces": 1}
 _INTERVALS = {
     "energy_interval": "DATABASE_GLSTAT",
     "impactor_interval": "DATABASE_IMPACTOR",
@@ -26,8 +27,7 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield keyword("CONTROL_UNITS", _units(study))
     yield keyword("CONTROL_TERMINATION", _termination(control))
     yield keyword("CONTROL_TIMESTEP", _step(control, names.curve(control.step_curve)))
-    strain = {"kinem": _KINEMATICS[control.kinematics], "englim": control.energy_limit}
-    yield keyword("CONTROL_LAYERWISE", strain)
+    yield keyword("CONTROL_LAYERWISE", _scheme(control))
     if control.damping > 0.0:
         unused = dict.fromkeys(("stx", "sty", "stz", "srx", "sry", "srz"), 0.0)
         yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": control.damping} | unused)
@@ -69,6 +69,16 @@ def _termination(control: Control) -> Card:
         "endeng": 0.0,
         "endmas": 0.0,
         "nosol": int(control.check_only),
+    }
+
+
+def _scheme(control: Control) -> Card:
+    """Strain measure, limit of the energy balance, what is implicit."""
+    return {
+        "kinem": _KINEMATICS[control.kinematics],
+        "englim": control.energy_limit,
+        "impl": _SCHEMES[control.scheme],
+        "dtmax": control.largest_step,
     }
 
 

@@ -37,6 +37,8 @@ class Control:
 
     end_time: float
     kinematics: Literal["linear", "total_lagrangian"] = "total_lagrangian"
+    scheme: Literal["explicit", "implicit_interfaces"] = "explicit"
+    largest_step: float = 0.0  # time; 0 for none
     step_factor: float = 0.9  # share of the stable step that is taken
     first_step: float = 0.0  # time; 0 for the stable one
     smallest_step: float = 0.0  # share of the first step at which the run stops; 0 for none
@@ -52,7 +54,7 @@ class Control:
         require(self.step_factor <= 1.0, "step_factor", f"{self.step_factor!r} must not be above 1")
         share = 0.0 <= self.smallest_step <= 1.0
         require(share, "smallest_step", f"{self.smallest_step!r} must be from 0 to 1")
-        for name in ("first_step", "damping", "end_cycle"):
+        for name in ("first_step", "largest_step", "damping", "end_cycle"):
             require(getattr(self, name) >= 0, name, f"{getattr(self, name)!r} must not be negative")
 
 

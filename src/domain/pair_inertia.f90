@@ -1,0 +1,214 @@
+!> Inertia across interfaces: what lets their springs be stepped over (pair-implicit interfaces).
+!>
+!> The traction of an interface taken half at the end of the step instead of at its beginning adds
+!> beta dt**2 K, per area, to the inertia of the relative motion of its faces. It couples the two
+!> points of a pair and nothing else: the sum of their momenta does not feel it.
+module plydyn_domain_pair_inertia
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_links, only : links_type
+   use plydyn_domain_node_classes, only : find_classes
+   use plydyn_element_interface, only : interface_type
+   implicit none
+   private
+
+   public :: joint_stiffness, new_pair_inertia
+
+   !> Share of the stiffness that is taken at the end of the step
+   real(wp), parameter, public :: implicit_share = 0.5_wp
+
+   !> Pairs between lanes side by side in a family; zero where there is none
+   type, public :: pair_table_type
+      !> Inertia per area of the relative motion along x, y, z above each lane,
+      !> (lanes*blocks, 3)
+      real(wp), allocatable :: inertia(:, :)
+      !> Shares of the relative acceleration of the uncoupled points that the lower and the upper
+      !> point lose, (lanes*blocks, 3, classes of nodes)
+      real(wp), allocatable :: below(:, :, :), above(:, :, :)
+   end type pair_table_type
+
+   !> Pairs of all interfaces
+   type, public :: pair_inertia_type
+      !> Whether there are any
+      logical :: active = .false.
+      !> Lower layers of the pairs; inertia per area along x, y, z, (3, pairs)
+      integer, allocatable :: joint(:)
+      real(wp), allocatable :: inertia(:, :)
+      !> Area and class of each node
+      real(wp), allocatable :: area(:)
+      integer, allocatable :: class(:)
+      !> Pairs side by side, one for each family
+      type(pair_table_type), allocatable :: tables(:)
+      !> Pairs whose layers are of different families: points below and above,
+      !> (2, 3*pairs, nodes), with inertia and shares as above
+      integer, allocatable :: far(:, :, :)
+      real(wp), allocatable :: far_inertia(:), far_share(:, :, :)
+   contains
+      procedure :: links_between
+   end type pair_inertia_type
+
+contains
+
+   !> Stiffness of the springs between each layer and the next along x, y, z; zero without any.
+   !> With large displacement they turn: then the stiffer one stands for all directions
+   pure function joint_stiffness(interfaces, joints, large) result(stiffness)
+      !> Interfaces between layers
+      type(interface_type), intent(in) :: interfaces(:)
+      !> Number of layers less one
+      integer, intent(in) :: joints
+      !> Large displacement
+      logical, intent(in) :: large
+      real(wp) :: stiffness(3, joints)
+
+      integer :: k, l
+
+      stiffness(:, :) = 0.0_wp
+      do k = 1, size(interfaces)
+         associate (both => interfaces(k)%law%stiffness)
+            do l = 1, lanes
+               if (interfaces(k)%lower(l) == 0) cycle
+               stiffness(:, interfaces(k)%lower(l)) = [both(2), both(2), both(1)]
+               if (large) stiffness(:, interfaces(k)%lower(l)) = maxval(both)
+            end do
+         end associate
+      end do
+   end function joint_stiffness
+
+   !> Inertia of all pairs for one step
+   pure function new_pair_inertia(columns, mass, area, stiffness, step) result(self)
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of each point
+      real(wp), intent(in) :: mass(:)
+      !> Area of each node
+      real(wp), intent(in) :: area(:)
+      !> Springs along x, y, z between each layer and the next, (3, layers - 1)
+      real(wp), intent(in) :: stiffness(:, :)
+      !> The step
+      real(wp), intent(in) :: step
+      type(pair_inertia_type) :: self
+
+      integer, allocatable :: first(:)
+      real(wp), allocatable :: density(:, :)
+      integer :: f, j, n
+
+      self%active = .true.
+      self%joint = pack([(j, j=1, size(stiffness, 2))], maxval(stiffness, 1) > 0.0_wp)
+      allocate (density(2*size(self%joint), size(area)), self%class(size(area)))
+      do n = 1, size(area)
+         density(1::2, n) = &
+            & mass(columns%mass_of(self%joint, columns%levels(self%joint), n))/area(n)
+         density(2::2, n) = mass(columns%mass_of(self%joint + 1, 1, n))/area(n)
+      end do
+      self%area = area
+      call find_classes(density, self%class, first)
+      allocate (self%tables(size(columns%families)))
+      do f = 1, size(columns%families)
+         call allocate_table(lanes*columns%families(f)%blocks, size(first), self%tables(f))
+      end do
+      self%inertia = implicit_share*step**2*stiffness(:, self%joint)
+      call place_pairs(self, columns, density(:, first))
+   end function new_pair_inertia
+
+   !> A table without pairs
+   pure subroutine allocate_table(width, classes, table)
+      integer, intent(in) :: width, classes
+      type(pair_table_type), intent(inout) :: table
+
+      allocate (table%inertia(width, 3), table%below(width, 3, classes))
+      allocate (table%above(width, 3, classes))
+      table%inertia(:, :) = 0.0_wp
+      table%below(:, :, :) = 0.0_wp
+      table%above(:, :, :) = 0.0_wp
+   end subroutine allocate_table
+
+   !> Put every joint into the table of its family, or among the far ones
+   pure subroutine place_pairs(self, columns, density)
+      type(pair_inertia_type), intent(inout) :: self
+      type(columns_type), intent(in) :: columns
+      !> Mass per area of lower and upper points, (2*pairs, classes)
+      real(wp), intent(in) :: density(:, :)
+
+      real(wp) :: share(2, 3, size(density, 2))
+      integer :: far, i, lane
+
+      far = 3*count(columns%home(1, self%joint) /= columns%home(1, self%joint + 1))
+      allocate (self%far(2, far, columns%nodes), self%far_inertia(far))
+      allocate (self%far_share(2, far, size(density, 2)))
+      far = 0
+      do i = 1, size(self%joint)
+         share(:, :, :) = shares(self%inertia(:, i), density(2*i - 1:2*i, :))
+         associate (home => columns%home(:, self%joint(i)))
+            if (home(1) == columns%home(1, self%joint(i) + 1)) then
+               lane = home(3) + lanes*(home(2) - 1)
+               associate (table => self%tables(home(1)))
+                  table%inertia(lane, :) = self%inertia(:, i)
+                  table%below(lane, :, :) = share(1, :, :)
+                  table%above(lane, :, :) = share(2, :, :)
+               end associate
+            else
+               self%far(:, far + 1:far + 3, :) = places(columns, self%joint(i))
+               self%far_inertia(far + 1:far + 3) = self%inertia(:, i)
+               self%far_share(:, far + 1:far + 3, :) = share
+               far = far + 3
+            end if
+         end associate
+      end do
+   end subroutine place_pairs
+
+   !> Shares of the relative acceleration that both points lose, in closed form
+   pure function shares(inertia, density) result(share)
+      !> Inertia per area along x, y, z
+      real(wp), intent(in) :: inertia(3)
+      !> Mass per area of both points, (2, classes)
+      real(wp), intent(in) :: density(:, :)
+      real(wp) :: share(2, 3, size(density, 2))
+      integer :: c
+
+      do c = 1, size(density, 2)
+         share(1, :, c) = inertia/density(1, c)/(1.0_wp + inertia*sum(1.0_wp/density(:, c)))
+         share(2, :, c) = inertia/density(2, c)/(1.0_wp + inertia*sum(1.0_wp/density(:, c)))
+      end do
+   end function shares
+
+   !> Places of the lower and the upper points of a pair, (2, 3, nodes)
+   pure function places(columns, layer) result(place)
+      type(columns_type), intent(in) :: columns
+      !> The lower layer
+      integer, intent(in) :: layer
+      integer :: place(2, 3, columns%nodes)
+      integer :: c, n
+
+      do n = 1, columns%nodes
+         do c = 1, 3
+            place(:, c, n) = [columns%freedom(layer, columns%levels(layer), c, n), &
+               & columns%freedom(layer + 1, 1, c, n)]
+         end do
+      end do
+   end function places
+
+   !> Pairs of which both points are among some
+   pure function links_between(self, columns, chosen) result(links)
+      class(pair_inertia_type), intent(in) :: self
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Whether each place in the arrays of motion is one of them
+      logical, intent(in) :: chosen(:)
+      type(links_type) :: links
+
+      integer :: c, i, n, place(2, 3, columns%nodes)
+
+      allocate (links%place(2, 0), links%inertia(0))
+      do i = 1, size(self%joint)
+         place(:, :, :) = places(columns, self%joint(i))
+         do n = 1, columns%nodes
+            do c = 1, 3
+               if (.not. all(chosen(place(:, c, n)))) cycle
+               links%inertia = [links%inertia, self%area(n)*self%inertia(c, i)]
+               links%place = reshape([links%place, place(:, c, n)], [2, size(links%inertia)])
+            end do
+         end do
+      end do
+   end function links_between
+
+end module plydyn_domain_pair_inertia
