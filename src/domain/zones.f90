@@ -1,6 +1,7 @@
 !> The zones in which interfaces soften, and how finely a mesh resolves them.
 module plydyn_domain_zones
    use plydyn_base_precision, only : wp
+   use plydyn_element_quad, only : quad_spacing, tensor_order
    use plydyn_law_cohesive_length, only : least_points, strength_factor, zone_lengths
    use plydyn_model_layup, only : faces_tied, part_type
    use plydyn_model_mesh, only : mesh_type
@@ -16,8 +17,8 @@ module plydyn_domain_zones
       real(wp) :: length(2) = huge(1.0_wp)
       !> Largest distance between neighbouring nodes in the plane
       real(wp) :: spacing = 0.0_wp
-      !> Smallest modulus across an interface
-      real(wp) :: across = huge(1.0_wp)
+      !> Smallest modulus across an interface, and thickness of the thinnest stack beside one
+      real(wp) :: across = huge(1.0_wp), thickness = huge(1.0_wp)
       !> Strengths of opening and of sliding, fitted to the mesh where the deck asks for it
       real(wp) :: strength(2) = 0.0_wp
       !> Interfaces of the material in all parts
@@ -42,6 +43,7 @@ contains
                if (model%parts(p)%joint(k) /= material) cycle
                zone%interfaces = zone%interfaces + 1
                zone%across = min(zone%across, across(model, p, k))
+               zone%thickness = min(zone%thickness, thinner(model%parts(p), k))
                zone%spacing = max(zone%spacing, node_spacing(model%mesh, p))
             end do
          end do
@@ -104,26 +106,21 @@ contains
       thickness = min(sum(part%plies(first:k)%thickness), sum(part%plies(k + 1:last)%thickness))
    end function thinner
 
-   !> Longest side of the quads of a part over the nodes along it
+   !> Largest distance between neighbouring nodes of the quads of a part
    pure real(wp) function node_spacing(mesh, part) result(spacing)
       type(mesh_type), intent(in) :: mesh
       !> Index of the part
       integer, intent(in) :: part
 
-      integer, parameter :: corners = 4
-      integer :: e, i
+      integer :: e, side
 
+      side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
       spacing = 0.0_wp
       do e = 1, size(mesh%quad_part)
          if (mesh%quad_part(e) /= part) cycle
-         associate (node => mesh%quad_node(:, e))
-            do i = 1, corners
-               spacing = max(spacing, norm2(mesh%position(:, node(1 + modulo(i, corners))) &
-                  & - mesh%position(:, node(i))))
-            end do
-         end associate
+         spacing = max(spacing, quad_spacing(side, &
+            & mesh%position(1:2, mesh%quad_node(tensor_order(side), e))))
       end do
-      if (size(mesh%quad_node, 1) > corners) spacing = 0.5_wp*spacing
    end function node_spacing
 
 end module plydyn_domain_zones

@@ -25,7 +25,7 @@ contains
 
    !> Keywords of what is written
    function output_keywords() result(keywords)
-      type(keyword_type) :: keywords(9)
+      type(keyword_type) :: keywords(10)
 
       keywords(1) = database("DATABASE_GLSTAT", standard, "energies", "BINARY LCUR IOOPT")
       keywords(2) = database("DATABASE_NODOUT", standard, "node histories", "BINARY LCUR IOOPT")
@@ -37,6 +37,7 @@ contains
       keywords(7) = database_history_node_set()
       keywords(8) = database_field()
       keywords(9) = database_profile()
+      keywords(10) = database("DATABASE_DELAM", ours, "histories of delamination", "")
    end function output_keywords
 
    !> A rigid sphere

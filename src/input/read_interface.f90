@@ -9,12 +9,14 @@ module plydyn_input_read_interface
       & shear
    use plydyn_law_cohesive_check, only : about_exponent, about_toughness, &
       & check_cohesive, finding_type
+   use plydyn_model_control, only : request_type
    use plydyn_model_layup, only : faces_apart, faces_tied, part_type
    use plydyn_model_material, only : interface_material_type
    implicit none
    private
 
-   public :: read_interface_cohesive, read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
+   public :: read_database_delam, read_interface_cohesive, read_mat_cohesive_elastic, &
+      & read_mat_cohesive_mixed_mode
 
    !> Share by which a strength may differ from what the ultimate displacement gives
    real(wp), parameter :: same_strength = 1.0e-3_wp
@@ -228,6 +230,19 @@ contains
             & .and. abs(a%friction - b%friction) <= 0.0_wp
       end associate
    end function is_alike
+
+   !> *DATABASE_DELAM: time between two lines of the history of delamination
+   subroutine read_database_delam(cards, catalogue, materials, request)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(interface_material_type), intent(in) :: materials(:)
+      type(request_type), intent(inout) :: request
+
+      request%delamination_interval = cards%real("DT")
+      if (any(materials%fails)) return
+      call catalogue%refuse(cards, "DT", "no interface of the deck can fail", &
+         & "an interface of a material such as *MAT_COHESIVE_MIXED_MODE, or no *DATABASE_DELAM")
+   end subroutine read_database_delam
 
    !> Range of interfaces; an empty one and a report when there are no such interfaces
    subroutine find_interfaces(cards, nth, count, catalogue, first, last)

@@ -13,8 +13,8 @@ module plydyn_input_read_model
    use plydyn_input_read_impact, only : read_contact_impactor, read_database_field, &
       & read_database_history_node, read_database_history_node_set, read_database_profile, &
       & read_impactor_sphere
-   use plydyn_input_read_interface, only : read_interface_cohesive, read_mat_cohesive_elastic, &
-      & read_mat_cohesive_mixed_mode
+   use plydyn_input_read_interface, only : read_database_delam, read_interface_cohesive, &
+      & read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
       & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
    use plydyn_input_read_material, only : read_mat_elastic, &
@@ -36,6 +36,8 @@ module plydyn_input_read_model
 
    !> Field states of a run that does not say how many
    integer, parameter :: usual_states = 20
+   !> Lines of the history of delamination, likewise
+   integer, parameter :: usual_lines = 1000
 
    abstract interface
       !> Take the cards of one keyword into the model, if the keyword is one of the stage
@@ -282,6 +284,8 @@ contains
          model%request%energy_interval = cards%real("DT")
       case ("DATABASE_IMPACTOR")
          model%request%impactor_interval = cards%real("DT")
+      case ("DATABASE_DELAM")
+         call read_database_delam(cards, catalogue, model%interface_materials, model%request)
       case ("DATABASE_NODOUT")
          model%request%node_interval = cards%real("DT")
       case ("DATABASE_SPCFORC")
@@ -327,6 +331,9 @@ contains
          end if
          if (request%field_interval <= 0.0_wp) then
             request%field_interval = model%control%end_time/usual_states
+         end if
+         if (request%delamination_interval < 0.0_wp) then
+            request%delamination_interval = model%control%end_time/usual_lines
          end if
       end associate
    end subroutine end_model

@@ -76,6 +76,8 @@ module plydyn_model_control
       integer, allocatable :: nodes(:)
       !> Time between two lines of the support forces; negative for none
       real(wp) :: support_interval = -1.0_wp
+      !> Time between two lines of the history of delamination; negative for a thousand in all
+      real(wp) :: delamination_interval = -1.0_wp
       !> Profiles through the thickness
       type(profile_type), allocatable :: profiles(:)
    end type request_type

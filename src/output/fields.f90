@@ -11,6 +11,7 @@ module plydyn_output_fields
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components, tensor, tensor_share
+   use plydyn_output_description, only : describe_file
    use plydyn_output_grid, only : grid_type, new_grid
    use plydyn_output_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
@@ -64,7 +65,7 @@ contains
       call self%file%create(path, self%grid%position, self%grid%connectivity, self%grid%offset, &
          & self%grid%kind, error)
       if (allocated(error)) return
-      call describe(self, deck, version, model, error)
+      call describe_file(self%file, deck, version, model, error)
       if (allocated(error)) return
       call add_cell_fields(self, model, domain, error)
       if (allocated(error)) return
@@ -74,70 +75,6 @@ contains
          if (allocated(error)) return
       end do
    end subroutine open_fields
-
-   !> Attributes and tables of the group /plydyn
-   subroutine describe(self, deck, version, model, error)
-      type(fields_type), intent(inout) :: self
-      character(*), intent(in) :: deck, version
-      type(model_type), intent(in) :: model
-      type(error_type), allocatable, intent(out) :: error
-
-      character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
-         & "length", "time", "mass", "force", "stress", "energy"]
-      character(16), parameter :: ply_columns(6) = [character(16) :: "part", "ply", "ply_id", &
-         & "angle", "bottom", "top"]
-      character(16), parameter :: impactor_columns(6) = [character(16) :: "id", "radius", "mass", &
-         & "x", "y", "z"]
-      character(:), allocatable :: value
-      real(wp), allocatable :: table(:, :)
-      integer :: i
-
-      do i = 1, size(names)
-         associate (units => model%control%units)
-            select case (i)
-            case (1); value = version
-            case (2); value = model%title
-            case (3); value = deck
-            case (4); value = trim(units%length)
-            case (5); value = trim(units%time)
-            case (6); value = trim(units%mass)
-            case (7); value = trim(units%force)
-            case (8); value = trim(units%stress)
-            case default; value = trim(units%energy)
-            end select
-         end associate
-         call self%file%describe(trim(names(i)), value, error)
-         if (allocated(error)) return
-      end do
-      call self%file%add_table("plies", ply_columns, ply_table(model), error)
-      if (allocated(error)) return
-      table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%radius, &
-         & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
-         & [6, size(model%impactors)])
-      if (size(table) > 0) call self%file%add_table("impactors", impactor_columns, table, error)
-   end subroutine describe
-
-   !> One row for each ply of each part: part, ply from the bottom, its number, angle, z range
-   pure function ply_table(model) result(table)
-      type(model_type), intent(in) :: model
-      real(wp), allocatable :: table(:, :)
-
-      real(wp) :: z
-      integer :: k, p
-
-      allocate (table(6, 0))
-      do p = 1, size(model%parts)
-         associate (part => model%parts(p))
-            z = part%bottom_offset*sum(part%plies%thickness)
-            do k = 1, size(part%plies)
-               table = reshape([table, real(part%id, wp), real(k, wp), &
-                  & real(part%plies(k)%id, wp), part%plies(k)%angle, z, &
-                  & z + part%plies(k)%thickness], [6, size(table, 2) + 1])
-               z = z + part%plies(k)%thickness
-            end do
-         end associate
-      end do
-   end function ply_table
 
    !> What does not change: ply, part, element, angle, fibre
    subroutine add_cell_fields(self, model, domain, error)

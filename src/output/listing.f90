@@ -9,6 +9,7 @@ module plydyn_output_listing
    use plydyn_model_layup, only : faces_apart, faces_tied, part_type
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components
+   use plydyn_output_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_output_progress, only : duration_text
    use plydyn_output_step_listing, only : write_step
    use plydyn_output_table, only : table_type, write_section
@@ -49,6 +50,7 @@ contains
       do p = 1, size(model%parts)
          call write_part(unit, model, model%parts(p))
       end do
+      call write_interface_laws(unit, model)
       call write_masses(unit, model, domain)
       call write_step(unit, model, domain)
       call write_effort(unit, model, domain, seconds_per_step)
@@ -224,6 +226,7 @@ contains
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
          write (unit, "(a,es10.2)") "share out of balance ", e%error()
       end associate
+      call write_interface_losses(unit, model, domain, state)
       flush (unit)
    end subroutine write_end
 

@@ -7,8 +7,10 @@ module plydyn_output_writer
    use plydyn_domain_dissipation, only : dissipated_energy
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
+   use plydyn_output_delamination, only : delamination_history_type
    use plydyn_output_fields, only : fields_type
    use plydyn_output_history, only : history_type, schedule_type
+   use plydyn_output_interface_fields, only : interface_fields_type
    use plydyn_output_node_history, only : node_history_type
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
@@ -21,9 +23,11 @@ module plydyn_output_writer
       private
       type(history_type) :: energy, supports
       type(node_history_type) :: nodes
+      type(delamination_history_type) :: delamination
       type(history_type), allocatable :: impactors(:)
       type(profile_file_type), allocatable :: profiles(:)
       type(fields_type) :: fields
+      type(interface_fields_type) :: interfaces
       type(schedule_type) :: field_schedule
       !> Time of the last state in the file of fields
       real(wp) :: field_time = -1.0_wp
@@ -80,6 +84,11 @@ contains
          if (allocated(error)) return
       end do
       call self%fields%open(job//".vtkhdf", deck, version, model, domain, error)
+      if (allocated(error)) return
+      call self%interfaces%open(job//".interfaces.vtkhdf", deck, version, model, domain, error)
+      if (allocated(error)) return
+      call self%delamination%open(job//".delamination.csv", model%control%units, &
+         & model%request%delamination_interval, domain, error)
       if (allocated(error)) return
       self%field_schedule%interval = model%request%field_interval
       call open_progress(self, screen, model, domain)
@@ -210,6 +219,8 @@ contains
          self%field_time = state%time
          call self%fields%write(domain, state, error)
          if (allocated(error)) return
+         call self%interfaces%write(domain, state, error)
+         if (allocated(error)) return
       end if
       if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show(self, state, is_last)
    end subroutine record
@@ -225,7 +236,9 @@ contains
       type(error_type), allocatable :: error
 
       ! what stopped the run is worse than a state that cannot be written
-      if (state%time > self%field_time) call self%fields%write(domain, state, error)
+      if (state%time <= self%field_time) return
+      call self%fields%write(domain, state, error)
+      call self%interfaces%write(domain, state, error)
    end subroutine save_state
 
    !> Lines of the histories
@@ -252,6 +265,8 @@ contains
             if (allocated(error)) return
          end do
          call self%nodes%record(state, is_last, error)
+         if (allocated(error)) return
+         call self%delamination%record(domain, state, is_last, error)
          if (allocated(error)) return
          if (self%supports%is_open() .and. (self%supports%due(time) .or. is_last)) then
             call self%supports%record(time, [time, (-sum(state%support_force, &
@@ -329,6 +344,10 @@ contains
          call keep_first(error, each)
       end do
       call self%fields%close(each)
+      call keep_first(error, each)
+      call self%interfaces%close(each)
+      call keep_first(error, each)
+      call self%delamination%close(each)
       call keep_first(error, each)
    end subroutine close_writer
 

@@ -20,13 +20,17 @@ AREA = SIDE**2
 YOUNG = 1.0e7
 STIFF = isotropic(1.0e-9, YOUNG, 0.0)
 DURATION, STATES = 2.0e-5, 200
+# Openings at onset and failure
+ONSET, END = 60.0 / 1.0e5, 2.0 * 0.28 / 60.0
 # Share of the motion that the plies take: both plies' compliance over that of the bond; in shear
 # twice as much, of a bond that is less than half as stiff
 SOFT = 2.0 * HEIGHT / YOUNG * 1.0e5
 
 KENANE = Bond((1.0e5, 0.4e5), (60.0, 90.0), (0.28, 0.79), -1.6)
 POWERS = replace(KENANE, exponent=1.5)
-# Directions of sliding to opening, and a fraction of the energy that follows from them
+# Stress of a ply that goes on ringing when the bond lets go, and of its compliance
+RINGING = 2.0 * SOFT * 60.0
+# A motion that no mix of modes survives
 LONG = 0.04
 TURN = np.radians(30.0)
 
@@ -53,18 +57,20 @@ def moved(bond: Bond, motion: Motion, folder: Path) -> Results:
     deck.hold_face(everywhere, BOTTOM, "xyz")
     opening, sliding = np.array([(0.0, 0.0), *motion.legs]).T
     for axis, way in enumerate((sliding * np.cos(TURN), sliding * np.sin(TURN), opening)):
-        deck.move_face(everywhere, TOP, axis + 1, deck.curve(smooth(way)), 1.0)
+        card = (deck.node_set(everywhere), TOP, axis + 1, 0, deck.curve(smooth(way)), 1.0)
+        deck.add("BOUNDARY_FACE_MOTION", card)
     deck.profile(1, 0.4 * SIDE, 0.6 * SIDE, DURATION / STATES, 2)
     deck.intervals(glstat=DURATION / STATES, binary_d3plot=DURATION)
     return run(deck, folder)
 
 
 def smooth(way: Array) -> list[tuple[float, float]]:
-    """Each leg along half a cosine: quasi-static, as the plies have no more than a start."""
-    share = 0.5 * (1.0 - np.cos(np.pi * np.arange(1, 33) / 32.0))
-    legs = [a + (b - a) * share for a, b in pairwise(way)]
-    points = np.concatenate([way[:1], *legs])
-    return list(zip(np.linspace(0.0, DURATION, len(points)), points, strict=True))
+    """Velocity over time, zero between legs: without kinks of the motion the plies do not ring."""
+    pieces = 32
+    times = np.linspace(0.0, DURATION, pieces * (len(way) - 1) + 1)
+    shape = np.sin(np.pi * np.arange(pieces) / pieces)
+    speeds = [(b - a) * shape / (shape.sum() * times[1]) for a, b in pairwise(way)]
+    return list(zip(times, np.concatenate([*speeds, [0.0]]), strict=True))
 
 
 def traction(results: Results) -> tuple[Array, Array]:
@@ -96,3 +102,51 @@ def test_straight_path_takes_the_toughness(bond: Bond, slope: float, tmp_path: P
     assert np.all(np.diff(energy["delamination"]) >= 0.0)
     assert np.all(energy["friction"] == 0.0)
     assert np.abs(energy["error"]).max() < 1e-9
+
+
+@pytest.mark.parametrize("bond", [KENANE, replace(KENANE, whole_penalty=True)])
+@pytest.mark.parametrize(
+    ("nodes", "nodal", "linear"),
+    [(9, False, True), (9, True, True), (4, False, True), (4, True, False), (9, False, False)],
+)
+def test_opening_unloads_to_the_origin_and_closes(
+    bond: Bond, nodes: int, nodal: bool, linear: bool, tmp_path: Path
+) -> None:
+    """Open to 40 % of failure, close beyond the origin, open until nothing is left."""
+    half, pressed = 0.4 * END, -0.5 * ONSET
+    legs = ((half, 0.0), (pressed, 0.0), (LONG, 0.0))
+    results = moved(bond, Motion(legs, nodes, nodal, linear), tmp_path)
+    stress, jump = traction(results)
+    opening, pull = jump[:, 2], stress[:, 2]
+    damage = END * (half - ONSET) / (half * (END - ONSET))
+    stiffness = bond.stiffness[0]
+    # on the way back from the largest opening, which lags behind the motion by the share SOFT
+    turn, closed = opening[: len(opening) // 2].argmax(), opening.argmin()
+    leg = slice(turn + 1, closed + 1)
+    held = np.where((opening > 0.0) | (not bond.whole_penalty), 1.0 - damage, 1.0)
+    assert pull[leg] == pytest.approx((held * stiffness * opening)[leg], abs=RINGING)
+    assert np.abs(pull[opening > 1.01 * END]).max() < RINGING
+    # states are that far apart
+    assert pull.max() == pytest.approx(bond.strength[0], rel=0.03)
+    lost = results.table("energy")["delamination"]
+    assert np.all(np.diff(lost) >= 0.0)
+    share = (half - ONSET) / (END - ONSET)
+    assert lost[closed] == pytest.approx(share * bond.toughness[0] * AREA, rel=2.0 * SOFT)
+    assert lost[-1] == pytest.approx(bond.toughness[0] * AREA, rel=1e-9)
+
+
+def test_histories_and_listing_tell_the_delamination(tmp_path: Path) -> None:
+    """Area of the quad, and openings of onset and failure, T/K and 2 G/T, in the listing."""
+    results = moved(KENANE, Motion(((LONG, 0.0),)), tmp_path)
+    history = results.table("delamination")
+    assert history.names == [
+        "time",
+        "interface 1 area",
+        "sum",
+        "projected area",
+        "interface 1 energy",
+    ]
+    for name in ("interface 1 area", "sum", "projected area"):
+        assert history[name][0] == 0.0
+        assert history[name][-1] == pytest.approx(AREA, rel=1e-9)
+    assert history["interface 1 energy"][-1] == pytest.approx(0.28 * AREA, rel=1e-9)
