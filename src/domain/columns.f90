@@ -37,6 +37,7 @@ module plydyn_domain_columns
       integer, allocatable :: home(:, :)
    contains
       procedure :: tie
+      procedure :: start
       procedure :: freedom
       procedure :: mass_of
       procedure :: levels
@@ -97,6 +98,20 @@ contains
       self%families(self%home(1, layer))%tied_above(self%home(3, layer) &
          & + lanes*(self%home(2, layer) - 1)) = 1.0_wp
    end subroutine tie
+
+   !> Where the part of a node's column begins that belongs to a family; from there on it is
+   !> (lanes, blocks, levels, 3)
+   elemental integer function start(self, family, node)
+      class(columns_type), intent(in) :: self
+      !> Index of the family
+      integer, intent(in) :: family
+      !> Node of the plane
+      integer, intent(in) :: node
+
+      associate (f => self%families(family))
+         start = f%first + 3*lanes*f%blocks*(f%order + 1)*(node - 1)
+      end associate
+   end function start
 
    !> Place of a point's displacement in the arrays of motion
    elemental integer function freedom(self, layer, level, direction, node)

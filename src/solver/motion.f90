@@ -72,7 +72,7 @@ contains
       !> Sums over all points
       type(sums_type), intent(out) :: sums
 
-      integer :: f, k
+      integer :: f, k, n
 
       do k = 1, size(domain%far_ties, 2)
          force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
@@ -89,8 +89,9 @@ contains
          end associate
       end do
       if (domain%pairs%active) then
-         call couple_pairs(domain%pairs, domain%columns, [1, domain%columns%nodes], &
-            & 0.5_wp*step, velocity, force, sums)
+         do n = 1, domain%columns%nodes
+            call couple_pairs(domain%pairs, domain%columns, n, 0.5_wp*step, velocity, force, sums)
+         end do
       end if
    end subroutine accelerate
 

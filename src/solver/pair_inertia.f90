@@ -2,7 +2,7 @@
 module plydyn_solver_pair_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_pair_inertia, only : pair_inertia_type, pair_table_type
+   use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_state_state, only : sums_type
    implicit none
    private
@@ -11,14 +11,14 @@ module plydyn_solver_pair_inertia
 
 contains
 
-   !> Couple the pairs above some nodes, and bring the sums over all points up to date
-   pure subroutine couple_pairs(pairs, columns, nodes, half_step, velocity, acceleration, sums)
+   !> Couple the pairs above a node, and bring the sums over all points up to date
+   pure subroutine couple_pairs(pairs, columns, node, half_step, velocity, acceleration, sums)
       !> The pairs
       type(pair_inertia_type), intent(in) :: pairs
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> First and last node
-      integer, intent(in) :: nodes(2)
+      !> The node
+      integer, intent(in) :: node
       !> Half of the step just made
       real(wp), intent(in) :: half_step
       !> Velocity of all points, half a step before
@@ -28,79 +28,85 @@ contains
       !> Sums over all points
       type(sums_type), intent(inout) :: sums
 
-      integer :: f
+      integer :: f, first
 
       do f = 1, size(columns%families)
-         associate (family => columns%families(f))
-            call couple_family(pairs, pairs%tables(f), lanes*family%blocks, family%order + 1, &
-               & nodes, half_step, velocity(family%first:), acceleration(family%first:), sums)
-         end associate
+         first = columns%start(f, node)
+         call couple_family(pairs, f, node, half_step, columns%families(f)%order + 1, &
+            & size(pairs%tables(f)%inertia, 1), velocity(first:), acceleration(first:), sums)
       end do
       if (size(pairs%far_inertia) > 0) then
-         call couple_far(pairs, nodes, half_step, velocity, acceleration, sums)
+         call couple_far(pairs, node, half_step, velocity, acceleration, sums)
       end if
    end subroutine couple_pairs
 
-   !> Pairs between lanes side by side
-   pure subroutine couple_family(pairs, table, width, levels, nodes, half_step, v, a, sums)
+   !> Pairs between lanes side by side, eight at a time: the upper points are one place further on
+   pure subroutine couple_family(pairs, f, node, half_step, levels, width, v, a, sums)
       type(pair_inertia_type), intent(in) :: pairs
-      type(pair_table_type), intent(in) :: table
-      integer, intent(in) :: width, levels, nodes(2)
-      real(wp), intent(in) :: half_step, v(width, levels, 3, *)
-      real(wp), intent(inout) :: a(width, levels, 3, *)
+      integer, intent(in) :: f, node, levels, width
+      real(wp), intent(in) :: half_step, v(width*levels, 3)
+      real(wp), intent(inout) :: a(width*levels, 3)
       type(sums_type), intent(inout) :: sums
 
-      real(wp), dimension(width) :: above, below, gap, inertia, speed
-      integer :: c, n
+      real(wp), dimension(lanes) :: gap, inertia, speed, taken
+      integer :: c, k, l, last, top
 
-      gap(width) = 0.0_wp
-      speed(width) = 0.0_wp
-      do n = nodes(1), nodes(2)
+      associate (table => pairs%tables(f), class => pairs%class(node), area => pairs%area(node))
          do c = 1, 3
-            below(:) = table%below(:, c, pairs%class(n))
-            above(:) = table%above(:, c, pairs%class(n))
-            gap(:width - 1) = a(2:, 1, c, n) - a(:width - 1, levels, c, n)
-            speed(:width - 1) = v(2:, 1, c, n) - v(:width - 1, levels, c, n)
-            a(:, levels, c, n) = a(:, levels, c, n) + below*gap
-            a(2:, 1, c, n) = a(2:, 1, c, n) - above(:width - 1)*gap(:width - 1)
-            inertia(:) = pairs%area(n)*table%inertia(:, c)
-            call add_sums(inertia, gap, (below + above)*gap, speed, half_step, sums)
+            do k = 0, width - lanes, lanes
+               top = k + width*(levels - 1)
+               last = min(lanes, width - 1 - k)
+               gap(:) = 0.0_wp
+               speed(:) = 0.0_wp
+               gap(:last) = a(k + 2:k + 1 + last, c) - a(top + 1:top + last, c)
+               speed(:last) = v(k + 2:k + 1 + last, c) - v(top + 1:top + last, c)
+               do l = 1, last
+                  a(top + l, c) = a(top + l, c) + table%below(k + l, c, class)*gap(l)
+                  a(k + l + 1, c) = a(k + l + 1, c) - table%above(k + l, c, class)*gap(l)
+               end do
+               inertia(:) = area*table%inertia(k + 1:k + lanes, c)
+               taken(:) = (table%below(k + 1:k + lanes, c, class) &
+                  & + table%above(k + 1:k + lanes, c, class))*gap
+               call add_sums(lanes, inertia, gap, taken, speed, half_step, sums)
+            end do
          end do
-      end do
+      end associate
    end subroutine couple_family
 
    !> Pairs whose points lie anywhere
-   pure subroutine couple_far(pairs, nodes, half_step, v, a, sums)
+   pure subroutine couple_far(pairs, node, half_step, v, a, sums)
       type(pair_inertia_type), intent(in) :: pairs
-      integer, intent(in) :: nodes(2)
+      integer, intent(in) :: node
       real(wp), intent(in) :: half_step, v(:)
       real(wp), intent(inout) :: a(:)
       type(sums_type), intent(inout) :: sums
 
-      real(wp) :: gap(size(pairs%far_inertia)), speed(size(pairs%far_inertia))
-      integer :: n
+      real(wp) :: gap(1), speed(1)
+      integer :: k
 
-      do n = nodes(1), nodes(2)
-         associate (low => pairs%far(1, :, n), high => pairs%far(2, :, n), &
-            & share => pairs%far_share(:, :, pairs%class(n)))
+      do k = 1, size(pairs%far_inertia)
+         associate (low => pairs%far(1, k, node), high => pairs%far(2, k, node), &
+            & share => pairs%far_share(:, k, pairs%class(node)))
             gap(:) = a(high) - a(low)
             speed(:) = v(high) - v(low)
-            a(low) = a(low) + share(1, :)*gap
-            a(high) = a(high) - share(2, :)*gap
-            call add_sums(pairs%area(n)*pairs%far_inertia, gap, sum(share, 1)*gap, speed, &
+            a(low) = a(low) + share(1)*gap(1)
+            a(high) = a(high) - share(2)*gap(1)
+            call add_sums(1, [pairs%area(node)*pairs%far_inertia(k)], gap, sum(share)*gap, speed, &
                & half_step, sums)
          end associate
       end do
    end subroutine couple_far
 
    !> What coupling changes in the sums: the points alone were in them already
-   pure subroutine add_sums(inertia, gap, taken, speed, half_step, sums)
+   pure subroutine add_sums(n, inertia, gap, taken, speed, half_step, sums)
+      !> Pairs
+      integer, intent(in) :: n
       !> Inertia of the relative motion
-      real(wp), intent(in) :: inertia(:)
+      real(wp), intent(in) :: inertia(n)
       !> Relative acceleration of the free points, and what coupling takes from it
-      real(wp), intent(in) :: gap(:), taken(:)
+      real(wp), intent(in) :: gap(n), taken(n)
       !> Relative velocity half a step before
-      real(wp), intent(in) :: speed(:)
+      real(wp), intent(in) :: speed(n)
       real(wp), intent(in) :: half_step
       type(sums_type), intent(inout) :: sums
 
@@ -111,7 +117,7 @@ contains
       square = 0.0_wp
       added = 0.0_wp
       !$omp simd private(left) reduction(+:pull, square, added)
-      do l = 1, size(inertia)
+      do l = 1, n
          left = gap(l) - taken(l)
          pull = pull + inertia(l)*gap(l)*left
          square = square + inertia(l)*left*(2.0_wp*speed(l) + half_step*(gap(l) + left))
