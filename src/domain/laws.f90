@@ -3,8 +3,12 @@ module plydyn_domain_laws
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : block_law_type, law_type
    use plydyn_law_orthotropic, only : orthotropic_type
+   use plydyn_law_plastic_curve, only : plastic_curve_type
+   use plydyn_law_plastic_johnson_cook, only : plastic_johnson_cook_type
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
-   use plydyn_model_material, only : law_elastic, law_plastic_kinematic, material_type
+   use plydyn_law_yield_curve, only : yield_curve_type
+   use plydyn_model_material, only : law_elastic, law_plastic_curve, law_plastic_johnson_cook, &
+      & law_plastic_kinematic, material_type, plasticity_type
    implicit none
    private
 
@@ -27,7 +31,9 @@ contains
       k = 0
       do b = 1, size(lane_material, 2)
          call add_law(laws, k, b, elastic_lanes(materials, lane_material(:, b)))
-         call add_law(laws, k, b, plastic_lanes(materials, lane_material(:, b)))
+         call add_law(laws, k, b, kinematic_lanes(materials, lane_material(:, b)))
+         call add_law(laws, k, b, curve_lanes(materials, lane_material(:, b)))
+         call add_law(laws, k, b, johnson_cook_lanes(materials, lane_material(:, b)))
       end do
    end function new_laws
 
@@ -37,13 +43,15 @@ contains
       integer, intent(in) :: lane_material(:, :)
 
       integer :: b, law
-      logical :: used(law_elastic:law_plastic_kinematic)
+      logical :: used(law_elastic:law_plastic_johnson_cook)
 
       laws = 0
       used(:) = .false.
       do b = 1, size(lane_material, 2)
          associate (present => pack(lane_material(:, b), lane_material(:, b) > 0))
-            used(:) = [(any(materials(present)%law == law), law=law_elastic, law_plastic_kinematic)]
+            do law = law_elastic, law_plastic_johnson_cook
+               used(law) = any(materials(present)%law == law)
+            end do
          end associate
          laws = laws + count(used)
       end do
@@ -81,7 +89,7 @@ contains
    end function elastic_lanes
 
    !> The lanes of a block that yield with linear hardening
-   function plastic_lanes(materials, lane_material) result(law)
+   function kinematic_lanes(materials, lane_material) result(law)
       type(material_type), intent(in) :: materials(:)
       integer, intent(in) :: lane_material(:)
       type(plastic_kinematic_type) :: law
@@ -98,6 +106,62 @@ contains
             end associate
          end associate
       end do
-   end function plastic_lanes
+   end function kinematic_lanes
+
+   !> The lanes of a block that yield by curves
+   function curve_lanes(materials, lane_material) result(law)
+      type(material_type), intent(in) :: materials(:)
+      integer, intent(in) :: lane_material(:)
+      type(plastic_curve_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         if (lane_material(l) == 0) cycle
+         associate (material => materials(lane_material(l)))
+            if (material%law /= law_plastic_curve) cycle
+            associate (plasticity => material%plasticity)
+               call law%set_lane(l, material%young(1), material%poisson(1), &
+                  & yield_curves(plasticity), plasticity%logarithmic)
+               if (plasticity%rate > 0.0_wp) then
+                  call law%set_rate(l, plasticity%rate, plasticity%power, basis=plasticity%yield)
+               end if
+            end associate
+         end associate
+      end do
+   end function curve_lanes
+
+   !> Yield stress over effective plastic strain at some rates
+   pure function yield_curves(plasticity) result(curves)
+      type(plasticity_type), intent(in) :: plasticity
+      type(yield_curve_type) :: curves(size(plasticity%curves))
+
+      integer :: i
+
+      do i = 1, size(curves)
+         curves(i)%rate = plasticity%rates(i)
+         curves(i)%strain = plasticity%curves(i)%x
+         curves(i)%stress = plasticity%curves(i)%y
+      end do
+   end function yield_curves
+
+   !> The lanes of a block that yield after Johnson and Cook
+   function johnson_cook_lanes(materials, lane_material) result(law)
+      type(material_type), intent(in) :: materials(:)
+      integer, intent(in) :: lane_material(:)
+      type(plastic_johnson_cook_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         if (lane_material(l) == 0) cycle
+         associate (material => materials(lane_material(l)))
+            if (material%law /= law_plastic_johnson_cook) cycle
+            associate (plasticity => material%plasticity)
+               call law%set_lane(l, material%young(1), material%poisson(1), plasticity%yield, &
+                  & plasticity%factor, plasticity%exponent)
+               call law%set_rate(l, plasticity%sensitivity, plasticity%reference_rate)
+            end associate
+         end associate
+      end do
+   end function johnson_cook_lanes
 
 end module plydyn_domain_laws

@@ -104,22 +104,21 @@ contains
       end do
    end function plastic_strain
 
-   !> Stress of a law in ply axes; the history of a point stays as it is under the same strain
+   !> Stress of a law in ply axes
    pure function law_stress(batch, block, lane, strain, history) result(stress)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block, lane
       real(wp), intent(in) :: strain(6), history(:, :)
       real(wp) :: stress(6)
 
-      real(wp) :: all_history(lanes, size(history, 2)), all_strain(lanes, 6), all_stress(lanes, 6)
+      real(wp) :: all_strain(lanes, 6), all_stress(lanes, 6)
       integer :: k
 
-      all_history(:, :) = history
       all_strain(:, :) = spread(strain, 1, lanes)
       all_stress(:, :) = 0.0_wp
       do k = 1, size(batch%laws)
          if (batch%laws(k)%block /= block) cycle
-         call batch%laws(k)%law%update(0.0_wp, all_strain, all_history, all_stress)
+         call batch%laws(k)%law%recall(all_strain, history, all_stress)
       end do
       stress(:) = all_stress(lane, :)
    end function law_stress

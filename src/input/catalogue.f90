@@ -17,8 +17,8 @@ module plydyn_input_catalogue
    !> Kinds of things that have a number
    integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
       & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
-      & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13
-   integer, parameter :: kinds = 13
+      & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14
+   integer, parameter :: kinds = 14
 
    !> Some nodes or quads
    type, public :: members_type
@@ -32,6 +32,14 @@ module plydyn_input_catalogue
       real(wp) :: low(3) = 0.0_wp, high(3) = 0.0_wp
    end type box_type
 
+   !> A curve for each of some values
+   type, public :: table_type
+      !> The values, increasing
+      real(wp), allocatable :: value(:)
+      !> Indices of their curves, 0 for one that is not defined
+      integer, allocatable :: curve(:)
+   end type table_type
+
    !> Numbers, sets and findings
    type, public :: catalogue_type
       !> Numbers of each kind
@@ -42,6 +50,8 @@ module plydyn_input_catalogue
       type(members_type), allocatable :: quad_sets(:)
       !> Boxes, in the order of definition
       type(box_type), allocatable :: boxes(:)
+      !> Tables, in the order of definition
+      type(table_type), allocatable :: tables(:)
       !> All nodes and elements could be read: what is said about their shape can be trusted
       logical :: mesh_is_sound = .true.
       !> Findings
@@ -78,11 +88,13 @@ contains
       call name_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
       call name_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
       call name_kind(a_profile, "profile", "*DATABASE_PROFILE")
+      call name_kind(a_table, "table", "*DEFINE_TABLE or *DEFINE_TABLE_2D")
       call name_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
       do i = 1, kinds
          call catalogue%registers(i)%sort()
       end do
       allocate (catalogue%node_sets(0), catalogue%quad_sets(0), catalogue%boxes(0))
+      allocate (catalogue%tables(0))
 
    contains
 

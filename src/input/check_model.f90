@@ -4,8 +4,8 @@ module plydyn_input_check_model
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : place_type
    use plydyn_input_catalogue, only : a_box, a_contact, a_curve, a_material, a_node, a_node_set, &
-      & a_part, a_profile, a_quad, a_quad_set, a_section, an_impactor, an_interface_material, &
-      & catalogue_type
+      & a_part, a_profile, a_quad, a_quad_set, a_section, a_table, an_impactor, &
+      & an_interface_material, catalogue_type
    use plydyn_input_check_impact, only : check_impact
    use plydyn_input_check_mesh, only : check_mesh
    use plydyn_input_check_units, only : check_units
@@ -18,7 +18,8 @@ module plydyn_input_check_model
 
    !> Kinds whose numbers must not repeat
    integer, parameter :: unique(*) = [a_node, a_quad, a_node_set, a_quad_set, a_box, a_curve, &
-      & a_material, an_interface_material, a_part, an_impactor, a_contact, a_profile, a_section]
+      & a_material, an_interface_material, a_part, an_impactor, a_contact, a_profile, a_section, &
+      & a_table]
 
 contains
 
@@ -43,24 +44,35 @@ contains
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 
-   !> Ply and interface materials share their numbers
+   !> Kinds that share their numbers: ply and interface materials, curves and tables
    subroutine check_shared_numbers(catalogue)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      call check_apart(a_material, an_interface_material, "material", catalogue)
+      call check_apart(a_curve, a_table, "curve or table", catalogue)
+   end subroutine check_shared_numbers
+
+   !> Two kinds have no number in common
+   subroutine check_apart(first, second, what, catalogue)
+      !> The kinds
+      integer, intent(in) :: first, second
+      !> What both are
+      character(*), intent(in) :: what
       type(catalogue_type), intent(inout) :: catalogue
 
       type(place_type) :: place
       integer :: i, other
 
-      associate (plies => catalogue%registers(a_material), &
-         & interfaces => catalogue%registers(an_interface_material))
-         do i = 1, interfaces%count
-            other = plies%index_of(interfaces%id(i))
-            if (other == 0 .or. interfaces%id(i) == 0) cycle
-            place%line = interfaces%line(i)
-            call catalogue%report%refuse(place, "material "//text(interfaces%id(i)) &
-               & //" is defined twice", "a number of its own", plies%line(other))
+      associate (ones => catalogue%registers(first), others => catalogue%registers(second))
+         do i = 1, others%count
+            other = ones%index_of(others%id(i))
+            if (other == 0 .or. others%id(i) == 0) cycle
+            place%line = others%line(i)
+            call catalogue%report%refuse(place, what//" "//text(others%id(i)) &
+               & //" is defined twice", "a number of its own", ones%line(other))
          end do
       end associate
-   end subroutine check_shared_numbers
+   end subroutine check_apart
 
    !> What every deck needs
    subroutine check_presence(model, catalogue)
@@ -99,6 +111,7 @@ contains
       call catalogue%check_unused(a_quad_set, "a keyword that uses the set, or no set")
       call catalogue%check_unused(a_box, "*SET_NODE_GENERAL that uses the box, or no box")
       call catalogue%check_unused(a_curve, "a keyword that uses the curve, or no curve")
+      call catalogue%check_unused(a_table, "a material that uses the table, or no table")
       call catalogue%check_unused(a_material, "a ply of the material, or no material")
       call catalogue%check_unused(an_interface_material, &
          & "*INTERFACE_COHESIVE that uses the material, or no material")

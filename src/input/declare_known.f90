@@ -29,7 +29,7 @@ module plydyn_input_declare_known
       & "ELEMENT_SOLID", "SECTION_SOLID", "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
-      & "MAT_CODAM2", "MAT_PIECEWISE_LINEAR_PLASTICITY", &
+      & "MAT_CODAM2", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
       & "MAT_COHESIVE_GENERAL", "MAT_COHESIVE_TH"]

@@ -165,15 +165,16 @@ contains
       call keyword%add_real("ZMX", "length", "largest z")
    end function define_box
 
-   !> A curve over time
+   !> A curve
    function define_curve() result(keyword)
       type(keyword_type) :: keyword
 
       keyword = new_keyword("DEFINE_CURVE", standard, &
-         & "A curve over time: linear between its points, constant before and behind them.", &
+         & "A curve, over time or of a material, linear between its points.", &
          & suffixes="TITLE")
       keyword%remark = "Abscissa SFA (A1 + OFFA), ordinate SFO (O1 + OFFO). The points are used " &
-         & //"as they are, they are not sampled anew."
+         & //"as they are, they are not sampled anew. Over time a curve is constant before its " &
+         & //"first point and behind its last; materials say how they go on."
       call keyword%add_card()
       call keyword%add_integer("LCID", "number of the curve", least=1)
       call keyword%add_unused("SIDR")
@@ -181,12 +182,12 @@ contains
       call keyword%zero_is_default()
       call keyword%add_real("SFO", "-", "factor on the ordinate", default=1.0_wp)
       call keyword%zero_is_default()
-      call keyword%add_real("OFFA", "time", "offset of the abscissa", default=0.0_wp)
+      call keyword%add_real("OFFA", "any", "offset of the abscissa", default=0.0_wp)
       call keyword%add_real("OFFO", "any", "offset of the ordinate", default=0.0_wp)
       call keyword%add_unused("DATTYP LCINT")
       keyword%width = curve_width
       call keyword%add_card(repeated=.true.)
-      call keyword%add_real("A1", "time", "abscissa, increasing from line to line")
+      call keyword%add_real("A1", "any", "abscissa, increasing from line to line")
       call keyword%add_real("O1", "any", "ordinate")
    end function define_curve
 

@@ -11,7 +11,7 @@ contains
 
    !> Keywords of laminates and materials
    function part_keywords() result(keywords)
-      type(keyword_type) :: keywords(7)
+      type(keyword_type) :: keywords(6)
 
       keywords(1) = part_composite()
       keywords(2) = part_composite_long()
@@ -19,7 +19,6 @@ contains
       keywords(4) = mat_elastic()
       keywords(5) = mat_orthotropic_elastic()
       keywords(6) = mat_ply_elastic()
-      keywords(7) = mat_plastic_kinematic()
    end function part_keywords
 
    !> A laminate, two plies on a card
@@ -121,36 +120,6 @@ contains
       call keyword%add_real("PR", "-", "Poisson's ratio, above -1 and below 0.5", default=0.0_wp)
       call keyword%add_unused("DA DB K")
    end function mat_elastic
-
-   !> Metal with linear hardening
-   function mat_plastic_kinematic() result(keyword)
-      type(keyword_type) :: keyword
-
-      keyword = new_keyword("MAT_PLASTIC_KINEMATIC", standard, &
-         & "Metal that yields by von Mises with linear hardening.", suffixes="TITLE", &
-         & alias="MAT_003")
-      keyword%remark = "ETAN 0 is perfect plasticity. With a rate, the yield stress is " &
-         & //"multiplied by 1 + (rate/SRC)**(1/SRP), the rate being that of effective " &
-         & //"plastic strain."
-      call keyword%add_card()
-      call keyword%add_integer("MID", "number of the material", least=1)
-      call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
-      call keyword%add_real("E", "stress", "Young's modulus", above=0.0_wp)
-      call keyword%add_real("PR", "-", "Poisson's ratio, above -1 and below 0.5", default=0.0_wp)
-      call keyword%add_real("SIGY", "stress", "yield stress", above=0.0_wp)
-      call keyword%add_real("ETAN", "stress", "slope of stress over strain beyond yield", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("BETA", "-", "share of hardening that is isotropic: 1 isotropic, " &
-         & //"0 kinematic", default=0.0_wp, least=0.0_wp, most=1.0_wp)
-      call keyword%add_card(optional=.true.)
-      call keyword%add_real("SRC", "1/time", "rate at which the yield stress is doubled; 0 for " &
-         & //"no effect of the rate", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("SRP", "-", "power of the rise with the rate", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_unused("FS")
-      call keyword%add_real("VP", "-", "0 or 1, without difference: the rate is that of " &
-         & //"effective plastic strain", default=0.0_wp, least=0.0_wp, most=1.0_wp)
-   end function mat_plastic_kinematic
 
    !> Orthotropic material of LS-DYNA
    function mat_orthotropic_elastic() result(keyword)

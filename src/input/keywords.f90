@@ -7,6 +7,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_known, only : ignored_keywords, refused_keywords
    use plydyn_input_declare_load, only : load_keywords, support_keywords
    use plydyn_input_declare_mesh, only : mesh_keywords
+   use plydyn_input_declare_metal, only : metal_keywords
    use plydyn_input_declare_part, only : part_keywords
    implicit none
    private
@@ -20,8 +21,8 @@ contains
       type(keyword_type), allocatable :: keywords(:)
 
       keywords = [frame_keywords(), control_keywords(), mesh_keywords(), part_keywords(), &
-         & interface_keywords(), support_keywords(), load_keywords(), impact_keywords(), &
-         & output_keywords(), ignored_keywords(), refused_keywords()]
+         & metal_keywords(), interface_keywords(), support_keywords(), load_keywords(), &
+         & impact_keywords(), output_keywords(), ignored_keywords(), refused_keywords()]
    end function all_keywords
 
 end module plydyn_input_keywords

@@ -5,12 +5,12 @@ module plydyn_input_read_material
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, catalogue_type
-   use plydyn_model_material, only : law_plastic_kinematic, material_type, plasticity_type
+   use plydyn_model_material, only : material_type
    implicit none
    private
 
-   public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_plastic_kinematic, &
-      & read_mat_ply_elastic
+   public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
+      & begin_material, read_isotropic
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -30,30 +30,6 @@ contains
       call read_isotropic(cards, catalogue, material)
       materials = [materials, material]
    end subroutine read_mat_elastic
-
-   !> *MAT_PLASTIC_KINEMATIC: a metal with linear hardening
-   subroutine read_mat_plastic_kinematic(cards, catalogue, materials)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
-
-      type(material_type) :: material
-
-      call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, material)
-      material%law = law_plastic_kinematic
-      material%plasticity = plasticity_type(yield=cards%real("SIGY"), tangent=cards%real("ETAN"), &
-         & isotropic=cards%real("BETA"), rate=cards%real("SRC"), power=cards%real("SRP"))
-      if (material%plasticity%tangent >= material%young(1)) then
-         call catalogue%refuse(cards, "ETAN", "ETAN cannot be " &
-            & //number_words(material%plasticity%tangent), "a slope below Young's modulus E")
-      end if
-      if (material%plasticity%rate > 0.0_wp .and. material%plasticity%power <= 0.0_wp) then
-         call catalogue%refuse(cards, "SRP", "SRP is missing", &
-            & "the power of the rise with the rate, above 0, or SRC 0 for no effect of the rate")
-      end if
-      materials = [materials, material]
-   end subroutine read_mat_plastic_kinematic
 
    !> E and PR of an isotropic material
    subroutine read_isotropic(cards, catalogue, material)

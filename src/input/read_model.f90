@@ -18,7 +18,10 @@ module plydyn_input_read_model
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
       & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
    use plydyn_input_read_material, only : read_mat_elastic, &
-      & read_mat_orthotropic_elastic, read_mat_plastic_kinematic, read_mat_ply_elastic
+      & read_mat_orthotropic_elastic, read_mat_ply_elastic
+   use plydyn_input_read_metal, only : read_define_table, read_define_table_2d, &
+      & read_mat_piecewise_linear_plasticity, read_mat_plastic_kinematic, &
+      & read_mat_simplified_johnson_cook
    use plydyn_input_read_mesh, only : new_mesh, read_element_plate_q9, read_element_shell, &
       & read_node
    use plydyn_input_read_part, only : read_part_composite, &
@@ -73,6 +76,8 @@ contains
       call read_deck(path, all_keywords(), deck, catalogue%report)
       call begin_model(model)
       call read_stage(deck, read_independent, catalogue, model)
+      call read_stage(deck, read_table, catalogue, model)
+      call read_stage(deck, read_material, catalogue, model)
       call read_stage(deck, read_part, catalogue, model)
       call read_stage(deck, read_element, catalogue, model)
       call read_stage(deck, read_set, catalogue, model)
@@ -124,6 +129,8 @@ contains
          call read_mat_elastic(cards, catalogue, model%materials)
       case ("MAT_PLASTIC_KINEMATIC")
          call read_mat_plastic_kinematic(cards, catalogue, model%materials)
+      case ("MAT_SIMPLIFIED_JOHNSON_COOK")
+         call read_mat_simplified_johnson_cook(cards, catalogue, model%materials)
       case ("MAT_ORTHOTROPIC_ELASTIC")
          call read_mat_orthotropic_elastic(cards, catalogue, model%materials)
       case ("MAT_PLY_ELASTIC")
@@ -138,6 +145,36 @@ contains
          continue
       end select
    end subroutine read_independent
+
+   !> Keywords that refer to curves
+   subroutine read_table(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("DEFINE_TABLE")
+         call read_define_table(cards, catalogue, size(model%curves))
+      case ("DEFINE_TABLE_2D")
+         call read_define_table_2d(cards, catalogue)
+      case default
+         continue
+      end select
+   end subroutine read_table
+
+   !> Materials that refer to curves and tables
+   subroutine read_material(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      select case (cards%name)
+      case ("MAT_PIECEWISE_LINEAR_PLASTICITY")
+         call read_mat_piecewise_linear_plasticity(cards, catalogue, model%curves, model%materials)
+      case default
+         continue
+      end select
+   end subroutine read_material
 
    !> Keywords that refer to materials
    subroutine read_part(cards, catalogue, model)

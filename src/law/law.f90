@@ -18,6 +18,7 @@ module plydyn_law_law
       integer :: plastic_strain_at = 0
    contains
       procedure(update_batch), deferred :: update
+      procedure :: recall
    end type law_type
 
    !> The law of some lanes of one block of layers
@@ -44,5 +45,23 @@ module plydyn_law_law
          real(wp), intent(inout) :: stress(lanes, 6)
       end subroutine update_batch
    end interface
+
+contains
+
+   !> Stress that belongs to a strain and its history: nothing goes on
+   pure subroutine recall(self, strain, history, stress)
+      class(law_type), intent(in) :: self
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> History of the point
+      real(wp), intent(in) :: history(lanes, *)
+      !> Stress; lanes of other laws keep theirs
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: copy(lanes, self%histories)
+
+      copy(:, :) = history(:, :self%histories)
+      call self%update(0.0_wp, strain, copy, stress)
+   end subroutine recall
 
 end module plydyn_law_law

@@ -50,6 +50,7 @@ module plydyn_law_plastic
       real(wp) :: onset(lanes) = huge(1.0_wp)
    contains
       procedure :: update
+      procedure :: recall
       procedure :: stored_energy
       procedure :: own_lane
       procedure :: search
@@ -118,6 +119,16 @@ contains
       end if
       call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
    end subroutine update
+
+   !> Stress that belongs to a strain and its history, also where a rate has raised it
+   pure subroutine recall(self, strain, history, stress)
+      class(plastic_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(in) :: history(lanes, *)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
+   end subroutine recall
 
    !> Energy per volume that unloading gives back: elastic, and stored by the back stress.
    !> Lanes of other laws keep theirs.

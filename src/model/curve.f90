@@ -1,4 +1,4 @@
-!> Curves over time, linear between their points.
+!> Curves, over time or of a material, linear between their points.
 module plydyn_model_curve
    use plydyn_base_precision, only : wp
    implicit none

@@ -2,21 +2,35 @@
 module plydyn_model_material
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive, only : cohesive_constants_type
+   use plydyn_model_curve, only : curve_type
    implicit none
    private
 
    !> What a material does beyond elasticity
-   integer, parameter, public :: law_elastic = 0, law_plastic_kinematic = 1
+   integer, parameter, public :: law_elastic = 0, law_plastic_kinematic = 1, &
+      & law_plastic_curve = 2, law_plastic_johnson_cook = 3
 
    !> Metal plasticity
    type, public :: plasticity_type
-      !> Yield stress, and slope of stress over total strain beyond it
+      !> Yield stress without plastic strain, and slope of stress over total strain beyond it
       real(wp) :: yield = 0.0_wp, tangent = 0.0_wp
       !> Share of hardening that is isotropic: 1 isotropic, 0 kinematic
       real(wp) :: isotropic = 0.0_wp
       !> Rate at which the yield stress is doubled, 0 for none, and the power of its rise
       !> (Cowper and Symonds)
       real(wp) :: rate = 0.0_wp, power = 0.0_wp
+      !> Yield stress over effective plastic strain for each of some rates that rise; one alone
+      !> holds at all rates
+      type(curve_type), allocatable :: curves(:)
+      !> Those rates
+      real(wp), allocatable :: rates(:)
+      !> Between two rates their logarithm counts
+      logical :: logarithmic = .false.
+      !> Rise of the yield stress up to a plastic strain of 1, and the power of plastic strain
+      !> (Johnson and Cook)
+      real(wp) :: factor = 0.0_wp, exponent = 1.0_wp
+      !> Its rise with the logarithm of the rate, and the rate from which on it rises
+      real(wp) :: sensitivity = 0.0_wp, reference_rate = 1.0_wp
    end type plasticity_type
 
    !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
@@ -37,7 +51,7 @@ module plydyn_model_material
       real(wp) :: shear(3) = 0.0_wp
       !> `law_elastic` or what it does beyond
       integer :: law = law_elastic
-      !> For `law_plastic_kinematic`
+      !> For the laws of plasticity
       type(plasticity_type) :: plasticity
       !> Direction from which ply angles are measured, degrees from the x axis
       real(wp) :: axis_angle = 0.0_wp

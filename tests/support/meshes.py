@@ -63,6 +63,36 @@ def regular(length: float, width: float, nx: int, ny: int, nodes: int) -> Mesh:
     return rectangle(np.linspace(0.0, length, nx + 1), np.linspace(0.0, width, ny + 1), nodes)
 
 
+def disc(n: int, rings: int, radius: float, core: float) -> Mesh:
+    """A square core of n x n quads of nine nodes, and rings of 4 n quads up to the circle."""
+    places: dict[tuple[float, float], int] = {}
+    quads: list[list[int]] = []
+
+    def number(point: Array) -> int:
+        return places.setdefault((round(point[0], 9), round(point[1], 9)), len(places))
+
+    def block(at: object, across: int, along: int) -> None:
+        lines = [
+            [number(at(i / (2 * across), j / (2 * along))) for j in range(2 * along + 1)]
+            for i in range(2 * across + 1)
+        ]
+        for i in range(across):
+            for j in range(along):
+                quads.append([lines[2 * i + a][2 * j + b] for a, b in GRID])
+
+    block(lambda s, t: core * np.array([s - 0.5, t - 0.5]), n, n)
+    for quarter in range(4):
+        turn = np.linalg.matrix_power(np.array([[0, -1], [1, 0]]), quarter)
+
+        def between(s: float, t: float, turn: Array = turn) -> Array:
+            angle = 0.5 * np.pi * (t - 0.5)
+            outer = radius * np.array([np.cos(angle), np.sin(angle)])
+            return turn @ ((1.0 - s) * core * np.array([0.5, t - 0.5]) + s * outer)
+
+        block(between, rings, n)
+    return Mesh(np.array(list(places)), np.array(quads))
+
+
 def distorted(mesh: Mesh, shift: float, seed: int = 1) -> Mesh:
     """Shift every node inside by up to `shift` in x and y, mid-sides and centres too."""
     random = np.random.default_rng(seed)

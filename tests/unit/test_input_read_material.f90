@@ -3,7 +3,6 @@ program test_input_read_material
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_input_read_model, only : read_model
-   use plydyn_model_material, only : law_plastic_kinematic
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -35,27 +34,6 @@ program test_input_read_material
    call check(model%materials(1)%title == "steel", "title")
    call read_with("*MAT_001|5,7.8e-9,2.6e5,0.5|")
    call check_error(error, "PR cannot be 0.5", "an incompressible material")
-
-   call begin("read_mat_plastic_kinematic")
-   call read_with("*MAT_PLASTIC_KINEMATIC_TITLE|steel|5,7.8e-9,2.6e5,0.3,300.,1.0e3,0.25|40.,5.|")
-   call check(.not. allocated(error), "is read")
-   associate (material => model%materials(1))
-      call check(material%law == law_plastic_kinematic, "law")
-      call check(material%shear, spread(1.0e5_wp, 1, 3), 1.0e-9_wp, "G = E/2(1 + nu)")
-      call check([material%plasticity%yield, material%plasticity%tangent], [300.0_wp, 1.0e3_wp], &
-         & 0.0_wp, "yield stress and slope beyond")
-      call check([material%plasticity%isotropic, material%plasticity%rate, &
-         & material%plasticity%power], [0.25_wp, 40.0_wp, 5.0_wp], 0.0_wp, "share, rate, power")
-   end associate
-   call read_with("*MAT_003|5,7.8e-9,2.6e5,0.3,300.|")
-   call check(.not. allocated(error), "perfect plasticity is one card")
-   call check(model%materials(1)%plasticity%rate, 0.0_wp, 0.0_wp, "without effect of the rate")
-   call read_with("*MAT_003|5,7.8e-9,2.6e5,0.3,300.,2.6e5|")
-   call check_error(error, "ETAN cannot be 260000", "a slope of Young's modulus")
-   call read_with("*MAT_003|5,7.8e-9,2.6e5,0.3,300.|40.,|")
-   call check_error(error, "SRP is missing", "a rate without power")
-   call read_with("*MAT_003|5,7.8e-9,2.6e5,0.3,0.|")
-   call check_error(error, "SIGY cannot be 0", "no yield stress")
 
    call begin("read_mat_orthotropic_elastic")
    call read_with("*MAT_ORTHOTROPIC_ELASTIC|5,1.6e-9,1.4e5,1.0e4,7.0e3,0.02,0.01,0.3|" &

@@ -16,43 +16,13 @@ from scipy.optimize import minimize_scalar
 
 from decks import Deck, Ply, ramp
 from elasticity import STEEL, Array
-from meshes import GRID, Mesh, regular
+from meshes import Mesh, disc, regular
 from runs import Table, run
 
 RADIUS, CORE = 50.0, 40.0
 SIDE = 100.0
 YOUNG, POISSON, DENSITY = STEEL.young[0], STEEL.poisson[0], STEEL.density
 PRESSURE = 1.0
-
-
-def disc(n: int, rings: int) -> Mesh:
-    """A square of n x n quads of nine nodes, and rings of 4 n quads up to the circle."""
-    places: dict[tuple[float, float], int] = {}
-    quads: list[list[int]] = []
-
-    def number(point: Array) -> int:
-        return places.setdefault((round(point[0], 9), round(point[1], 9)), len(places))
-
-    def block(at: object, across: int, along: int) -> None:
-        lines = [
-            [number(at(i / (2 * across), j / (2 * along))) for j in range(2 * along + 1)]
-            for i in range(2 * across + 1)
-        ]
-        for i in range(across):
-            for j in range(along):
-                quads.append([lines[2 * i + a][2 * j + b] for a, b in GRID])
-
-    block(lambda s, t: CORE * np.array([s - 0.5, t - 0.5]), n, n)
-    for quarter in range(4):
-        turn = np.linalg.matrix_power(np.array([[0, -1], [1, 0]]), quarter)
-
-        def between(s: float, t: float, turn: Array = turn) -> Array:
-            angle = 0.5 * np.pi * (t - 0.5)
-            outer = RADIUS * np.array([np.cos(angle), np.sin(angle)])
-            return turn @ ((1.0 - s) * CORE * np.array([0.5, t - 0.5]) + s * outer)
-
-        block(between, rings, n)
-    return Mesh(np.array(list(places)), np.array(quads))
 
 
 def rim(mesh: Mesh) -> Array:
@@ -73,7 +43,7 @@ def deflection(table: Table, node: int) -> Array:
 def test_disc_under_pressure(tmp_path: Path) -> None:
     """A damped disc comes to rest at the deflection of plate theory; the rim carries the load."""
     thickness = 4.0
-    mesh = disc(6, 4)
+    mesh = disc(6, 4, RADIUS, CORE)
     omega = 10.216 * np.sqrt(rigidity(thickness) / (DENSITY * thickness)) / RADIUS**2
     period = 2.0 * np.pi / omega
     deck = Deck("disc under pressure", 6.0 * period)
@@ -117,7 +87,7 @@ def first_frequency(mesh: Mesh, edge: Array, shape: Array, guess: float, folder:
 
 def test_first_frequency_of_a_disc(tmp_path: Path) -> None:
     """10.216 of plate theory."""
-    mesh = disc(6, 4)
+    mesh = disc(6, 4, RADIUS, CORE)
     theory = 10.216 * np.sqrt(rigidity(2.0) / (DENSITY * 2.0)) / RADIUS**2
     shape = np.maximum(1.0 - (mesh.points**2).sum(axis=1) / RADIUS**2, 0.0) ** 2
     found = first_frequency(mesh, rim(mesh), shape, theory, tmp_path)

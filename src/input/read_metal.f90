@@ -1,0 +1,314 @@
+!> Readers of metals, and of the tables that they refer to.
+module plydyn_input_read_metal
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
+   use plydyn_input_catalogue, only : a_curve, a_material, a_table, catalogue_type, table_type
+   use plydyn_input_declare_metal, only : card_points
+   use plydyn_input_read_material, only : begin_material, read_isotropic
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_material, only : law_plastic_curve, law_plastic_johnson_cook, &
+      & law_plastic_kinematic, material_type, plasticity_type
+   implicit none
+   private
+
+   public :: read_define_table, read_define_table_2d, read_mat_piecewise_linear_plasticity, &
+      & read_mat_plastic_kinematic, read_mat_simplified_johnson_cook
+
+   !> Between the values of VP
+   real(wp), parameter :: half = 0.5_wp
+
+contains
+
+   !> *MAT_PLASTIC_KINEMATIC: a metal with linear hardening
+   subroutine read_mat_plastic_kinematic(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      call read_isotropic(cards, catalogue, material)
+      material%law = law_plastic_kinematic
+      associate (plasticity => material%plasticity)
+         plasticity%yield = cards%real("SIGY")
+         plasticity%tangent = cards%real("ETAN")
+         plasticity%isotropic = cards%real("BETA")
+         plasticity%rate = cards%real("SRC")
+         plasticity%power = cards%real("SRP")
+         call check_tangent(cards, material, catalogue)
+         call check_power(cards, "SRP", "SRC", plasticity, catalogue)
+      end associate
+      materials = [materials, material]
+   end subroutine read_mat_plastic_kinematic
+
+   !> *MAT_SIMPLIFIED_JOHNSON_COOK: a metal that hardens by a power and the logarithm of the rate
+   subroutine read_mat_simplified_johnson_cook(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      call read_isotropic(cards, catalogue, material)
+      material%law = law_plastic_johnson_cook
+      associate (plasticity => material%plasticity)
+         plasticity%yield = cards%real("A")
+         plasticity%factor = cards%real("B")
+         if (plasticity%factor > 0.0_wp) then
+            plasticity%exponent = cards%real("N")
+            if (plasticity%exponent <= 0.0_wp) call catalogue%refuse(cards, "N", "N is missing", &
+               & "the power of plastic strain, above 0, or B 0 for no hardening")
+         end if
+         plasticity%sensitivity = cards%real("C")
+         plasticity%reference_rate = cards%real("EPSO")
+         if (plasticity%sensitivity > 0.0_wp) call check_formulation(cards, "C", catalogue)
+      end associate
+      materials = [materials, material]
+   end subroutine read_mat_simplified_johnson_cook
+
+   !> *MAT_PIECEWISE_LINEAR_PLASTICITY: a metal with a yield stress by points, curve or table
+   subroutine read_mat_piecewise_linear_plasticity(cards, catalogue, curves, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Curves of the model
+      type(curve_type), intent(in) :: curves(:)
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      call read_isotropic(cards, catalogue, material)
+      material%law = law_plastic_curve
+      associate (plasticity => material%plasticity)
+         plasticity%yield = cards%real("SIGY")
+         plasticity%tangent = cards%real("ETAN")
+         plasticity%rate = cards%real("C")
+         plasticity%power = cards%real("P")
+         call check_power(cards, "P", "C", plasticity, catalogue)
+         if (plasticity%rate > 0.0_wp) then
+            call check_formulation(cards, "C", catalogue)
+            call check_yield(cards, plasticity%yield, catalogue)
+         end if
+      end associate
+      if (cards%integer("LCSS") > 0) then
+         call read_yield_curves(cards, curves, catalogue, material%plasticity)
+      else if (cards%has("ES1")) then
+         call read_points(cards, catalogue, material%plasticity)
+      else
+         call check_yield(cards, material%plasticity%yield, catalogue)
+         call check_tangent(cards, material, catalogue)
+         call take_straight_line(material)
+      end if
+      materials = [materials, material]
+   end subroutine read_mat_piecewise_linear_plasticity
+
+   !> The curve of LCSS, or the curves of its table
+   subroutine read_yield_curves(cards, curves, catalogue, plasticity)
+      type(cards_type), intent(in) :: cards
+      type(curve_type), intent(in) :: curves(:)
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets its curves
+      type(plasticity_type), intent(inout) :: plasticity
+
+      integer, allocatable :: used(:)
+      integer :: i, place
+
+      call catalogue%registers(a_table)%sort()
+      place = catalogue%registers(a_table)%index_of(cards%integer("LCSS"))
+      if (place > 0) then
+         call catalogue%registers(a_table)%mark(place)
+         plasticity%rates = catalogue%tables(place)%value
+         used = catalogue%tables(place)%curve
+         plasticity%logarithmic = plasticity%rates(1) < 0.0_wp
+         if (plasticity%logarithmic) plasticity%rates = exp(plasticity%rates)
+         call check_formulation(cards, "LCSS", catalogue)
+      else
+         allocate (used(1))
+         call catalogue%find(a_curve, cards, "LCSS", used(1))
+         plasticity%rates = [0.0_wp]
+      end if
+      if (any(used == 0)) return
+      plasticity%curves = curves(used)
+      do i = 1, size(used)
+         call check_curve(cards, "LCSS", curves(used(i)), catalogue)
+      end do
+   end subroutine read_yield_curves
+
+   !> The points EPS, ES up to the last whose strain is not 0
+   subroutine read_points(cards, catalogue, plasticity)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets its curve
+      type(plasticity_type), intent(inout) :: plasticity
+
+      type(curve_type) :: curve
+      integer :: i, last
+
+      last = 1
+      do i = 2, card_points
+         if (cards%real("EPS"//text(i)) > 0.0_wp) last = i
+      end do
+      curve%x = [(cards%real("EPS"//text(i)), i=1, last)]
+      curve%y = [(cards%real("ES"//text(i)), i=1, last)]
+      plasticity%curves = [curve]
+      plasticity%rates = [0.0_wp]
+      do i = 2, last
+         if (curve%x(i) > curve%x(i - 1)) cycle
+         call catalogue%refuse(cards, "EPS"//text(i), "the plastic strain does not increase", &
+            & "more than the "//number_words(curve%x(i - 1))//" of the point before")
+         return
+      end do
+      call check_curve(cards, "EPS1", curve, catalogue)
+   end subroutine read_points
+
+   !> A yield stress that rises in proportion to plastic strain
+   pure subroutine take_straight_line(material)
+      !> Gets its curve from SIGY and ETAN
+      type(material_type), intent(inout) :: material
+
+      type(curve_type) :: curve
+      real(wp) :: modulus
+
+      associate (plasticity => material%plasticity, young => material%young(1))
+         modulus = young*plasticity%tangent/(young - min(plasticity%tangent, half*young))
+         curve%x = [0.0_wp, 1.0_wp]
+         curve%y = plasticity%yield + modulus*curve%x
+         plasticity%curves = [curve]
+         plasticity%rates = [0.0_wp]
+      end associate
+   end subroutine take_straight_line
+
+   !> *DEFINE_TABLE: values whose curves follow in the deck
+   subroutine read_define_table(cards, catalogue, curves)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Curves of the deck, all defined by now
+      integer, intent(in) :: curves
+
+      type(table_type) :: table
+      integer :: first, i, wanted
+
+      wanted = cards%sets()
+      allocate (table%curve(wanted), source=0)
+      associate (register => catalogue%registers(a_curve))
+         first = 1
+         if (curves > 0) first = count(register%line(:curves) < cards%line) + 1
+         do i = 1, min(wanted, curves - first + 1)
+            table%curve(i) = first + i - 1
+            call register%mark(table%curve(i))
+         end do
+      end associate
+      if (any(table%curve == 0)) then
+         call catalogue%refuse(cards, "TBID", "the table has "//text(wanted)//" values, but " &
+            & //text(count(table%curve > 0))//" curves follow it", &
+            & "a *DEFINE_CURVE behind the table for each of its values")
+      end if
+      call add_table(cards, table, catalogue)
+   end subroutine read_define_table
+
+   !> *DEFINE_TABLE_2D: values and their curves
+   subroutine read_define_table_2d(cards, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(table_type) :: table
+      integer :: i
+
+      allocate (table%curve(cards%sets()))
+      do i = 1, size(table%curve)
+         call catalogue%find(a_curve, cards, "CURVEID", table%curve(i), i)
+      end do
+      call add_table(cards, table, catalogue)
+   end subroutine read_define_table_2d
+
+   !> Number and values of a table
+   subroutine add_table(cards, table, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> The table without values
+      type(table_type), intent(inout) :: table
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      call catalogue%define(a_table, cards, "TBID")
+      table%value = cards%real("SFA")*([(cards%real("VALUE", i), i=1, cards%sets())] &
+         & + cards%real("OFFA"))
+      do i = 2, size(table%value)
+         if (table%value(i) > table%value(i - 1)) cycle
+         call catalogue%refuse(cards, "VALUE", "the value does not increase", &
+            & "more than the "//number_words(table%value(i - 1))//" of the line before", i)
+      end do
+      catalogue%tables = [catalogue%tables, table]
+   end subroutine add_table
+
+   !> A yield curve starts at no plastic strain and is positive
+   subroutine check_curve(cards, name, curve, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Field that gives the curve
+      character(*), intent(in) :: name
+      type(curve_type), intent(in) :: curve
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (abs(curve%x(1)) > 0.0_wp) then
+         call catalogue%refuse(cards, name, "the yield stress starts at the plastic strain " &
+            & //number_words(curve%x(1)), "a first point at plastic strain 0")
+      else if (any(curve%y <= 0.0_wp)) then
+         call catalogue%refuse(cards, name, "the yield stress is " &
+            & //number_words(minval(curve%y))//" somewhere", "a yield stress above 0 everywhere")
+      end if
+   end subroutine check_curve
+
+   !> SIGY where it is needed
+   subroutine check_yield(cards, yield, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> SIGY
+      real(wp), intent(in) :: yield
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (yield > 0.0_wp) return
+      call catalogue%refuse(cards, "SIGY", "SIGY is missing", &
+         & "the yield stress, above 0, or points or a curve, and C 0")
+   end subroutine check_yield
+
+   !> The slope beyond yield is below that before
+   subroutine check_tangent(cards, material, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(material_type), intent(in) :: material
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (material%plasticity%tangent < material%young(1)) return
+      call catalogue%refuse(cards, "ETAN", "ETAN cannot be " &
+         & //number_words(material%plasticity%tangent), "a slope below Young's modulus E")
+   end subroutine check_tangent
+
+   !> A rate has a power
+   subroutine check_power(cards, name, rate, plasticity, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Fields of the power and of the rate
+      character(*), intent(in) :: name, rate
+      type(plasticity_type), intent(in) :: plasticity
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (plasticity%rate <= 0.0_wp .or. plasticity%power > 0.0_wp) return
+      call catalogue%refuse(cards, name, name//" is missing", &
+         & "the power of the rise with the rate, above 0, or "//rate &
+         & //" 0 for no effect of the rate")
+   end subroutine check_power
+
+   !> The rate that matters is that of effective plastic strain
+   subroutine check_formulation(cards, name, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Field that makes the rate matter
+      character(*), intent(in) :: name
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (cards%real("VP") > half) return
+      call catalogue%refuse(cards, "VP", "VP is not 1, and "//name//" makes the rate matter", &
+         & "VP 1: the rate of effective plastic strain, not that of strain")
+   end subroutine check_formulation
+
+end module plydyn_input_read_metal

@@ -1,0 +1,257 @@
+!> Plasticity with a tabulated yield stress: *MAT_PIECEWISE_LINEAR_PLASTICITY.
+!>
+!> A lane has one curve of yield stress over effective plastic strain, or one for each of some
+!> rates. Between points and between rates the yield stress is linear (between rates, on request,
+!> in the logarithm of the rate). Past its last point a curve goes on as it ended, but not down;
+!> outside the rates given, the nearest curve holds.
+module plydyn_law_plastic_curve
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_cowper_symonds, only : cowper_symonds_type
+   use plydyn_law_plastic, only : plastic_type
+   use plydyn_law_yield_curve, only : common_strains, stress_at, yield_curve_type
+   implicit none
+   private
+
+   !> Strain where a lane has no more segments
+   real(wp), parameter :: never = huge(1.0_wp)
+   !> Least rate of which a logarithm is taken
+   real(wp), parameter :: least_rate = 1.0e-290_wp
+
+   !> Curves of the lanes, as straight segments, and the way from curve to curve
+   type, public, extends(plastic_type) :: plastic_curve_type
+      !> Effective plastic strain where a segment starts, (lanes, segments)
+      real(wp), allocatable :: start(:, :)
+      !> Yield stress of the segment's line at no strain, (lanes, segments, curves)
+      real(wp), allocatable :: offset(:, :, :)
+      !> Rise of the yield stress along it, (lanes, segments, curves)
+      real(wp), allocatable :: slope(:, :, :)
+      !> Rate of the curve before, or its logarithm, (lanes, curves)
+      real(wp), allocatable :: from(:, :)
+      !> One over the distance from there; 0 where there is nothing to go to, (lanes, curves)
+      real(wp), allocatable :: per(:, :)
+      !> Lanes in which the logarithm of the rate counts
+      logical :: logarithmic(lanes) = .false.
+      !> Rise with the rate, besides
+      type(cowper_symonds_type) :: rate
+   contains
+      procedure :: set_lane
+      procedure :: set_rate
+      procedure :: yield_stress
+   end type plastic_curve_type
+
+contains
+
+   !> Give a lane to this law
+   pure subroutine set_lane(self, lane, young, poisson, curves, logarithmic)
+      class(plastic_curve_type), intent(inout) :: self
+      !> Place in the batch
+      integer, intent(in) :: lane
+      !> Young's modulus
+      real(wp), intent(in) :: young
+      !> Poisson's ratio
+      real(wp), intent(in) :: poisson
+      !> Curves that can be, by rising rate; one alone holds at all rates
+      type(yield_curve_type), intent(in) :: curves(:)
+      !> Whether the logarithm of the rate counts between curves; all rates are positive then
+      logical, intent(in), optional :: logarithmic
+
+      real(wp), allocatable :: strain(:)
+      real(wp) :: lowest, pace(size(curves))
+      integer :: c, last
+
+      strain = common_strains(curves)
+      last = size(strain)
+      call reserve(self, last, size(curves))
+      self%start(lane, :) = never
+      self%start(lane, :last) = strain
+      lowest = never
+      do c = 1, size(curves)
+         call cut(curves(c), strain, self%offset(lane, :last, c), self%slope(lane, :last, c))
+         lowest = min(lowest, minval(curves(c)%stress))
+      end do
+      call self%own_lane(lane, young, poisson, onset=lowest)
+
+      pace(:) = curves%rate
+      self%logarithmic(lane) = .false.
+      if (present(logarithmic)) self%logarithmic(lane) = logarithmic
+      if (self%logarithmic(lane)) pace(:) = log(pace)
+      self%per(lane, :) = 0.0_wp
+      do c = 2, size(curves)
+         self%from(lane, c) = pace(c - 1)
+         self%per(lane, c) = 1.0_wp/(pace(c) - pace(c - 1))
+      end do
+   end subroutine set_lane
+
+   !> Let the yield stress of a lane rise with the rate, beyond what its curves say
+   pure subroutine set_rate(self, lane, reference, power, basis)
+      class(plastic_curve_type), intent(inout) :: self
+      !> Place in the batch
+      integer, intent(in) :: lane
+      !> Rate at which the rise is one (C), positive
+      real(wp), intent(in) :: reference
+      !> Power of the rise (P), positive
+      real(wp), intent(in) :: power
+      !> Stress that rises (SIGY where VP = 1); without it the whole static yield stress does
+      real(wp), intent(in), optional :: basis
+
+      call self%rate%set_lane(lane, reference, power, basis)
+   end subroutine set_rate
+
+   !> Make room for segments and curves; what is there stays
+   pure subroutine reserve(self, segments, curves)
+      class(plastic_curve_type), intent(inout) :: self
+      !> Segments and curves that a lane needs
+      integer, intent(in) :: segments, curves
+
+      type(plastic_curve_type) :: old
+      integer :: room(2)
+
+      room(:) = [segments, curves]
+      if (allocated(self%slope)) then
+         old = self
+         room(:) = max(room, [size(old%slope, 2), size(old%slope, 3)])
+         deallocate (self%start, self%offset, self%slope, self%from, self%per)
+      end if
+      allocate (self%start(lanes, room(1)), source=never)
+      allocate (self%offset(lanes, room(1), room(2)), source=1.0_wp)
+      allocate (self%slope(lanes, room(1), room(2)), source=0.0_wp)
+      allocate (self%from(lanes, room(2)), self%per(lanes, room(2)), source=0.0_wp)
+      if (.not. allocated(old%slope)) return
+      room(:) = [size(old%slope, 2), size(old%slope, 3)]
+      self%start(:, :room(1)) = old%start
+      self%offset(:, :room(1), :room(2)) = old%offset
+      self%slope(:, :room(1), :room(2)) = old%slope
+      self%from(:, :room(2)) = old%from
+      self%per(:, :room(2)) = old%per
+   end subroutine reserve
+
+   !> Cut a curve at strains among which are all of its own
+   pure subroutine cut(curve, strain, offset, slope)
+      !> Curve to cut
+      type(yield_curve_type), intent(in) :: curve
+      !> Where segments start
+      real(wp), intent(in) :: strain(:)
+      !> Yield stress of the segments at no strain
+      real(wp), intent(out) :: offset(:)
+      !> Rise along them
+      real(wp), intent(out) :: slope(:)
+
+      real(wp) :: stress(size(strain) + 1), until(size(strain) + 1)
+      integer :: last
+
+      last = size(strain)
+      until(:) = [strain, strain(last) + 1.0_wp]
+      stress(:) = stress_at(curve, until)
+      slope(:) = (stress(2:) - stress(:last))/(until(2:) - strain)
+      offset(:) = stress(:last) - slope*strain
+   end subroutine cut
+
+   !> Yield stress and its slopes
+   pure subroutine yield_stress(self, strain, rate, yield, hardening, viscosity)
+      class(plastic_curve_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes)
+      real(wp), intent(in) :: rate(lanes)
+      real(wp), intent(out) :: yield(lanes)
+      real(wp), intent(out) :: hardening(lanes)
+      real(wp), intent(out) :: viscosity(lanes)
+
+      call look_up(size(self%slope, 2), self%start, self%offset(:, :, 1), self%slope(:, :, 1), &
+         & strain, yield, hardening)
+      viscosity(:) = 0.0_wp
+      if (size(self%slope, 3) > 1) then
+         call climb(self, strain, rate, yield, hardening, viscosity)
+      end if
+      if (self%rate%acts) call self%rate%raise(rate, yield, hardening, viscosity)
+   end subroutine yield_stress
+
+   !> Yield stress and hardening of one curve
+   pure subroutine look_up(segments, start, offset, slope, strain, yield, hardening)
+      !> Number of segments
+      integer, intent(in) :: segments
+      !> Effective plastic strain where they start
+      real(wp), intent(in) :: start(lanes, segments)
+      !> Yield stress of their lines at no strain, and rise along them
+      real(wp), intent(in) :: offset(lanes, segments), slope(lanes, segments)
+      !> Effective plastic strain
+      real(wp), intent(in) :: strain(lanes)
+      !> Yield stress, and its derivative by effective plastic strain
+      real(wp), intent(out) :: yield(lanes), hardening(lanes)
+
+      real(wp) :: at_none(lanes)
+      integer :: k, l
+
+      at_none(:) = offset(:, 1)
+      hardening(:) = slope(:, 1)
+      do k = 2, segments
+         !$omp simd
+         do l = 1, lanes
+            at_none(l) = merge(offset(l, k), at_none(l), start(l, k) <= strain(l))
+            hardening(l) = merge(slope(l, k), hardening(l), start(l, k) <= strain(l))
+         end do
+      end do
+      do l = 1, lanes
+         yield(l) = at_none(l) + hardening(l)*strain(l)
+      end do
+   end subroutine look_up
+
+   !> Go from the first curve towards those of higher rates, as far as the rate has gone
+   pure subroutine climb(self, strain, rate, yield, hardening, viscosity)
+      class(plastic_curve_type), intent(in) :: self
+      !> Effective plastic strain
+      real(wp), intent(in) :: strain(lanes)
+      !> Its rate
+      real(wp), intent(in) :: rate(lanes)
+      !> Yield stress, and its derivative by effective plastic strain: of the first curve in
+      real(wp), intent(inout) :: yield(lanes), hardening(lanes)
+      !> Derivative of the yield stress by the rate
+      real(wp), intent(out) :: viscosity(lanes)
+
+      real(wp) :: above(lanes), below(lanes), flatter(lanes), pace(lanes), steeper(lanes)
+      real(wp) :: steep(lanes)
+      integer :: c
+
+      pace(:) = rate
+      steep(:) = 1.0_wp
+      if (any(self%logarithmic)) then
+         pace(:) = merge(log(max(rate, least_rate)), rate, self%logarithmic)
+         steep(:) = merge(1.0_wp/max(rate, least_rate), 1.0_wp, self%logarithmic)
+      end if
+      viscosity(:) = 0.0_wp
+      below(:) = yield
+      flatter(:) = hardening
+      do c = 2, size(self%slope, 3)
+         call look_up(size(self%slope, 2), self%start, self%offset(:, :, c), &
+            & self%slope(:, :, c), strain, above, steeper)
+         call go(self%from(:, c), self%per(:, c), pace, above - below, steeper - flatter, yield, &
+            & hardening, viscosity)
+         below(:) = above
+         flatter(:) = steeper
+      end do
+      viscosity(:) = steep*viscosity
+   end subroutine climb
+
+   !> Add the way from one curve to the next, as much of it as lies below the rate
+   pure subroutine go(from, per, pace, rise, steepening, yield, hardening, viscosity)
+      !> Where the way starts, and one over its length
+      real(wp), intent(in) :: from(lanes), per(lanes)
+      !> Rate, or its logarithm
+      real(wp), intent(in) :: pace(lanes)
+      !> Yield stress and hardening that the whole way brings
+      real(wp), intent(in) :: rise(lanes), steepening(lanes)
+      !> Sums of yield stress, hardening, and derivative by the rate or its logarithm
+      real(wp), intent(inout) :: yield(lanes), hardening(lanes), viscosity(lanes)
+
+      real(wp) :: share
+      integer :: l
+
+      do l = 1, lanes
+         share = (pace(l) - from(l))*per(l)
+         viscosity(l) = viscosity(l) &
+            & + merge(rise(l)*per(l), 0.0_wp, share >= 0.0_wp .and. share < 1.0_wp)
+         share = min(max(share, 0.0_wp), 1.0_wp)
+         yield(l) = yield(l) + share*rise(l)
+         hardening(l) = hardening(l) + share*steepening(l)
+      end do
+   end subroutine go
+
+end module plydyn_law_plastic_curve
