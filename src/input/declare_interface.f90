@@ -11,11 +11,13 @@ contains
 
    !> Keywords of what lies between plies
    function interface_keywords() result(keywords)
-      type(keyword_type) :: keywords(3)
+      type(keyword_type) :: keywords(5)
 
       keywords(1) = interface_cohesive()
       keywords(2) = mat_cohesive_elastic()
       keywords(3) = mat_cohesive_mixed_mode()
+      keywords(4) = initial_delamination()
+      keywords(5) = initial_damage()
    end function interface_keywords
 
    !> What joins two plies
@@ -92,6 +94,57 @@ contains
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_unused("GAMMA", neutral=[0.0_wp, 1.0_wp])
    end function mat_cohesive_mixed_mode
+
+   !> Interfaces that are open from the start
+   function initial_delamination() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("INITIAL_DELAMINATION", ours, &
+         & "Interfaces that have failed before the run begins.", repeated=.true.)
+      keyword%remark = "The interfaces need a material that fails, as their faces still push and " &
+         & //"rub. The area counts as failed; its toughness is not in the energies."
+      call keyword%add_card()
+      call add_interface_place(keyword)
+      call add_circle(keyword)
+   end function initial_delamination
+
+   !> Interfaces that are damaged from the start
+   function initial_damage() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("INITIAL_DAMAGE", ours, &
+         & "Interfaces that are damaged before the run begins.", repeated=.true.)
+      keyword%remark = "The damage is that of the law: with DAMAGE d the interface has 1 - d of " &
+         & //"its stiffness, and takes what is left of its toughness. Of two values for one " &
+         & //"point the larger counts."
+      call keyword%add_card()
+      call add_interface_place(keyword)
+      call keyword%add_real("DAMAGE", "-", "damage, above 0 and up to 1", above=0.0_wp, &
+         & most=1.0_wp)
+      call add_circle(keyword)
+   end function initial_damage
+
+   !> Part, interfaces and elements
+   subroutine add_interface_place(keyword)
+      !> The keyword
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_integer("PID", "part", least=1)
+      call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)
+      call keyword%add_integer("IFAC2", "last interface", least=0)
+      call keyword%add_integer("SSID", "set of elements; 0 for all of the part", default=0, least=0)
+   end subroutine add_interface_place
+
+   !> Circle that bounds what is broken
+   subroutine add_circle(keyword)
+      !> The keyword
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_real("X", "length", "x of the centre of a circle", default=0.0_wp)
+      call keyword%add_real("Y", "length", "y of the centre of a circle", default=0.0_wp)
+      call keyword%add_real("R", "length", "only points within this distance of the centre; 0 " &
+         & //"for whole elements", default=0.0_wp, least=0.0_wp)
+   end subroutine add_circle
 
    !> Number and density of an interface material
    subroutine add_cohesive_head(keyword)

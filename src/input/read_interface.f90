@@ -15,8 +15,8 @@ module plydyn_input_read_interface
    implicit none
    private
 
-   public :: read_database_delam, read_interface_cohesive, read_mat_cohesive_elastic, &
-      & read_mat_cohesive_mixed_mode
+   public :: find_interfaces, read_database_delam, read_interface_cohesive, &
+      & read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
 
    !> Share by which a strength may differ from what the ultimate displacement gives
    real(wp), parameter :: same_strength = 1.0e-3_wp

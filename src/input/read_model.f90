@@ -13,6 +13,7 @@ module plydyn_input_read_model
    use plydyn_input_read_impact, only : read_contact_impactor, read_database_field, &
       & read_database_history_node, read_database_history_node_set, read_database_profile, &
       & read_impactor_sphere
+   use plydyn_input_read_initial, only : read_initial_damage
    use plydyn_input_read_interface, only : read_database_delam, read_interface_cohesive, &
       & read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
@@ -255,6 +256,8 @@ contains
          call read_boundary_spc_set(cards, catalogue, model%holds)
       case ("BOUNDARY_FACE")
          call read_boundary_face(cards, catalogue, model%holds)
+      case ("INITIAL_DELAMINATION", "INITIAL_DAMAGE")
+         call read_initial_damage(cards, catalogue, model)
       case ("INITIAL_VELOCITY")
          call read_initial_velocity(cards, catalogue, size(model%mesh%node_id), &
             & model%initial_velocities)
@@ -351,6 +354,7 @@ contains
       model%mesh = new_mesh()
       allocate (model%parts(0), model%materials(0), model%interface_materials(0))
       allocate (model%curves(0), model%holds(0), model%motions(0), model%initial_velocities(0))
+      allocate (model%initial_damages(0))
       allocate (model%point_loads(0), model%line_loads(0), model%pressures(0), model%body_loads(0))
       allocate (model%impactors(0), model%contacts(0))
       allocate (model%request%fields(0), model%request%nodes(0), model%request%profiles(0))

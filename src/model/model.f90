@@ -3,6 +3,7 @@ module plydyn_model_model
    use plydyn_model_control, only : control_type, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layup, only : part_type
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
    use plydyn_model_material, only : interface_material_type, material_type
@@ -31,6 +32,8 @@ module plydyn_model_model
       type(motion_type), allocatable :: motions(:)
       !> Velocities at time zero; a later one overrides an earlier one
       type(initial_velocity_type), allocatable :: initial_velocities(:)
+      !> Damage of interfaces at time zero; of two on one point the larger counts
+      type(initial_damage_type), allocatable :: initial_damages(:)
       !> Forces at nodes
       type(point_load_type), allocatable :: point_loads(:)
       !> Forces along lines

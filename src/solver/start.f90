@@ -2,6 +2,7 @@
 module plydyn_solver_start
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
    use plydyn_solver_supports, only : support_points
    use plydyn_state_state, only : state_type
@@ -30,6 +31,7 @@ contains
       state%acceleration(:) = 0.0_wp
       allocate (state%history(domain%histories))
       state%history(:) = 0.0_wp
+      call set_initial_damage(model, domain, state%history)
       allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
       state%load_factor(:) = 0.0_wp
       state%support_force(:) = 0.0_wp

@@ -43,6 +43,7 @@ class Motion:
     nodes: int = 9
     nodal: bool = False
     linear: bool = True
+    start: float = 0.0  # damage at time zero
 
 
 def moved(bond: Bond, motion: Motion, folder: Path) -> Results:
@@ -53,13 +54,17 @@ def moved(bond: Bond, motion: Motion, folder: Path) -> Results:
     deck.mesh(mesh)
     deck.laminate([Ply(STIFF, HEIGHT)] * 2, 1)
     deck.cohesive(bond, nodal=motion.nodal)
+    if motion.start == 1.0:
+        deck.add("INITIAL_DELAMINATION", (1, 0, 0))
+    elif motion.start > 0.0:
+        deck.add("INITIAL_DAMAGE", (1, 0, 0, 0, motion.start))
     everywhere = range(len(mesh.points))
     deck.hold_face(everywhere, BOTTOM, "xyz")
     opening, sliding = np.array([(0.0, 0.0), *motion.legs]).T
     for axis, way in enumerate((sliding * np.cos(TURN), sliding * np.sin(TURN), opening)):
         card = (deck.node_set(everywhere), TOP, axis + 1, 0, deck.curve(smooth(way)), 1.0)
         deck.add("BOUNDARY_FACE_MOTION", card)
-    deck.profile(1, 0.4 * SIDE, 0.6 * SIDE, DURATION / STATES, 2)
+    deck.profile(1, 0.5 * SIDE, 0.5 * SIDE, DURATION / STATES, 2)
     deck.intervals(glstat=DURATION / STATES, binary_d3plot=DURATION)
     return run(deck, folder)
 
@@ -150,3 +155,51 @@ def test_histories_and_listing_tell_the_delamination(tmp_path: Path) -> None:
         assert history[name][0] == 0.0
         assert history[name][-1] == pytest.approx(AREA, rel=1e-9)
     assert history["interface 1 energy"][-1] == pytest.approx(0.28 * AREA, rel=1e-9)
+
+
+@pytest.mark.parametrize("start", [0.3, 0.9])
+def test_initial_damage_leaves_the_rest_of_stiffness_and_toughness(
+    start: float, tmp_path: Path
+) -> None:
+    """The path goes on as if an opening with this damage had been there before."""
+    stress, jump = traction(moved(KENANE, Motion(((0.3 * ONSET, 0.0),), start=start), tmp_path))
+    held = (1.0 - start) * KENANE.stiffness[0] * jump[:, 2]
+    assert stress[:, 2] == pytest.approx(held, abs=RINGING)
+    results = moved(KENANE, Motion(((LONG, 0.0),), start=start), tmp_path)
+    largest = ONSET * END / (END - start * (END - ONSET))
+    left = 1.0 - (largest - ONSET) / (END - ONSET)
+    lost = results.table("energy")["delamination"]
+    assert lost[-1] == pytest.approx(left * KENANE.toughness[0] * AREA, rel=1e-9)
+
+
+def test_open_interface_pulls_nothing_and_takes_no_energy(tmp_path: Path) -> None:
+    """All is failed from the start, and is told as failed."""
+    results = moved(KENANE, Motion(((LONG, 0.0),), start=1.0), tmp_path)
+    stress, _ = traction(results)
+    assert np.abs(stress[:, 2]).max() < RINGING
+    assert results.table("energy")["delamination"][-1] == 0.0
+    assert np.all(results.table("delamination")["sum"] == pytest.approx(AREA))
+
+
+@pytest.mark.parametrize("whole", [True, False])
+def test_friction_takes_pressure_times_slip(whole: bool, tmp_path: Path) -> None:
+    """Failed faces are pressed, slid there and back: Coulomb's traction over the way that slips."""
+    bond = replace(KENANE, friction=0.4, whole_penalty=whole)
+    kept = 1.0 if whole else 0.02
+    pressed, slid = -1.0e-3, 0.02
+    legs = ((pressed, 0.0), (pressed, slid), (pressed, -slid))
+    results = moved(bond, Motion(legs, start=1.0), tmp_path)
+    pressure = kept * bond.stiffness[0] * -pressed
+    # sliding first stretches the faces: pressure times friction over the stiffness of sliding
+    stretch = bond.friction * pressure / (kept * bond.stiffness[1])
+    way = (slid - stretch) + (2.0 * slid - 2.0 * stretch)
+    lost = results.table("energy")["friction"]
+    assert lost[-1] == pytest.approx(bond.friction * pressure * way * AREA, rel=2.0 * SOFT)
+    assert np.all(np.diff(lost) >= 0.0)
+    stress, _ = traction(results)
+    rubbing = np.hypot(stress[:, 0], stress[:, 1])
+    # in the middle of plies with free edges
+    assert rubbing.max() == pytest.approx(bond.friction * pressure, rel=0.02)
+    # along the way of the slip, against it
+    assert stress[-1, 1] / stress[-1, 0] == pytest.approx(np.tan(TURN), rel=0.01)
+    assert stress[-1, 0] < 0.0
