@@ -1,7 +1,7 @@
 !> The words on the command line.
 module plydyn_command
    use plydyn_base_error, only : error_type, exit_output, exit_usage, fail
-   use plydyn_base_text, only : lower_case
+   use plydyn_base_text, only : lower_case, text
    implicit none
    private
 
@@ -15,7 +15,7 @@ module plydyn_command
       & //new_line("a") &
       & //"plydyn --keywords [NAME]               pages of the keywords, or of one"//new_line("a") &
       & //"plydyn --version                       version, compiler and flags"//new_line("a") &
-      & //"i=DECK jobid=JOB ncpu=1 are understood in place of DECK and -j JOB"
+      & //"i=DECK jobid=JOB are understood in place of DECK and -j JOB; ncpu=N asks for N threads"
 
    !> What the user asks for
    type, public :: command_type
@@ -27,8 +27,12 @@ module plydyn_command
       character(:), allocatable :: job
       !> Keyword to explain; empty for all
       character(:), allocatable :: keyword
+      !> Threads; 0 where nothing is said
+      integer :: threads = 0
    end type command_type
 
+   !> Most threads that a run may ask for: more are a slip of the pen
+   integer, parameter :: most_threads = 4096
    !> Environment in which launchers say how many ranks there are
    character(*), parameter :: rank_counts(2) = [character(24) :: "OMPI_COMM_WORLD_SIZE", &
       & "PMI_SIZE"]
@@ -109,9 +113,7 @@ contains
          select case (lower_case(word(:equals - 1)))
          case ("i"); command%deck = word(equals + 1:)
          case ("jobid"); command%job = word(equals + 1:)
-         case ("ncpu")
-            if (word(equals + 1:) /= "1") call fail(error, exit_usage, &
-               & "plydyn runs on one core: ncpu=1, not "//word)
+         case ("ncpu"); call read_threads(word, word(equals + 1:), command%threads, error)
          case default
             call fail(error, exit_usage, "'"//word//"' is not understood"//new_line("a")//usage)
          end select
@@ -136,6 +138,25 @@ contains
          end if
       end select
    end subroutine take_word
+
+   !> A number of threads
+   subroutine read_threads(word, value, threads, error)
+      !> The word and what follows its =
+      character(*), intent(in) :: word, value
+      integer, intent(out) :: threads
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: status
+
+      threads = 0
+      status = 1
+      if (len(value) > 0 .and. verify(value, "0123456789") == 0) then
+         read (value, *, iostat=status) threads
+      end if
+      if (status == 0 .and. threads > 0 .and. threads <= most_threads) return
+      call fail(error, exit_usage, "'"//word//"' is not understood: ncpu= takes a number of " &
+         & //"threads from 1 to "//text(most_threads))
+   end subroutine read_threads
 
    !> What must be there, and the name of the job
    subroutine finish(command, folder, error)

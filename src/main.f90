@@ -14,6 +14,7 @@ program plydyn
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run, seconds_per_step
    use plydyn_solver_start, only : new_state
+   use plydyn_solver_threads, only : choose_threads, set_threads
    use plydyn_state_state, only : state_type
    use plydyn_version, only : build_text, version
    implicit none
@@ -57,6 +58,8 @@ contains
       call read_model(command%deck, model, messages, error)
       if (allocated(error)) return
       if (len(messages) > 0) write (output_unit, "(a)") messages
+      model%control%threads = choose_threads(command%threads, model%control%threads)
+      call set_threads(model%control%threads)
       call build_domain(model, domain, error)
       if (allocated(error)) return
       call check_profiles(model%request%profiles, domain, error)

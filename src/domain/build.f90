@@ -3,6 +3,7 @@ module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_domain_chunks, only : new_chunks
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_interfaces, only : new_interfaces
@@ -15,8 +16,8 @@ module plydyn_domain_build
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_domain_supports, only : held_freedoms, new_prescribed
    use plydyn_domain_surfaces, only : new_surface
-   use plydyn_element_interface, only : history_size
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_interface, only : history_size, interface_type
+   use plydyn_element_plate, only : plate_type, quad_histories
    use plydyn_model_control, only : all_explicit, total_lagrangian
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
@@ -143,8 +144,7 @@ contains
       do b = 1, size(plate%batches)
          associate (batch => plate%batches(b))
             batch%first_history = histories + 1
-            histories = histories + lanes*batch%histories*(batch%expansion%order + 1) &
-               & *size(plate%node, 1)*batch%blocks*size(plate%quad)
+            histories = histories + quad_histories(batch, plate%side)*size(plate%quad)
          end associate
       end do
    end subroutine place_histories
@@ -153,6 +153,8 @@ contains
    subroutine build_joints(model, domain)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
+
+      type(interface_type), allocatable :: interfaces(:)
       integer :: k, p
 
       associate (joint => domain%layers%joint)
@@ -163,14 +165,16 @@ contains
             call tie_layers(domain, domain%ties(k))
          end do
          do p = 1, size(domain%plates)
-            domain%interfaces = [domain%interfaces, new_interfaces(model, domain%plates(p), &
-               & domain%columns, joint)]
+            interfaces = new_interfaces(model, domain%plates(p), domain%columns, joint)
+            interfaces%plate = p
+            domain%interfaces = [domain%interfaces, interfaces]
          end do
       end associate
       do k = 1, size(domain%interfaces)
          domain%interfaces(k)%first_history = domain%histories + 1
          domain%histories = domain%histories + history_size(domain%interfaces(k))
       end do
+      call new_chunks(domain)
    end subroutine build_joints
 
    !> Let the top of a layer and the bottom of the next move as one: both get the inverse of the sum

@@ -3,7 +3,11 @@
 !> Above every node of the plane stands a column of points. Every numerical layer owns all of its
 !> points, also those on its faces: two layers that are tied meet in two points with one motion.
 !> So tied faces, open faces and interfaces share one layout. Layers of one order form a family;
-!> its points are stored as (lanes, blocks, levels, 3, nodes), the layers side by side.
+!> its part of a column is stored as (lanes, blocks, levels, 3), the layers side by side, the
+!> families one after the other.
+!>
+!> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_chunks`).
+!> The first chunk adds to the node's own column, the others to columns of their own behind all.
 module plydyn_domain_columns
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -17,20 +21,26 @@ module plydyn_domain_columns
       integer :: order = 0
       !> Batches of layers
       integer :: blocks = 0
-      !> First point in the arrays of motion, first mass in the array of masses
+      !> Its first point in the column of the first node, its first mass there
       integer :: first = 0, first_mass = 0
       !> Layer in each lane, 0 where there is none, (lanes, blocks)
       integer, allocatable :: layer(:, :)
       !> 1 where the top of a lane is tied to the bottom of the next lane, else 0, (lanes*blocks)
       real(wp), allocatable :: tied_above(:)
+      !> Whether any is
+      logical :: is_tied = .false.
    end type family_type
 
    !> All columns; every node has the same
    type, public :: columns_type
       !> Nodes of the plane
       integer :: nodes = 0
+      !> Length of a column in the arrays of motion; a third of it in those of masses
+      integer :: height = 0
       !> Length of the arrays of motion and of masses
       integer :: freedoms = 0, masses = 0
+      !> Length of the array of forces: that of motion and the columns behind
+      integer :: forces = 0
       !> Layers by their order
       type(family_type), allocatable :: families(:)
       !> Family, block and lane of each layer, (3, layers)
@@ -56,8 +66,7 @@ contains
       integer :: f, i, k, p
 
       self%nodes = nodes
-      self%freedoms = 0
-      self%masses = 0
+      self%height = 0
       allocate (self%home(3, size(order)))
       allocate (self%families(count([(any(order == p), p=1, maxval(order))])))
       f = 0
@@ -67,8 +76,8 @@ contains
          associate (family => self%families(f))
             family%order = p
             family%blocks = (count(order == p) + lanes - 1)/lanes
-            family%first = self%freedoms + 1
-            family%first_mass = self%masses + 1
+            family%first = self%height + 1
+            family%first_mass = self%height/3 + 1
             allocate (family%layer(lanes, family%blocks))
             family%layer(:, :) = 0
             family%tied_above = spread(0.0_wp, 1, lanes*family%blocks)
@@ -79,10 +88,12 @@ contains
                family%layer(1 + mod(i, lanes), 1 + i/lanes) = k
                i = i + 1
             end do
-            self%masses = self%masses + lanes*family%blocks*(p + 1)*nodes
-            self%freedoms = 3*self%masses
+            self%height = self%height + 3*lanes*family%blocks*(p + 1)
          end associate
       end do
+      self%freedoms = self%height*nodes
+      self%masses = self%freedoms/3
+      self%forces = self%freedoms
    end function new_columns
 
    !> Tie the top of a layer to the bottom of the next; false if they are not side by side
@@ -95,6 +106,7 @@ contains
 
       side_by_side = self%home(1, layer) == self%home(1, layer + 1)
       if (.not. side_by_side) return
+      self%families(self%home(1, layer))%is_tied = .true.
       self%families(self%home(1, layer))%tied_above(self%home(3, layer) &
          & + lanes*(self%home(2, layer) - 1)) = 1.0_wp
    end subroutine tie
@@ -109,7 +121,7 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%families(family))
-         start = f%first + 3*lanes*f%blocks*(f%order + 1)*(node - 1)
+         start = f%first + self%height*(node - 1)
       end associate
    end function start
 
@@ -124,8 +136,9 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%families(self%home(1, layer)))
-         freedom = f%first + (self%home(3, layer) - 1) + lanes*((self%home(2, layer) - 1) &
-            & + f%blocks*((level - 1) + (f%order + 1)*((direction - 1) + 3*(node - 1))))
+         freedom = self%height*(node - 1) + f%first + (self%home(3, layer) - 1) &
+            & + lanes*((self%home(2, layer) - 1) &
+            & + f%blocks*((level - 1) + (f%order + 1)*(direction - 1)))
       end associate
    end function freedom
 
@@ -138,8 +151,8 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%families(self%home(1, layer)))
-         mass_of = f%first_mass + (self%home(3, layer) - 1) + lanes*((self%home(2, layer) - 1) &
-            & + f%blocks*((level - 1) + (f%order + 1)*(node - 1)))
+         mass_of = self%height/3*(node - 1) + f%first_mass + (self%home(3, layer) - 1) &
+            & + lanes*((self%home(2, layer) - 1) + f%blocks*(level - 1))
       end associate
    end function mass_of
 

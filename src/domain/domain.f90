@@ -60,6 +60,16 @@ module plydyn_domain_domain
       integer, allocatable :: quad_ply(:)
    end type step_limit_type
 
+   !> Quads of a part that one thread takes at a time; see `plydyn_domain_chunks`
+   type, public :: chunk_type
+      !> The part's plate
+      integer :: plate = 0
+      !> First and last quad of that plate
+      integer :: quads(2) = 0
+      !> Columns that take its forces and those of no other chunk
+      integer, allocatable :: column(:)
+   end type chunk_type
+
    !> Everything the loop reads
    type, public :: domain_type
       !> How to run
@@ -80,6 +90,10 @@ module plydyn_domain_domain
       integer :: histories = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
+      !> Chunks of quads of all plates
+      type(chunk_type), allocatable :: chunks(:)
+      !> Nodes where chunks meet: node, and first and last of its columns behind, (3, nodes)
+      integer, allocatable :: borders(:, :)
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
       !> face move as one); zero where there is no point
       real(wp), allocatable :: mass(:), inverse_mass(:)

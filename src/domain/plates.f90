@@ -3,6 +3,7 @@ module plydyn_domain_plates
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_domain_chunks, only : divide_quads
    use plydyn_domain_columns, only : columns_type, family_type
    use plydyn_domain_laws, only : new_laws
    use plydyn_domain_layers, only : layers_type, new_layers
@@ -13,6 +14,7 @@ module plydyn_domain_plates
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layup, only : part_type
    use plydyn_model_material, only : material_type
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -35,11 +37,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(layers_type) :: layers
+      integer, allocatable :: order(:)
       integer :: e, f, i, plane
 
       plane = size(model%mesh%quad_node, 1)
       plate%side = nint(sqrt(real(plane, wp)))
       plate%quad = pack([(i, i=1, size(model%mesh%quad_id))], model%mesh%quad_part == p)
+      call divide_quads(centres(model%mesh, plate%quad), order, plate%last)
+      plate%quad(:) = plate%quad(order)
       allocate (plate%node(plane, size(plate%quad)), plate%metric(5, plane, size(plate%quad)))
       do e = 1, size(plate%quad)
          plate%node(:, e) = model%mesh%quad_node(tensor_order(plate%side), plate%quad(e))
@@ -49,14 +54,30 @@ contains
             & //" is folded: its Jacobian is not positive at every Gauss point")
          return
       end do
+      plate%target = plate%node
       call tabulate(plate)
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
       allocate (plate%batches(size(columns%families)))
       do f = 1, size(columns%families)
          plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))
+         plate%batches(f)%height = columns%height
       end do
    end subroutine new_plate
+
+   !> Mean position of the nodes of some quads, (2, quads)
+   pure function centres(mesh, quad) result(centre)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: quad(:)
+      real(wp) :: centre(2, size(quad))
+      integer :: e
+
+      do e = 1, size(quad)
+         associate (node => mesh%quad_node(:, quad(e)))
+            centre(:, e) = sum(mesh%position(1:2, node), 2)/real(size(node), wp)
+         end associate
+      end do
+   end function centres
 
    !> Shape functions at the Gauss points
    pure subroutine tabulate(plate)

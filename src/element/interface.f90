@@ -37,6 +37,8 @@ module plydyn_element_interface
       logical :: adjacent = .false.
       !> The law
       type(cohesive_type) :: law
+      !> Plate whose quads these are
+      integer :: plate = 0
       !> Nodes along a side of a quad
       integer :: side = 0
       !> Points at the nodes instead of the Gauss points
@@ -47,6 +49,8 @@ module plydyn_element_interface
       integer, allocatable :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, allocatable :: node(:, :)
+      !> Columns that take the forces of each quad: those of its nodes, or others behind them
+      integer, allocatable :: target(:, :)
       !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
       !> First of its histories, (lanes, law%histories, side**2, quads), in the history of all
@@ -81,6 +85,7 @@ contains
       self%reach = 1.0_wp
       if (.not. nodal) self%reach = maxval(gauss_points(self%side))
       self%node = node
+      self%target = node
       allocate (self%metric(5, size(node, 1), size(node, 2)))
       do e = 1, size(node, 2)
          if (nodal) then

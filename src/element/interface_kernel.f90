@@ -16,10 +16,12 @@ module plydyn_element_interface_kernel
 
 contains
 
-   !> Subtract the forces of interfaces on both faces
-   pure subroutine add_face_forces(self, large, displacement, history, force)
+   !> Subtract the forces of interfaces over some quads on both faces
+   pure subroutine add_face_forces(self, quads, large, displacement, history, force)
       !> The interfaces
       type(interface_type), intent(in) :: self
+      !> First and last quad
+      integer, intent(in) :: quads(2)
       !> Large displacement (total Lagrangian) instead of linear kinematics
       logical, intent(in) :: large
       !> Displacement of all points
@@ -33,7 +35,7 @@ contains
       real(wp) :: axes(lanes, 3, 3, most), jump(lanes, 3, most), middle(lanes, 3, most)
       integer :: e
 
-      do e = 1, size(self%node, 2)
+      do e = quads(1), quads(2)
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
          if (.not. self%nodal) call to_points(self%side, self%reach, jump)
          if (large) then
@@ -45,7 +47,7 @@ contains
          call resist(self, self%metric(:, :, e), history(:, :, :, e), jump)
          if (large) call turn_back(self%side**2, axes, jump)
          if (.not. self%nodal) call to_nodes(self%side, self%reach, jump)
-         call scatter(self, self%node(:, e), jump, force)
+         call scatter(self, self%target(:, e), jump, force)
       end do
    end subroutine add_face_forces
 
@@ -134,7 +136,7 @@ contains
    pure subroutine scatter(self, node, both, force)
       !> The interfaces
       type(interface_type), intent(in) :: self
-      !> Nodes of the quad
+      !> Columns that take the forces
       integer, intent(in) :: node(:)
       !> Force that pulls the faces together; 0 in lanes without an interface
       real(wp), intent(in) :: both(lanes, 3, size(node))

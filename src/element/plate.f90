@@ -22,14 +22,14 @@ module plydyn_element_plate
    implicit none
    private
 
-   public :: add_elastic_forces, add_layer_forces, batch_stiffness
+   public :: add_elastic_forces, add_layer_forces, batch_stiffness, quad_histories
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
       !> Batches in a quad
       integer :: blocks = 0
-      !> First of its points in the arrays of motion
-      integer :: first = 0
+      !> First of its points in the column of the first node, and the length of a column
+      integer :: first = 0, height = 0
       !> Layer in each lane, counted from the bottom of the part; 0 where there is none
       integer, allocatable :: layer(:, :)
       !> Tables of the expansion
@@ -53,8 +53,12 @@ module plydyn_element_plate
       integer :: side = 0
       !> Index of each quad in the mesh
       integer, allocatable :: quad(:)
+      !> Last quad of each chunk of them
+      integer, allocatable :: last(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, allocatable :: node(:, :)
+      !> Columns that take the forces of each quad: those of its nodes, or others behind them
+      integer, allocatable :: target(:, :)
       !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
       !> Distance of the outer Gauss points from the middle of the quad
@@ -85,115 +89,152 @@ contains
    end function batch_stiffness
 
    !> Subtract the internal forces of some quads of a batch of layers
-   pure subroutine add_layer_forces(batch, side, node, metric, large, step, displacement, &
-      & history, force)
-      !> The layers
-      type(layer_batch_type), intent(in) :: batch
-      !> Nodes along a side
-      integer, intent(in) :: side
-      !> Nodes of each quad in tensor order, (side**2, quads)
-      integer, intent(in), contiguous :: node(:, :)
-      !> Geometry of each quad
-      real(wp), intent(in), contiguous :: metric(:, :, :)
+   pure subroutine add_layer_forces(plate, b, quads, large, step, displacement, history, force)
+      !> The part
+      type(plate_type), intent(in) :: plate
+      !> Batch of the part
+      integer, intent(in) :: b
+      !> First and last quad
+      integer, intent(in) :: quads(2)
       !> Large displacement (total Lagrangian) instead of linear strain
       logical, intent(in) :: large
       !> Time step
       real(wp), intent(in) :: step
-      !> Displacement of the points of this batch, (lanes, blocks, levels, 3, nodes)
-      real(wp), intent(in) :: displacement(*)
-      !> History of its Gauss points, (lanes, histories, levels, points of the plane, blocks, quads)
-      real(wp), intent(inout) :: history(*)
-      !> Force on them
-      real(wp), intent(inout) :: force(*)
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> History of all Gauss points; those of a batch are
+      !> (lanes, histories, levels, points of the plane, blocks, quads)
+      real(wp), intent(inout), contiguous :: history(:)
+      !> Force on all points
+      real(wp), intent(inout), contiguous :: force(:)
 
-      if (size(batch%laws) > 0) then
-         call add_law(batch, side, size(node, 2), node, metric, large, step, displacement, &
-            & history, force)
-      else if (large) then
-         call add_large(batch, side, size(node, 2), node, metric, displacement, force)
-      else
-         call add_elastic_forces(batch, side, size(node, 2), node, metric, displacement, force)
-      end if
+      integer :: first_history
+
+      associate (batch => plate%batches(b), node => plate%node(:, quads(1):quads(2)), &
+         & target => plate%target(:, quads(1):quads(2)), &
+         & metric => plate%metric(:, :, quads(1):quads(2)), &
+         & u => displacement(plate%batches(b)%first:), f => force(plate%batches(b)%first:))
+         if (size(batch%laws) > 0) then
+            first_history = batch%first_history + (quads(1) - 1)*quad_histories(batch, plate%side)
+            call add_law(batch, plate%side, size(node, 2), node, target, metric, large, step, u, &
+               & history(first_history:), f)
+         else if (large) then
+            call add_large(batch, plate%side, size(node, 2), node, target, metric, u, f)
+         else
+            call add_linear(batch, plate%side, size(node, 2), node, target, batch%height/lanes, &
+               & metric, u, f)
+         end if
+      end associate
    end subroutine add_layer_forces
 
-   !> Subtract the internal forces of elastic layers with linear strain, whatever their laws
-   pure subroutine add_elastic_forces(batch, side, quads, node, metric, u, f)
+   !> Length of the history of a quad
+   pure integer function quad_histories(batch, side) result(length)
       !> The layers
       type(layer_batch_type), intent(in) :: batch
-      !> Nodes along a side; quads; nodes of each quad in tensor order
-      integer, intent(in) :: side, quads, node(side*side, quads)
-      !> Geometry of each quad; displacement of the points of this batch
-      real(wp), intent(in) :: metric(5, side*side, quads), u(*)
+      !> Nodes along a side
+      integer, intent(in) :: side
+
+      length = lanes*batch%histories*(batch%expansion%order + 1)*side**2*batch%blocks
+   end function quad_histories
+
+   !> Subtract the internal forces of elastic layers alone over one quad, with linear strain
+   pure subroutine add_elastic_forces(batch, side, metric, u, f)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Geometry of the quad
+      real(wp), intent(in) :: metric(5, side*side)
+      !> Displacement of its points, (lanes, blocks, levels, 3, nodes)
+      real(wp), intent(in) :: u(*)
       !> Force on them
       real(wp), intent(inout) :: f(*)
 
-      associate (b => batch%blocks, c => batch%stiffness, h => batch%slant, &
-         & to => batch%expansion%to_mode, d => batch%expansion%mode_slope)
-         select case (10*side + batch%expansion%order)
-         case (21); call linear_q4_le1(quads, node, b, metric, c, h, to, d, u, f)
-         case (22); call linear_q4_le2(quads, node, b, metric, c, h, to, d, u, f)
-         case (23); call linear_q4_le3(quads, node, b, metric, c, h, to, d, u, f)
-         case (24); call linear_q4_le4(quads, node, b, metric, c, h, to, d, u, f)
-         case (31); call linear_q9_le1(quads, node, b, metric, c, h, to, d, u, f)
-         case (32); call linear_q9_le2(quads, node, b, metric, c, h, to, d, u, f)
-         case (33); call linear_q9_le3(quads, node, b, metric, c, h, to, d, u, f)
-         case default; call linear_q9_le4(quads, node, b, metric, c, h, to, d, u, f)
-         end select
-      end associate
+      integer :: i, node(side*side)
+
+      node(:) = [(i, i=1, side*side)]
+      call add_linear(batch, side, 1, node, node, 3*batch%blocks*(batch%expansion%order + 1), &
+         & metric, u, f)
    end subroutine add_elastic_forces
 
-   !> To the kernel of large displacement for this side and order
-   pure subroutine add_large(batch, side, quads, node, metric, u, f)
+   !> To the kernel of linear strain for this side and order
+   pure subroutine add_linear(batch, side, quads, node, target, rows, metric, u, f)
       type(layer_batch_type), intent(in) :: batch
-      integer, intent(in) :: side, quads, node(side*side, quads)
+      integer, intent(in) :: side, quads, node(side*side, quads), target(side*side, quads), rows
       real(wp), intent(in) :: metric(5, side*side, quads), u(*)
       real(wp), intent(inout) :: f(*)
 
-      associate (b => batch%blocks, c => batch%stiffness, h => batch%slant, &
+      associate (q => quads, n => node, t => target, r => rows, b => batch%blocks, m => metric, &
+         & c => batch%stiffness, h => batch%slant, to => batch%expansion%to_mode, &
+         & d => batch%expansion%mode_slope)
+         select case (10*side + batch%expansion%order)
+         case (21); call linear_q4_le1(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (22); call linear_q4_le2(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (23); call linear_q4_le3(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (24); call linear_q4_le4(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (31); call linear_q9_le1(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (32); call linear_q9_le2(q, n, t, r, b, m, c, h, to, d, u, f)
+         case (33); call linear_q9_le3(q, n, t, r, b, m, c, h, to, d, u, f)
+         case default; call linear_q9_le4(q, n, t, r, b, m, c, h, to, d, u, f)
+         end select
+      end associate
+   end subroutine add_linear
+
+   !> To the kernel of large displacement for this side and order
+   pure subroutine add_large(batch, side, quads, node, target, metric, u, f)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side, quads, node(side*side, quads), target(side*side, quads)
+      real(wp), intent(in) :: metric(5, side*side, quads), u(*)
+      real(wp), intent(inout) :: f(*)
+
+      associate (q => quads, n => node, t => target, r => batch%height/lanes, &
+         & b => batch%blocks, m => metric, c => batch%stiffness, h => batch%slant, &
          & w => batch%expansion%weight, to => batch%expansion%to_gauss, &
          & d => batch%expansion%gauss_slope)
          select case (10*side + batch%expansion%order)
-         case (21); call large_q4_le1(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (22); call large_q4_le2(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (23); call large_q4_le3(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (24); call large_q4_le4(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (31); call large_q9_le1(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (32); call large_q9_le2(quads, node, b, metric, c, h, w, to, d, u, f)
-         case (33); call large_q9_le3(quads, node, b, metric, c, h, w, to, d, u, f)
-         case default; call large_q9_le4(quads, node, b, metric, c, h, w, to, d, u, f)
+         case (21); call large_q4_le1(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (22); call large_q4_le2(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (23); call large_q4_le3(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (24); call large_q4_le4(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (31); call large_q9_le1(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (32); call large_q9_le2(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case (33); call large_q9_le3(q, n, t, r, b, m, c, h, w, to, d, u, f)
+         case default; call large_q9_le4(q, n, t, r, b, m, c, h, w, to, d, u, f)
          end select
       end associate
    end subroutine add_large
 
    !> To the kernel of material laws for this side and order
-   pure subroutine add_law(batch, side, quads, node, metric, large, step, u, z, f)
+   pure subroutine add_law(batch, side, quads, node, target, metric, large, step, u, z, f)
       type(layer_batch_type), intent(in) :: batch
-      integer, intent(in) :: side, quads, node(side*side, quads)
+      integer, intent(in) :: side, quads, node(side*side, quads), target(side*side, quads)
       logical, intent(in) :: large
       real(wp), intent(in) :: metric(5, side*side, quads), step, u(*)
       !> History and force
       real(wp), intent(inout) :: z(*), f(*)
 
-      associate (b => batch%blocks, l => batch%laws, n => batch%histories, t => batch%turn, &
+      associate (e => quads, g => node, p => target, r => batch%height/lanes, &
+         & b => batch%blocks, l => batch%laws, n => batch%histories, t => batch%turn, &
          & h => batch%half, s => batch%slant, w => batch%expansion%weight, &
-         & to => batch%expansion%to_gauss, d => batch%expansion%gauss_slope, m => metric)
+         & to => batch%expansion%to_gauss, d => batch%expansion%gauss_slope, m => metric, &
+         & k => step, y => large)
          select case (10*side + batch%expansion%order)
          case (21)
-            call law_q4_le1(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q4_le1(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (22)
-            call law_q4_le2(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q4_le2(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (23)
-            call law_q4_le3(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q4_le3(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (24)
-            call law_q4_le4(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q4_le4(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (31)
-            call law_q9_le1(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q9_le1(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (32)
-            call law_q9_le2(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q9_le2(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case (33)
-            call law_q9_le3(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q9_le3(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          case default
-            call law_q9_le4(quads, node, b, m, l, n, t, h, s, w, to, d, large, step, u, z, f)
+            call law_q9_le4(e, g, p, r, b, m, l, n, t, h, s, w, to, d, y, k, u, z, f)
          end select
       end associate
    end subroutine add_law

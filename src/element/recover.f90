@@ -187,8 +187,8 @@ contains
       integer :: t
 
       do t = 1, size(u, 2)
-         u(:, t) = displacement(batch%first + (lane - 1) + lanes*((block - 1) + batch%blocks &
-            & *((t - 1) + size(u, 2)*((direction - 1) + 3*(node - 1)))))
+         u(:, t) = displacement(batch%height*(node - 1) + batch%first + (lane - 1) &
+            & + lanes*((block - 1) + batch%blocks*((t - 1) + size(u, 2)*(direction - 1))))
       end do
    end function column_values
 

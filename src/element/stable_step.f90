@@ -138,17 +138,16 @@ contains
       real(wp), allocatable :: k(:, :, :, :)
 
       real(wp), allocatable :: force(:, :, :), motion(:, :, :)
-      integer :: freedoms, i, j, node(side*side, 1)
+      integer :: freedoms, i, j
 
       freedoms = (batch%expansion%order + 1)*3*side*side
-      node(:, 1) = [(i, i=1, side*side)]
       allocate (k(freedoms, freedoms, lanes, batch%blocks))
       allocate (force(lanes, batch%blocks, freedoms), motion(lanes, batch%blocks, freedoms))
       do j = 1, freedoms
          motion(:, :, :) = 0.0_wp
          motion(:, :, j) = 1.0_wp
          force(:, :, :) = 0.0_wp
-         call add_elastic_forces(batch, side, 1, node, metric, motion, force)
+         call add_elastic_forces(batch, side, metric, motion, force)
          do i = 1, freedoms
             k(i, j, :, :) = -force(:, :, i)
          end do

@@ -135,8 +135,9 @@ contains
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
          & "Processors.")
       call keyword%add_card()
-      call keyword%add_integer("NCPU", "without effect: a run uses one core", &
-         & default=1, least=0)
+      call keyword%add_integer("NCPU", "threads; the word ncpu on the command line goes before, " &
+         & //"0 leaves it to OMP_NUM_THREADS. Results are the same to the last bit for any", &
+         & default=0, least=0)
       call keyword%add_unused("NUMRHS")
       call keyword%add_unused("CONST", neutral=[0.0_wp, 1.0_wp])
       call keyword%add_unused("PARA")

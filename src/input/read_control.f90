@@ -58,15 +58,12 @@ contains
          & "a curve with ordinates above 0")
    end subroutine read_control_timestep
 
-   !> *CONTROL_PARALLEL: accepted, the command line decides
-   subroutine read_control_parallel(cards, report)
+   !> *CONTROL_PARALLEL: threads
+   subroutine read_control_parallel(cards, control)
       type(cards_type), intent(in) :: cards
-      type(report_type), intent(inout) :: report
+      type(control_type), intent(inout) :: control
 
-      if (cards%integer("NCPU") > 1) then
-         call report%note(cards%place("NCPU"), "NCPU is without effect", &
-            & "the command line decides how many processors are used")
-      end if
+      control%threads = cards%integer("NCPU")
    end subroutine read_control_parallel
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit

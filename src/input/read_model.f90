@@ -315,7 +315,7 @@ contains
       case ("CONTROL_TIMESTEP")
          call read_control_timestep(cards, catalogue, model%curves, model%control)
       case ("CONTROL_PARALLEL")
-         call read_control_parallel(cards, catalogue%report)
+         call read_control_parallel(cards, model%control)
       case ("CONTROL_LAYERWISE")
          call read_control_layerwise(cards, model%control)
       case ("DAMPING_GLOBAL")

@@ -44,6 +44,8 @@ module plydyn_model_control
       real(wp) :: damping = 0.0_wp
       !> The run stops when the energy balance is off by more than this share
       real(wp) :: energy_limit = 0.05_wp
+      !> Threads; 0 where the deck says nothing
+      integer :: threads = 0
       !> Names of units
       type(units_type) :: units
    end type control_type

@@ -184,7 +184,8 @@ contains
                   & error)
             case ("velocity")
                call file%write_point_data(name, motion_values(self, domain, &
-                  & state%velocity + 0.5_wp*state%step_before*state%acceleration), error)
+                  & state%velocity + 0.5_wp*state%step_before &
+                  & *state%acceleration(:domain%columns%freedoms)), error)
             case ("strain")
                call file%write_point_data(name, tensor(values, strain_at, tensor_share), error)
             case ("stress")

@@ -189,6 +189,7 @@ contains
       end do
       states = 1.0_wp + domain%control%end_time/model%request%field_interval
       write (unit, "(a,f0.0)") "steps                         ", steps
+      write (unit, "(a,i0)") "threads                       ", domain%control%threads
       write (unit, "(a,f0.1,a)") "memory of motion and masses   ", bytes/megabyte, " MB"
       write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
          & *sum(field_components(model%request%fields))/megabyte, " MB"

@@ -7,7 +7,7 @@ module plydyn_solver_explicit
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_energies, only : balance, begin_work, change_step
-   use plydyn_solver_forces, only : add_interface_forces, add_loads, add_ply_forces
+   use plydyn_solver_forces, only : add_loads, find_internal_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_motion, only : accelerate, advance
    use plydyn_solver_supports, only : hold_supports, move_supports
@@ -79,12 +79,12 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (force => state%acceleration)
-         force(:) = 0.0_wp
-         call add_ply_forces(domain, state%step_before, state%displacement, state%history, force)
-         call add_interface_forces(domain, state%displacement, state%history, force)
+         call find_internal_forces(domain, state%step_before, state%displacement, state%history, &
+            & force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
-         call accelerate(domain, state%step_before, state%velocity, force, state%sums)
+         call accelerate(domain, state%step_before, state%velocity, force, state%block_sums, &
+            & state%sums)
       end associate
    end subroutine find_accelerations
 

@@ -1,19 +1,20 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_solver_forces
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    implicit none
    private
 
-   public :: add_interface_forces, add_loads, add_ply_forces, load_power
+   public :: add_interface_forces, add_loads, find_internal_forces, load_power
 
 contains
 
-   !> Subtract the internal forces of all plies
-   subroutine add_ply_forces(domain, step, displacement, history, force)
+   !> Internal forces of plies and interfaces on all points, chunk by chunk, and then the sums at
+   !> the nodes where chunks meet
+   subroutine find_internal_forces(domain, step, displacement, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
@@ -22,38 +23,85 @@ contains
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of all Gauss points
       real(wp), intent(inout), contiguous :: history(:)
-      !> Force on all points
+      !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous :: force(:)
 
-      integer :: b, p
+      integer :: c, i
 
-      do p = 1, size(domain%plates)
-         associate (plate => domain%plates(p))
-            do b = 1, size(plate%batches)
-               call add_layer_forces(plate%batches(b), plate%side, plate%node, plate%metric, &
-                  & domain%control%kinematics == total_lagrangian, step, &
-                  & displacement(plate%batches(b)%first:), &
-                  & history(plate%batches(b)%first_history:), force(plate%batches(b)%first:))
-            end do
-         end associate
+      !$omp parallel default(shared) private(c, i)
+      !$omp do schedule(dynamic)
+      do c = 1, size(domain%chunks)
+         call clear_columns(domain%columns%height, domain%chunks(c)%column, force)
+         call add_ply_forces(domain, domain%chunks(c), step, displacement, history, force)
+         call add_interface_forces(domain, domain%chunks(c), displacement, history, force)
+      end do
+      !$omp end do
+      !$omp do schedule(static)
+      do i = 1, size(domain%borders, 2)
+         call add_columns(domain%columns%height, domain%borders(:, i), force)
+      end do
+      !$omp end do
+      !$omp end parallel
+   end subroutine find_internal_forces
+
+   !> Set some columns to zero
+   pure subroutine clear_columns(height, column, force)
+      integer, intent(in) :: height, column(:)
+      real(wp), intent(inout) :: force(height, *)
+      integer :: i
+
+      do i = 1, size(column)
+         force(:, column(i)) = 0.0_wp
+      end do
+   end subroutine clear_columns
+
+   !> Add columns behind to that of their node
+   pure subroutine add_columns(height, border, force)
+      integer, intent(in) :: height
+      !> Node, first and last column
+      integer, intent(in) :: border(3)
+      real(wp), intent(inout) :: force(height, *)
+      integer :: i
+
+      do i = border(2), border(3)
+         force(:, border(1)) = force(:, border(1)) + force(:, i)
+      end do
+   end subroutine add_columns
+
+   !> Subtract the internal forces of the plies over a chunk of quads
+   pure subroutine add_ply_forces(domain, chunk, step, displacement, history, force)
+      type(domain_type), intent(in) :: domain
+      type(chunk_type), intent(in) :: chunk
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      integer :: b
+
+      do b = 1, size(domain%plates(chunk%plate)%batches)
+         call add_layer_forces(domain%plates(chunk%plate), b, chunk%quads, &
+            & domain%control%kinematics == total_lagrangian, step, displacement, history, force)
       end do
    end subroutine add_ply_forces
 
-   !> Subtract the internal forces of the interfaces between layers
-   subroutine add_interface_forces(domain, displacement, history, force)
+   !> Subtract the internal forces of the interfaces over a chunk of quads
+   pure subroutine add_interface_forces(domain, chunk, displacement, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> The chunk
+      type(chunk_type), intent(in) :: chunk
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of all Gauss points
       real(wp), intent(inout), contiguous :: history(:)
-      !> Force on all points
+      !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous :: force(:)
 
       integer :: k
 
       do k = 1, size(domain%interfaces)
-         call add_face_forces(domain%interfaces(k), &
+         if (domain%interfaces(k)%plate /= chunk%plate) cycle
+         call add_face_forces(domain%interfaces(k), chunk%quads, &
             & domain%control%kinematics == total_lagrangian, displacement, &
             & history(domain%interfaces(k)%first_history:), force)
       end do

@@ -7,7 +7,10 @@ module plydyn_solver_motion
    implicit none
    private
 
-   public :: accelerate, advance
+   public :: accelerate, advance, node_blocks
+
+   !> Nodes whose sums one thread makes
+   integer, parameter :: block_nodes = 64
 
 contains
 
@@ -21,19 +24,18 @@ contains
       type(state_type), intent(inout) :: state
 
       real(wp) :: brake, keep, middle, middle_step
-      integer :: f
+      integer :: i
 
       middle_step = 0.5_wp*(state%step_before + state%step)
       brake = 0.5_wp*domain%control%damping*middle_step
       keep = (1.0_wp - brake)/(1.0_wp + brake)
       middle = middle_step/(1.0_wp + brake)
-      do f = 1, size(domain%columns%families)
-         associate (family => domain%columns%families(f))
-            call advance_family(3*lanes*family%blocks*(family%order + 1)*domain%columns%nodes, &
-               & keep, middle, state%step, state%acceleration(family%first), &
-               & state%velocity(family%first), state%displacement(family%first))
-         end associate
+      !$omp parallel do schedule(static) default(shared) private(i)
+      do i = 1, size(state%velocity)
+         state%velocity(i) = keep*state%velocity(i) + middle*state%acceleration(i)
+         state%displacement(i) = state%displacement(i) + state%step*state%velocity(i)
       end do
+      !$omp end parallel do
       associate (sums => state%sums, before => state%step_before)
          state%internal_power = -keep*sums%power - middle*sums%pull
          ! the velocity before is the one at the full step less 1/2 dt a
@@ -44,23 +46,18 @@ contains
       end associate
    end subroutine advance
 
-   !> `advance` for the points of one family
-   pure subroutine advance_family(places, keep, middle, step, a, v, u)
-      integer, intent(in) :: places
-      real(wp), intent(in) :: keep, middle, step, a(places)
-      real(wp), intent(inout) :: v(places), u(places)
-      integer :: i
+   !> How many blocks the nodes have
+   pure integer function node_blocks(domain)
+      !> The domain
+      type(domain_type), intent(in) :: domain
 
-      do i = 1, places
-         v(i) = keep*v(i) + middle*a(i)
-         u(i) = u(i) + step*v(i)
-      end do
-   end subroutine advance_family
+      node_blocks = (domain%columns%nodes + block_nodes - 1)/block_nodes
+   end function node_blocks
 
    !> Forces to accelerations, in place, with the sums that the energies need.
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
    !> their accelerations are the same to the last bit.
-   subroutine accelerate(domain, step, velocity, force, sums)
+   subroutine accelerate(domain, step, velocity, force, block_sums, sums)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
@@ -69,90 +66,130 @@ contains
       real(wp), intent(in), contiguous :: velocity(:)
       !> Force in, acceleration out
       real(wp), intent(inout), contiguous :: force(:)
+      !> Sums over the points of each block of nodes, the same for any number of threads
+      type(sums_type), intent(out) :: block_sums(:)
       !> Sums over all points
       type(sums_type), intent(out) :: sums
 
-      integer :: f, k, n
+      integer :: b, k, n
 
+      !$omp parallel default(shared) private(b, k, n)
+      !$omp do schedule(static)
       do k = 1, size(domain%far_ties, 2)
          force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
       end do
-      do f = 1, size(domain%columns%families)
-         associate (family => domain%columns%families(f))
-            if (any(family%tied_above > 0.0_wp)) then
-               call share_forces(lanes*family%blocks, family%order + 1, domain%columns%nodes, &
-                  & family%tied_above, force(family%first:))
-            end if
-            call divide(family%blocks*(family%order + 1), domain%columns%nodes, 0.5_wp*step, &
-               & domain%mass(family%first_mass), domain%inverse_mass(family%first_mass), &
-               & velocity(family%first:), force(family%first:), sums)
-         end associate
-      end do
-      if (domain%pairs%active) then
-         do n = 1, domain%columns%nodes
-            call couple_pairs(domain%pairs, domain%columns, n, 0.5_wp*step, velocity, force, sums)
+      !$omp end do
+      !$omp do schedule(static)
+      do b = 1, node_blocks(domain)
+         do n = 1 + block_nodes*(b - 1), min(block_nodes*b, domain%columns%nodes)
+            call accelerate_column(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
+            if (.not. domain%pairs%active) cycle
+            call couple_pairs(domain%pairs, domain%columns, n, 0.5_wp*step, velocity, force, &
+               & block_sums(b))
          end do
-      end if
+      end do
+      !$omp end do
+      !$omp end parallel
+      sums = total(block_sums)
    end subroutine accelerate
 
+   !> `accelerate` for the column of a node
+   pure subroutine accelerate_column(domain, node, half_step, velocity, force, sums)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: node
+      real(wp), intent(in) :: half_step
+      real(wp), intent(in), contiguous :: velocity(:)
+      real(wp), intent(inout), contiguous :: force(:)
+      type(sums_type), intent(inout) :: sums
+
+      integer :: f, first, mass
+
+      do f = 1, size(domain%columns%families)
+         associate (family => domain%columns%families(f))
+            first = domain%columns%start(f, node)
+            mass = family%first_mass + domain%columns%height/3*(node - 1)
+            if (family%is_tied) then
+               call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
+                  & force(first:))
+            end if
+            call divide(family%blocks*(family%order + 1), half_step, domain%mass(mass:), &
+               & domain%inverse_mass(mass:), velocity(first:), force(first:), sums)
+         end associate
+      end do
+   end subroutine accelerate_column
+
    !> Give both points of every tied face between lanes side by side the sum of their forces
-   pure subroutine share_forces(width, levels, nodes, tied, force)
-      integer, intent(in) :: width, levels, nodes
+   pure subroutine share_forces(width, levels, tied, force)
+      integer, intent(in) :: width, levels
+      !> 1 where the top of a lane is tied to the bottom of the next, else 0
       real(wp), intent(in) :: tied(width)
-      real(wp), intent(inout) :: force(width, levels, 3, nodes)
+      !> Forces of a column, lane by lane, then level by level
+      real(wp), intent(inout) :: force(width*levels, 3)
 
-      real(wp), dimension(width) :: above, below, tied_below
-      integer :: c, n
+      real(wp) :: above, below
+      integer :: c, l, top
 
-      tied_below(1) = 0.0_wp
-      tied_below(2:) = tied(:width - 1)
-      above(width) = 0.0_wp
-      below(1) = 0.0_wp
-      do n = 1, nodes
-         do c = 1, 3
-            above(:width - 1) = force(2:, 1, c, n)
-            below(2:) = force(:width - 1, levels, c, n)
-            force(:, levels, c, n) = force(:, levels, c, n) + tied*above
-            force(:, 1, c, n) = force(:, 1, c, n) + tied_below*below
+      top = width*(levels - 1)
+      do c = 1, 3
+         !$omp simd private(above, below)
+         do l = 1, width
+            below = force(top + l, c)
+            above = force(l + 1, c)
+            ! the last lane, never tied, meets the next level here, and leaves it as it was: first
+            force(l + 1, c) = above + tied(l)*below
+            force(top + l, c) = below + tied(l)*above
          end do
       end do
    end subroutine share_forces
 
-   !> Force over mass, and the sums of one family, node by node
-   pure subroutine divide(rows, nodes, half_step, mass, inverse_mass, v, a, sums)
-      integer, intent(in) :: rows, nodes
-      real(wp), intent(in) :: half_step, mass(lanes, rows, nodes), inverse_mass(lanes, rows, nodes)
-      real(wp), intent(in) :: v(lanes, rows, 3, nodes)
-      real(wp), intent(inout) :: a(lanes, rows, 3, nodes)
+   !> Force over mass, and the sums of one family above a node
+   pure subroutine divide(rows, half_step, mass, inverse_mass, v, a, sums)
+      integer, intent(in) :: rows
+      real(wp), intent(in) :: half_step, mass(lanes, rows), inverse_mass(lanes, rows)
+      real(wp), intent(in) :: v(lanes, rows, 3)
+      real(wp), intent(inout) :: a(lanes, rows, 3)
       type(sums_type), intent(inout) :: sums
 
       real(wp), dimension(lanes) :: pull, kinetic, momentum, power
       real(wp) :: now
-      integer :: c, l, n, r
+      integer :: c, l, r
 
-      do n = 1, nodes
-         pull(:) = 0.0_wp
-         kinetic(:) = 0.0_wp
-         power(:) = 0.0_wp
-         do c = 1, 3
-            momentum(:) = 0.0_wp
-            do r = 1, rows
-               !$omp simd private(now)
-               do l = 1, lanes
-                  a(l, r, c, n) = a(l, r, c, n)*inverse_mass(l, r, n)
-                  now = v(l, r, c, n) + half_step*a(l, r, c, n)
-                  momentum(l) = momentum(l) + mass(l, r, n)*now
-                  kinetic(l) = kinetic(l) + mass(l, r, n)*now*now
-                  power(l) = power(l) + mass(l, r, n)*a(l, r, c, n)*v(l, r, c, n)
-                  pull(l) = pull(l) + mass(l, r, n)*a(l, r, c, n)**2
-               end do
+      pull(:) = 0.0_wp
+      kinetic(:) = 0.0_wp
+      power(:) = 0.0_wp
+      do c = 1, 3
+         momentum(:) = 0.0_wp
+         do r = 1, rows
+            !$omp simd private(now)
+            do l = 1, lanes
+               a(l, r, c) = a(l, r, c)*inverse_mass(l, r)
+               now = v(l, r, c) + half_step*a(l, r, c)
+               momentum(l) = momentum(l) + mass(l, r)*now
+               kinetic(l) = kinetic(l) + mass(l, r)*now*now
+               power(l) = power(l) + mass(l, r)*a(l, r, c)*v(l, r, c)
+               pull(l) = pull(l) + mass(l, r)*a(l, r, c)**2
             end do
-            sums%momentum(c) = sums%momentum(c) + sum(momentum)
          end do
-         sums%twice_kinetic = sums%twice_kinetic + sum(kinetic)
-         sums%power = sums%power + sum(power)
-         sums%pull = sums%pull + sum(pull)
+         sums%momentum(c) = sums%momentum(c) + sum(momentum)
       end do
+      sums%twice_kinetic = sums%twice_kinetic + sum(kinetic)
+      sums%power = sums%power + sum(power)
+      sums%pull = sums%pull + sum(pull)
    end subroutine divide
+
+   !> Sums over all points, block by block
+   pure function total(block_sums) result(sums)
+      type(sums_type), intent(in) :: block_sums(:)
+      type(sums_type) :: sums
+      integer :: b
+
+      do b = 1, size(block_sums)
+         sums%momentum(:) = sums%momentum + block_sums(b)%momentum
+         sums%twice_kinetic = sums%twice_kinetic + block_sums(b)%twice_kinetic
+         sums%power = sums%power + block_sums(b)%power
+         sums%pull = sums%pull + block_sums(b)%pull
+         sums%twice_added = sums%twice_added + block_sums(b)%twice_added
+      end do
+   end function total
 
 end module plydyn_solver_motion

@@ -4,6 +4,7 @@ module plydyn_solver_start
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
+   use plydyn_solver_motion, only : node_blocks
    use plydyn_solver_supports, only : support_points
    use plydyn_state_state, only : state_type
    implicit none
@@ -24,8 +25,10 @@ contains
       integer :: i
 
       associate (n => domain%columns%freedoms)
-         allocate (state%displacement(n), state%velocity(n), state%acceleration(n))
+         allocate (state%displacement(n), state%velocity(n))
       end associate
+      allocate (state%acceleration(domain%columns%forces))
+      allocate (state%block_sums(node_blocks(domain)))
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp

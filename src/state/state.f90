@@ -66,7 +66,8 @@ module plydyn_state_state
       !> The first step of the run
       real(wp) :: first_step = 0.0_wp
       !> Displacement at this time, velocity half a step before, acceleration at this time,
-      !> all points; see `columns_type`
+      !> all points; see `columns_type`. While forces are summed, the accelerations are forces, with
+      !> the columns of the borders behind
       real(wp), allocatable :: displacement(:), velocity(:), acceleration(:)
       !> History of all Gauss points; see `layer_batch_type` and `interface_type`
       real(wp), allocatable :: history(:)
@@ -79,8 +80,9 @@ module plydyn_state_state
       real(wp), allocatable :: support_force(:)
       !> Velocity of the prescribed points over the last step, in the order of `domain%motions`
       real(wp), allocatable :: support_velocity(:)
-      !> Sums over all points, at this time
+      !> Sums over all points, at this time, and those over each block of nodes
       type(sums_type) :: sums
+      type(sums_type), allocatable :: block_sums(:)
       !> Power of the inner forces and of loads and supports at the beginning of the last step
       real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
       !> Energies

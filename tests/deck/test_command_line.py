@@ -37,7 +37,8 @@ def said(*words: object) -> tuple[int, str]:
         (["run"], USAGE, "run needs a deck"),
         (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
         (["run", DECK, "-j"], USAGE, "-j needs a name after it"),
-        (["run", DECK, "ncpu=2"], USAGE, "ncpu=1"),
+        (["run", DECK, "ncpu=0"], USAGE, "a number of threads from 1 to"),
+        (["run", DECK, "ncpu=two"], USAGE, "a number of threads from 1 to"),
         (["run", DECK, "-x"], USAGE, "'-x' is not understood"),
         (["run", "check", DECK], USAGE, "cannot go together"),
         (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
@@ -56,7 +57,7 @@ def test_command_line(words: list[object], code: int, fragment: str) -> None:
 
 def test_words_of_other_codes(tmp_path: Path) -> None:
     """i=, jobid= and ncpu= run a deck; the files have the name of the job."""
-    code, text = said(f"i={DECK}", f"jobid={tmp_path / 'other'}", "ncpu=1")
+    code, text = said(f"i={DECK}", f"jobid={tmp_path / 'other'}", "ncpu=2")
     assert code == NORMAL, text
     assert (tmp_path / "other.vtkhdf").exists()
     assert f"normal end, results in {tmp_path / 'other'}.*" in text

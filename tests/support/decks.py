@@ -105,15 +105,21 @@ class Deck:
             self.add("ELEMENT_PLATE_Q9", *cards)
 
     def laminate(
-        self, plies: Sequence[Ply], order: int = 2, sublayers: int = 1, lobatto: bool = False
+        self,
+        plies: Sequence[Ply],
+        order: int = 2,
+        sublayers: int = 1,
+        lobatto: bool = False,
+        orders: Sequence[int] = (),
     ) -> None:
-        """Part 1: its stack and its expansion."""
+        """Part 1: its stack and its expansion, of one order or one for each ply."""
         cards = [
             (self._material(ply.material), ply.thickness, ply.angle, 0, k + 1)
             for k, ply in enumerate(plies)
         ]
         self.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *cards)
         choice = [(1, len(plies), order, sublayers)] if sublayers > 1 else []
+        choice += [(k + 1, k + 1, own, sublayers) for k, own in enumerate(orders)]
         self.add("SECTION_LAYERWISE", (1, 0, order, int(lobatto)), *choice)
 
     def interfaces(self, normal: float = 0.0, shear: float = 0.0) -> None:

@@ -120,7 +120,7 @@ contains
 
       allocate (force(size(displacement)))
       force(:) = 0.0_wp
-      call add_face_forces(self, large, displacement, history, force)
+      call add_face_forces(self, [1, size(self%node, 2)], large, displacement, history, force)
    end subroutine find_forces
 
    !> A uniform opening of distorted quads makes traction times area

@@ -5,8 +5,8 @@ program test_element_stable_step
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_stable_step, only : certified_bound, power_iteration
-   use plydyn_solver_forces, only : add_ply_forces
-   use plydyn_solver_motion, only : accelerate
+   use plydyn_solver_forces, only : find_internal_forces
+   use plydyn_solver_motion, only : accelerate, node_blocks
    use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -70,7 +70,7 @@ contains
    real(wp) function largest_eigenvalue(domain) result(lambda)
       type(domain_type), intent(in) :: domain
 
-      type(sums_type) :: sums
+      type(sums_type) :: blocks(node_blocks(domain)), sums
       integer, allocatable :: free(:)
       real(wp), allocatable :: a(:), k(:, :), left(:, :), right(:, :), u(:), wi(:), work(:), wr(:)
       integer :: i, info, n
@@ -83,8 +83,8 @@ contains
          u(:) = 0.0_wp
          u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
-         call add_ply_forces(domain, 0.0_wp, u, history, a)
-         call accelerate(domain, 0.0_wp, u, a, sums)
+         call find_internal_forces(domain, 0.0_wp, u, history, a)
+         call accelerate(domain, 0.0_wp, u, a, blocks, sums)
          k(:, i) = -a(free)
       end do
       call dgeev("N", "N", n, k, n, wr, wi, left, 1, right, 1, work, size(work), info)

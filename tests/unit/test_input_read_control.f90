@@ -40,10 +40,10 @@ program test_input_read_control
       call check(control%energy_limit, 0.1_wp, 0.0_wp, "limit of the balance")
       call check(control%scheme, implicit_interfaces, "what is implicit")
       call check(control%largest_step, 2.0e-8_wp, 0.0_wp, "largest step")
+      call check(control%threads, 4, "threads")
       call check(control%damping, 25.0_wp, 0.0_wp, "damping")
    end associate
    call check(model%title == "A plate, flat", "title")
-   call check(index(messages, "NCPU is without effect") > 0, "a note")
 
    call begin("read_control_termination")
    call read_text("*KEYWORD|*CONTROL_TERMINATION|2.0,100,0.01,0.,0.,1|" &

@@ -12,7 +12,7 @@ program test_solver_explicit
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run
-   use plydyn_solver_forces, only : add_ply_forces
+   use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_start, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -115,10 +115,10 @@ contains
       real(wp) :: history(0)
 
       call build_domain(model, domain, error)
-      allocate (force(domain%columns%freedoms))
+      allocate (force(domain%columns%forces))
       force(:) = 0.0_wp
-      call add_ply_forces(domain, 0.0_wp, state%displacement, history, force)
-      energy = -0.5_wp*dot_product(state%displacement, force)
+      call find_internal_forces(domain, 0.0_wp, state%displacement, history, force)
+      energy = -0.5_wp*dot_product(state%displacement, force(:domain%columns%freedoms))
    end function stored_energy
 
    !> Difference of displacement across the tied faces

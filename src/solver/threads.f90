@@ -1,0 +1,34 @@
+!> Threads of a run. Results are the same to the last bit for any number of them.
+module plydyn_solver_threads
+   use omp_lib, only : omp_get_max_threads, omp_set_dynamic, omp_set_num_threads
+   implicit none
+   private
+
+   public :: choose_threads, set_threads
+
+contains
+
+   !> How many threads: what the command line says, else the deck, else OMP_NUM_THREADS, else one
+   integer function choose_threads(command, deck) result(threads)
+      !> Threads that the command line and the deck ask for; 0 where they say nothing
+      integer, intent(in) :: command, deck
+
+      integer :: length
+
+      threads = 1
+      call get_environment_variable("OMP_NUM_THREADS", length=length)
+      if (length > 0) threads = omp_get_max_threads()
+      if (deck > 0) threads = deck
+      if (command > 0) threads = command
+   end function choose_threads
+
+   !> Let the loops run on so many threads
+   subroutine set_threads(threads)
+      !> How many
+      integer, intent(in) :: threads
+
+      call omp_set_dynamic(.false.)
+      call omp_set_num_threads(threads)
+   end subroutine set_threads
+
+end module plydyn_solver_threads

@@ -1,0 +1,73 @@
+!> Chunks of quads and the columns that take their forces.
+program test_domain_chunks
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_chunks, only : divide_quads
+   use plydyn_domain_domain, only : domain_type
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, finish
+   implicit none
+
+   call test_division()
+   call test_targets()
+   call finish()
+
+contains
+
+   !> A strip of 64 by 8 squares falls into chunks of 4 by 4
+   subroutine test_division()
+      integer, allocatable :: last(:), order(:)
+      real(wp) :: centre(2, 512), extent(2)
+      integer :: first, i, k
+
+      call begin("divide_quads")
+      do i = 1, 512
+         centre(:, i) = [real(mod(i - 1, 64), wp), real((i - 1)/64, wp)]
+      end do
+      call divide_quads(centre, order, last)
+      call check(all([(count(order == i), i=1, 512)] == 1), "every quad has one place")
+      call check(size(last), 32, "there are as few chunks as can be")
+      first = 1
+      do k = 1, size(last)
+         extent(:) = maxval(centre(:, order(first:last(k))), 2) &
+            & - minval(centre(:, order(first:last(k))), 2)
+         call check(last(k) - first + 1, 16, "a chunk has 16 quads")
+         call check(extent, [3.0_wp, 3.0_wp], 1.0e-12_wp, "side by side")
+         first = last(k) + 1
+      end do
+   end subroutine test_division
+
+   !> No two chunks share a column, and every node finds all that belong to it
+   subroutine test_targets()
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      integer, allocatable :: node_of(:), taken(:)
+      integer :: c, e, i
+
+      call begin("new_chunks")
+      call build_domain(rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), &
+         & [0.0_wp, 90.0_wp], 0.25_wp, [2, 2]), domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      allocate (taken(domain%columns%forces/domain%columns%height))
+      allocate (node_of(size(taken)))
+      node_of(:) = [(i, i=1, size(node_of))]
+      do i = 1, size(domain%borders, 2)
+         node_of(domain%borders(2, i):domain%borders(3, i)) = domain%borders(1, i)
+      end do
+      taken(:) = 0
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c), plate => domain%plates(1))
+            taken(chunk%column) = taken(chunk%column) + 1
+            do e = chunk%quads(1), chunk%quads(2)
+               call check(all(node_of(plate%target(:, e)) == plate%node(:, e)), &
+                  & "forces go to a column of their node")
+               call check(all([(any(chunk%column == plate%target(i, e)), i=1, 9)]), &
+                  & "and of their chunk")
+            end do
+         end associate
+      end do
+      call check(all(taken == 1), "every column belongs to one chunk")
+   end subroutine test_targets
+
+end program test_domain_chunks
