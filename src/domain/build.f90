@@ -3,6 +3,7 @@ module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_domain_bands, only : check_bands
    use plydyn_domain_chunks, only : new_chunks
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
@@ -48,6 +49,8 @@ contains
       call check_step_curve(model, error)
       if (allocated(error)) return
       call build_plates(model, domain, error)
+      if (allocated(error)) return
+      call check_bands(model, domain, error)
       if (allocated(error)) return
       call build_joints(model, domain)
       call build_supports(model, domain, error)

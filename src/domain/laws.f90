@@ -6,9 +6,11 @@ module plydyn_domain_laws
    use plydyn_law_plastic_curve, only : plastic_curve_type
    use plydyn_law_plastic_johnson_cook, only : plastic_johnson_cook_type
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_yield_curve, only : yield_curve_type
-   use plydyn_model_material, only : law_elastic, law_plastic_curve, law_plastic_johnson_cook, &
-      & law_plastic_kinematic, material_type, plasticity_type
+   use plydyn_model_material, only : last_law, law_elastic, law_plastic_curve, &
+      & law_plastic_johnson_cook, law_plastic_kinematic, law_ply_damage, material_type, &
+      & plasticity_type
    implicit none
    private
 
@@ -34,6 +36,7 @@ contains
          call add_law(laws, k, b, kinematic_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, curve_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, johnson_cook_lanes(materials, lane_material(:, b)))
+         call add_law(laws, k, b, damage_lanes(materials, lane_material(:, b)))
       end do
    end function new_laws
 
@@ -43,13 +46,13 @@ contains
       integer, intent(in) :: lane_material(:, :)
 
       integer :: b, law
-      logical :: used(law_elastic:law_plastic_johnson_cook)
+      logical :: used(law_elastic:last_law)
 
       laws = 0
       used(:) = .false.
       do b = 1, size(lane_material, 2)
          associate (present => pack(lane_material(:, b), lane_material(:, b) > 0))
-            do law = law_elastic, law_plastic_johnson_cook
+            do law = law_elastic, last_law
                used(law) = any(materials(present)%law == law)
             end do
          end associate
@@ -163,5 +166,20 @@ contains
          end associate
       end do
    end function johnson_cook_lanes
+
+   !> The lanes of a block whose fibres and matrix are damaged
+   function damage_lanes(materials, lane_material) result(law)
+      type(material_type), intent(in) :: materials(:)
+      integer, intent(in) :: lane_material(:)
+      type(ply_damage_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         if (lane_material(l) == 0) cycle
+         associate (material => materials(lane_material(l)))
+            if (material%law == law_ply_damage) call law%set_lane(l, material%ply)
+         end associate
+      end do
+   end function damage_lanes
 
 end module plydyn_domain_laws

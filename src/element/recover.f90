@@ -10,18 +10,20 @@ module plydyn_element_recover
    use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
    use plydyn_law_elastic, only : strain_rotation
+   use plydyn_law_law, only : scalars
    implicit none
    private
 
    public :: layer_values, new_plane_shares, plane_value, point_history, &
       & thickness_interpolation
 
-   !> Values that are recovered, (25): strain and stress in the axes of the plate, then of the ply;
-   !> each xx, yy, zz, xy, xz, yz with engineering shear; effective plastic strain
-   integer, parameter, public :: recovered = 25
-   !> Where each of the five begins, less one
+   !> Where each kind of recovered values begins, less one: strain and stress in the axes of the
+   !> plate, then of the ply, each xx, yy, zz, xy, xz, yz with engineering shear; the scalars that
+   !> laws show
    integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
-      & ply_stress_at = 18, plastic_strain_at = 24
+      & ply_stress_at = 18, scalars_at = 24
+   !> How many there are
+   integer, parameter, public :: recovered = scalars_at + scalars
 
    !> Shares of the Gauss points of the plane in the values at a place
    type, public :: plane_shares_type
@@ -36,7 +38,7 @@ module plydyn_element_recover
 
 contains
 
-   !> Strain, stress and plastic strain of one layer of one quad at its Gauss points.
+   !> Strain, stress and the scalars of the law of one layer of one quad at its Gauss points.
    !> With large displacement the strain is Green-Lagrange; stress is Cauchy in the axes of the
    !> plate and second Piola-Kirchhoff in those of the ply, which turn with the material.
    pure function layer_values(plate, b, block, lane, quad, large, displacement, history) &
@@ -75,34 +77,34 @@ contains
             else
                stress(:) = matmul(stiffness, strain)
             end if
-            values(ply_stress_at + 1:plastic_strain_at, q, m) = ply_stress(rotation, stress)
-            values(plastic_strain_at + 1, q, m) = plastic_strain(plate, b, block, lane, quad, q, &
-               & m, history)
+            values(ply_stress_at + 1:scalars_at, q, m) = ply_stress(rotation, stress)
+            values(scalars_at + 1:, q, m) = law_scalars(plate, b, block, lane, quad, q, m, history)
             if (large) stress(:) = cauchy(h(:, :, q, m), stress)
             values(stress_at + 1:ply_strain_at, q, m) = stress
          end do
       end do
    end function layer_values
 
-   !> Effective plastic strain of a lane at a Gauss point; 0 without plasticity
-   pure real(wp) function plastic_strain(plate, b, block, lane, quad, q, m, history) result(strain)
+   !> Scalars that the law of a lane shows at a Gauss point; 0 in elastic layers
+   pure function law_scalars(plate, b, block, lane, quad, q, m, history) result(values)
       type(plate_type), intent(in) :: plate
       integer, intent(in) :: b, block, lane, quad, q, m
       real(wp), intent(in) :: history(:)
+      real(wp) :: values(scalars)
 
       real(wp) :: point(lanes, plate%batches(b)%histories)
       integer :: k
 
-      strain = 0.0_wp
+      values(:) = 0.0_wp
       do k = 1, size(plate%batches(b)%laws)
          associate (entry => plate%batches(b)%laws(k))
             if (entry%block /= block .or. .not. entry%law%owns(lane)) cycle
-            if (entry%law%plastic_strain_at == 0) cycle
+            if (entry%law%histories == 0) cycle
             point(:, :) = point_history(plate, plate%batches(b), block, quad, q, m, history)
-            strain = point(lane, entry%law%plastic_strain_at)
+            values(:) = entry%law%show(point(lane, :entry%law%histories))
          end associate
       end do
-   end function plastic_strain
+   end function law_scalars
 
    !> Stress of a law in ply axes
    pure function law_stress(batch, block, lane, strain, history) result(stress)

@@ -11,7 +11,8 @@ module plydyn_input_declare_impact
    integer, parameter :: list_fields = 8
    !> Names of the fields that can be written
    character(*), parameter :: field_names = &
-      & "DISPLACEMENT VELOCITY STRESS STRAIN STRESS_PLY STRAIN_PLY PLASTIC_STRAIN"
+      & "DISPLACEMENT VELOCITY STRESS STRAIN STRESS_PLY STRAIN_PLY PLASTIC_STRAIN " &
+      & //"DAMAGE_FIBRE DAMAGE_MATRIX DAMAGE_SHEAR DISSIPATED"
 
 contains
 
@@ -144,8 +145,10 @@ contains
 
       keyword = new_keyword("DATABASE_FIELD", ours, "Which fields the field states hold.")
       keyword%remark = "Names with blanks or commas between them, any number of lines. Without " &
-         & //"the keyword: displacement, velocity and stress. PLASTIC_STRAIN, the effective " &
-         & //"plastic strain, needs a material that yields."
+         & //"the keyword: displacement, velocity and stress, and where a ply is damaged " &
+         & //"DAMAGE_FIBRE, DAMAGE_MATRIX and DAMAGE_SHEAR, all from 0 to 1. PLASTIC_STRAIN, the " &
+         & //"effective plastic strain, needs a material that yields; DISSIPATED is energy per " &
+         & //"volume."
       call keyword%add_card(repeated=.true.)
       call keyword%add_words("NAME", "name of a field", field_names)
    end function database_field

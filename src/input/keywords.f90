@@ -2,6 +2,7 @@
 module plydyn_input_keywords
    use plydyn_deck_declaration, only : keyword_type
    use plydyn_input_declare_control, only : control_keywords, frame_keywords
+   use plydyn_input_declare_damage, only : damage_keywords
    use plydyn_input_declare_impact, only : impact_keywords, output_keywords
    use plydyn_input_declare_interface, only : interface_keywords
    use plydyn_input_declare_known, only : ignored_keywords, refused_keywords
@@ -21,8 +22,9 @@ contains
       type(keyword_type), allocatable :: keywords(:)
 
       keywords = [frame_keywords(), control_keywords(), mesh_keywords(), part_keywords(), &
-         & metal_keywords(), interface_keywords(), support_keywords(), load_keywords(), &
-         & impact_keywords(), output_keywords(), ignored_keywords(), refused_keywords()]
+         & metal_keywords(), damage_keywords(), interface_keywords(), support_keywords(), &
+         & load_keywords(), impact_keywords(), output_keywords(), ignored_keywords(), &
+         & refused_keywords()]
    end function all_keywords
 
 end module plydyn_input_keywords

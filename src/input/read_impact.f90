@@ -1,14 +1,14 @@
 !> Readers of impactors, contacts and output.
 module plydyn_input_read_impact
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : lower_case
+   use plydyn_base_text, only : lower_case, upper_case
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : longest_word
    use plydyn_input_catalogue, only : a_contact, a_node, a_node_set, a_part, a_profile, &
       & an_impactor, catalogue_type
    use plydyn_model_control, only : profile_type, request_type
    use plydyn_model_impactor, only : contact_type, impactor_type
-   use plydyn_model_material, only : law_elastic, material_type
+   use plydyn_model_material, only : law_elastic, law_ply_damage, material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
@@ -122,12 +122,36 @@ contains
       do i = 1, size(words)
          name = lower_case(words(i))
          if (all(request%fields /= name)) request%fields = [request%fields, name]
-         if (name == "plastic_strain" .and. all(materials%law == law_elastic)) then
-            call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
-               & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
-         end if
+         call check_field(cards, name, materials, catalogue)
       end do
    end subroutine read_database_field
+
+   !> A field that no material has
+   subroutine check_field(cards, name, materials, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      type(material_type), intent(in) :: materials(:)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      select case (name)
+      case ("plastic_strain")
+         if (any(materials%law /= law_elastic .and. materials%law /= law_ply_damage)) return
+         call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
+            & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
+      case ("damage_fibre", "damage_matrix", "damage_shear")
+         if (any(materials%law == law_ply_damage)) return
+         call catalogue%refuse(cards, "NAME", "no material is damaged: there is no " &
+            & //upper_case(name), "a material with damage, such as *MAT_PLY_CODAM2, or not this " &
+            & //"field")
+      case ("dissipated")
+         if (any(materials%law /= law_elastic)) return
+         call catalogue%refuse(cards, "NAME", "no material dissipates: there is no DISSIPATED", &
+            & "a material that yields or is damaged, or not this field")
+      case default
+         continue
+      end select
+   end subroutine check_field
 
    !> *DATABASE_PROFILE: stress through the thickness
    subroutine read_database_profile(cards, catalogue, mesh, profiles)

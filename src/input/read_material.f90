@@ -10,7 +10,7 @@ module plydyn_input_read_material
    private
 
    public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
-      & begin_material, read_isotropic
+      & begin_material, check_stability, read_isotropic
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -96,7 +96,9 @@ contains
 
    !> Number, title and density of a ply material
    subroutine begin_material(cards, catalogue, material)
+      !> The keyword
       type(cards_type), intent(in) :: cards
+      !> Gets the number
       type(catalogue_type), intent(inout) :: catalogue
       !> The material
       type(material_type), intent(inout) :: material
@@ -110,11 +112,13 @@ contains
 
    !> A strain must cost energy: the compliance must be positive definite
    subroutine check_stability(cards, names, material, catalogue)
+      !> The keyword
       type(cards_type), intent(in) :: cards
       !> Fields of the Poisson's ratios 12, 13, 23
       character(*), intent(in) :: names(3)
       !> Elastic constants
       type(material_type), intent(in) :: material
+      !> Gets the finding
       type(catalogue_type), intent(inout) :: catalogue
 
       integer, parameter :: first(3) = [1, 1, 2], second(3) = [2, 3, 3]

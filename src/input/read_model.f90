@@ -10,6 +10,7 @@ module plydyn_input_read_model
    use plydyn_input_manual, only : keyword_manual
    use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
       & read_control_termination, read_control_timestep, read_control_units
+   use plydyn_input_read_damage, only : read_mat_ply_codam2
    use plydyn_input_read_impact, only : read_contact_impactor, read_database_field, &
       & read_database_history_node, read_database_history_node_set, read_database_profile, &
       & read_impactor_sphere
@@ -32,6 +33,8 @@ module plydyn_input_read_model
    use plydyn_input_read_support, only : read_boundary_face, read_boundary_face_motion, &
       & read_boundary_prescribed_motion_set, read_boundary_spc_set, read_initial_velocity, &
       & read_initial_velocity_node
+   use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
+   use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -86,7 +89,7 @@ contains
       call read_stage(deck, read_support, catalogue, model)
       call read_stage(deck, read_load, catalogue, model)
       call read_stage(deck, read_run, catalogue, model)
-      call end_model(model)
+      call end_model(deck, model)
       call check_model(model, catalogue)
       call conclude(deck, catalogue%report, messages, error)
    end subroutine read_model
@@ -172,6 +175,8 @@ contains
       select case (cards%name)
       case ("MAT_PIECEWISE_LINEAR_PLASTICITY")
          call read_mat_piecewise_linear_plasticity(cards, catalogue, model%curves, model%materials)
+      case ("MAT_PLY_CODAM2")
+         call read_mat_ply_codam2(cards, catalogue, model%curves, model%materials)
       case default
          continue
       end select
@@ -361,14 +366,25 @@ contains
    end subroutine begin_model
 
    !> What the deck does not say
-   subroutine end_model(model)
+   subroutine end_model(deck, model)
+      !> The deck
+      type(deck_type), intent(in) :: deck
       !> The model
       type(model_type), intent(inout) :: model
 
+      integer :: i
+
+      do i = 1, size(model%materials)
+         model%materials(i)%place = ""
+         if (model%materials(i)%line > 0) model%materials(i)%place = deck%source%where( &
+            & model%materials(i)%line)
+      end do
       associate (request => model%request)
          if (size(request%fields) == 0) then
             request%fields = [character(len(request%fields)) :: &
                & "displacement", "velocity", "stress"]
+            if (any(model%materials%law == law_ply_damage)) request%fields = [request%fields, &
+               & scalar_names(shows_fibre_damage:shows_shear_damage)]
          end if
          if (request%field_interval <= 0.0_wp) then
             request%field_interval = model%control%end_time/usual_states

@@ -8,17 +8,40 @@ module plydyn_law_law
    implicit none
    private
 
+   !> Ways to dissipate energy, in the order of their columns: what a law of plies has a history
+   !> variable for comes first
+   integer, parameter, public :: by_fibre_damage = 1, by_matrix_damage = 2, &
+      & by_ply_plasticity = 3, by_metal_plasticity = 4, by_delamination = 5, by_friction = 6
+   integer, parameter, public :: mechanisms = 6
+   character(16), parameter, public :: mechanism_names(mechanisms) = [character(16) :: &
+      & "fibre damage", "matrix damage", "ply plasticity", "metal plasticity", "delamination", &
+      & "friction"]
+
+   !> Scalars that a law can show of a point, in the order of the recovered values, and the names
+   !> of their fields
+   integer, parameter, public :: shows_plastic_strain = 1, shows_fibre_damage = 2, &
+      & shows_matrix_damage = 3, shows_shear_damage = 4, shows_dissipated = 5
+   integer, parameter, public :: scalars = 5
+   character(16), parameter, public :: scalar_names(scalars) = [character(16) :: &
+      & "plastic_strain", "damage_fibre", "damage_matrix", "damage_shear", "dissipated"]
+
    !> A law with the constants of one batch
    type, abstract, public :: law_type
       !> Lanes that have this law
       logical :: owns(lanes) = .false.
       !> History variables of a point; the last is always the energy dissipated so far per volume
       integer :: histories = 0
-      !> History variable that is the effective plastic strain; 0 for none
-      integer :: plastic_strain_at = 0
+      !> History variable that is the energy dissipated so far by each mechanism; 0 for none
+      integer :: energy_at(mechanisms) = 0
+      !> Rule for the width of the crack band of lanes that soften, as in `band_length`; 0 elsewhere
+      integer :: band_rule(lanes) = 0
+      !> Width of the crack band of lanes whose deck gives it; 0 elsewhere
+      real(wp) :: band_width(lanes) = 0.0_wp
    contains
       procedure(update_batch), deferred :: update
       procedure :: recall
+      procedure :: start_history
+      procedure :: show
    end type law_type
 
    !> The law of some lanes of one block of layers
@@ -39,7 +62,8 @@ module plydyn_law_law
          real(wp), intent(in) :: step
          !> Total strain, (lanes, 6)
          real(wp), intent(in) :: strain(lanes, 6)
-         !> History of the point, old in and new out, (lanes, histories); zero at time zero
+         !> History of the point, old in and new out, (lanes, histories); what `start_history` made
+         !> of it at time zero
          real(wp), intent(inout) :: history(lanes, *)
          !> Stress; lanes of other laws keep theirs
          real(wp), intent(inout) :: stress(lanes, 6)
@@ -63,5 +87,25 @@ contains
       copy(:, :) = history(:, :self%histories)
       call self%update(0.0_wp, strain, copy, stress)
    end subroutine recall
+
+   !> History of a point at time zero, which is all zero; a law that needs more overrides this
+   pure subroutine start_history(self, length, history)
+      class(law_type), intent(in) :: self
+      !> Widths of the crack band for fibres and for matrix; 0 in lanes without a rule for it
+      real(wp), intent(in) :: length(lanes, 2)
+      !> (lanes, histories), zero in
+      real(wp), intent(inout) :: history(lanes, *)
+   end subroutine start_history
+
+   !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
+   pure function show(self, history) result(values)
+      class(law_type), intent(in) :: self
+      !> History of the lane
+      real(wp), intent(in) :: history(:)
+      real(wp) :: values(scalars)
+
+      values(:) = 0.0_wp
+      if (self%histories > 0) values(shows_dissipated) = history(self%histories)
+   end function show
 
 end module plydyn_law_law

@@ -11,7 +11,8 @@
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
 module plydyn_law_plastic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_law, only : law_type
+   use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
+      & shows_plastic_strain
    implicit none
    private
 
@@ -51,6 +52,7 @@ module plydyn_law_plastic
    contains
       procedure :: update
       procedure :: recall
+      procedure :: show
       procedure :: stored_energy
       procedure :: own_lane
       procedure :: search
@@ -94,11 +96,22 @@ contains
       self%owns(lane) = .true.
       self%mine(lane) = 1.0_wp
       self%histories = histories
-      self%plastic_strain_at = effective_plastic_strain
+      self%energy_at(by_metal_plasticity) = histories
       self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
       self%shear(lane) = young/(2.0_wp*(1.0_wp + poisson))
       self%onset(lane) = onset
    end subroutine own_lane
+
+   !> Scalars of a lane that its fields show
+   pure function show(self, history) result(values)
+      class(plastic_type), intent(in) :: self
+      real(wp), intent(in) :: history(:)
+      real(wp) :: values(scalars)
+
+      values(:) = 0.0_wp
+      values(shows_plastic_strain) = history(effective_plastic_strain)
+      values(shows_dissipated) = history(dissipated)
+   end function show
 
    !> Stress and history at the end of a step
    pure subroutine update(self, step, strain, history, stress)

@@ -3,7 +3,7 @@ module plydyn_law_ply_constants
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_crack_band, only : longest_length
+   use plydyn_law_crack_band, only : longest_length, rule_band
    use plydyn_law_elastic, only : is_stable
    use plydyn_law_shear_curve, only : check_curve, shear_curve_type
    implicit none
@@ -61,9 +61,13 @@ module plydyn_law_ply_constants
       !> Least ratio of the strain at the end of softening to that at onset, where damage starts
       !> early
       real(wp) :: snap_ratio = 1.05_wp
+      !> Rule for the width of the crack band; the width itself, 0: by the rule
+      integer :: band_rule = rule_band
+      real(wp) :: band_width = 0.0_wp
    contains
       procedure :: check
       procedure :: longest_lengths
+      procedure :: snaps_back
       procedure :: refuse_snap_back
    end type ply_constants_type
 
@@ -116,6 +120,20 @@ contains
       longest(3:4) = longest_length(self%young(2), self%matrix_toughness, self%matrix_strength)
       longest(5) = longest_length(self%shear(1), shear_toughness, self%shear_strength)
    end function longest_lengths
+
+   !> Modes in which a crack band is too wide: damage starts early there, or the stress drops
+   pure function snaps_back(self, length) result(snaps)
+      class(ply_constants_type), intent(in) :: self
+      !> Widths of the band for broken fibres and for matrix cracks
+      real(wp), intent(in) :: length(2)
+      logical :: snaps(modes)
+
+      real(wp) :: longest(modes)
+
+      longest(:) = self%longest_lengths()/self%snap_ratio
+      snaps(:in_compression) = length(1) > longest(:in_compression)
+      snaps(in_compression + 1:) = length(2) > longest(in_compression + 1:)
+   end function snaps_back
 
    !> Refuse a crack band that snaps back
    subroutine refuse_snap_back(self, length, error)

@@ -8,8 +8,9 @@ module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_damage_growth, only : grow
    use plydyn_law_damage_onset, only : onset_type
-   use plydyn_law_law, only : law_type
-   use plydyn_law_ply_constants, only : in_compression, modes, ply_constants_type
+   use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
+      & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
+   use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_length, &
       & fibre_onset, find_remains, give_own, histories_closing, histories_open, matrix_damage, &
       & matrix_energy, matrix_finish, matrix_length, matrix_onset, shear_energy, shear_peak, &
@@ -41,13 +42,11 @@ module plydyn_law_ply_damage
       !> 1 in lanes where onset is by the stress of an intact ply; whether in any
       real(wp) :: intact(lanes) = 0.0_wp
       logical :: any_intact = .false.
-      !> Widest crack band without snap-back, by mode
-      real(wp) :: longest(lanes, modes) = huge(1.0_wp)
    contains
       procedure :: update
       procedure :: set_lane
-      procedure :: start
-      procedure :: add_snap_backs
+      procedure :: start_history
+      procedure :: show
    end type ply_damage_type
 
    !> What happens to a point in a step
@@ -85,16 +84,19 @@ contains
       self%plateau(lane, 1) = constants%plateau
       self%residual(lane) = constants%residual
       self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
-      self%longest(lane, :) = constants%longest_lengths()/constants%snap_ratio
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
       self%any_intact = any(self%intact > 0.0_wp)
       self%histories = merge(histories_closing, histories_open, self%any_closes)
+      self%energy_at(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
+         & shear_energy]
+      self%band_rule(lane) = constants%band_rule
+      self%band_width(lane) = constants%band_width
    end subroutine set_lane
 
    !> History of a point at time zero: all zero but the widths of the crack band
-   pure subroutine start(self, length, history)
+   pure subroutine start_history(self, length, history)
       class(ply_damage_type), intent(in) :: self
       !> Widths for fibres and for matrix
       real(wp), intent(in) :: length(lanes, 2)
@@ -110,23 +112,24 @@ contains
          history(:, fibre_length) = length(:, 1)
          history(:, matrix_length) = length(:, 2)
       end where
-   end subroutine start
+   end subroutine start_history
 
-   !> Count the modes that a crack band is too wide for: damage starts early, or drops at once
-   pure subroutine add_snap_backs(self, length, counts)
+   !> Damage and energy of a lane that its fields show; where cracks close, the larger damage
+   pure function show(self, history) result(values)
       class(ply_damage_type), intent(in) :: self
-      !> Widths for fibres and for matrix
-      real(wp), intent(in) :: length(lanes, 2)
-      !> Lanes, by mode as in `mode_names`
-      integer, intent(inout) :: counts(modes)
+      real(wp), intent(in) :: history(:)
+      real(wp) :: values(scalars)
 
-      integer :: mode
+      real(wp) :: damage(2)
 
-      do mode = 1, modes
-         counts(mode) = counts(mode) + count(self%owns .and. &
-            & length(:, merge(1, 2, mode <= in_compression)) > self%longest(:, mode))
-      end do
-   end subroutine add_snap_backs
+      damage(:) = history([fibre_damage, matrix_damage])
+      if (self%any_closes) damage(:) = max(damage, &
+         & history([fibre_damage, matrix_damage] + to_compression))
+      values(:) = 0.0_wp
+      values(shows_fibre_damage:shows_matrix_damage) = damage
+      values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
+      values(shows_dissipated) = history(self%histories)
+   end function show
 
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)

@@ -2,13 +2,15 @@
 module plydyn_model_material
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive, only : cohesive_constants_type
+   use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_model_curve, only : curve_type
    implicit none
    private
 
    !> What a material does beyond elasticity
    integer, parameter, public :: law_elastic = 0, law_plastic_kinematic = 1, &
-      & law_plastic_curve = 2, law_plastic_johnson_cook = 3
+      & law_plastic_curve = 2, law_plastic_johnson_cook = 3, law_ply_damage = 4, &
+      & last_law = law_ply_damage
 
    !> Metal plasticity
    type, public :: plasticity_type
@@ -39,6 +41,9 @@ module plydyn_model_material
       integer :: id = 0
       !> Keyword that defined it
       character(:), allocatable :: keyword
+      !> Where the deck says what to do about its crack bands: line of all lines, file and line
+      integer :: line = 0
+      character(:), allocatable :: place
       !> Title, empty without one
       character(:), allocatable :: title
       !> Mass per volume
@@ -53,6 +58,8 @@ module plydyn_model_material
       integer :: law = law_elastic
       !> For the laws of plasticity
       type(plasticity_type) :: plasticity
+      !> For `law_ply_damage`: all constants, the elastic ones too
+      type(ply_constants_type) :: ply
       !> Direction from which ply angles are measured, degrees from the x axis
       real(wp) :: axis_angle = 0.0_wp
    end type material_type

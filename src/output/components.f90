@@ -1,6 +1,7 @@
 !> Components of the fields on points.
 module plydyn_output_components
    use plydyn_base_precision, only : wp
+   use plydyn_law_law, only : scalar_names
    implicit none
    private
 
@@ -20,8 +21,7 @@ contains
 
       select case (name)
       case ("displacement", "velocity"); components = 3
-      case ("plastic_strain"); components = 1
-      case default; components = 6
+      case default; components = merge(1, 6, any(scalar_names == name))
       end select
    end function field_components
 

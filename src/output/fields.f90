@@ -1,13 +1,14 @@
 !> Field states: displacement, velocity, strain and stress at the points of the grid.
 module plydyn_output_fields
-   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
-      & plane_value, plastic_strain_at, ply_strain_at, ply_stress_at, recovered, strain_at, &
-      & stress_at, thickness_interpolation
+      & plane_value, ply_strain_at, ply_stress_at, recovered, scalars_at, strain_at, stress_at, &
+      & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
+   use plydyn_law_law, only : scalar_names
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components, tensor, tensor_share
@@ -169,7 +170,7 @@ contains
 
       character(:), allocatable :: name
       real(wp), allocatable :: values(:, :)
-      integer :: i
+      integer :: i, scalar
 
       call self%file%begin_step(state%time)
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
@@ -194,12 +195,9 @@ contains
                call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share), error)
             case ("stress_ply")
                call file%write_point_data(name, tensor(values, ply_stress_at), error)
-            case ("plastic_strain")
-               ! values at Gauss points are never negative, but polynomials through them may be
-               call file%write_point_data(name, max(values(plastic_strain_at + 1, :), 0.0_wp), &
-                  & error)
             case default
-               call fail(error, exit_output, "there is no field called "//name)
+               scalar = findloc(scalar_names == name, .true., 1)
+               call file%write_point_data(name, values(scalars_at + scalar, :), error)
             end select
          end associate
          if (allocated(error)) return
@@ -285,11 +283,24 @@ contains
             do n = 1, size(plate%node, 1)
                i = self%grid%first(k) + (t - 1)*domain%columns%nodes + plate%node(n, e)
                values(:, i) = values(:, i) + self%weight(p)%share(n, e) &
-                  & *plane_value(plate, e, k, self%at_node(n), at_level)
+                  & *within_cell(plane_value(plate, e, k, self%at_node(n), at_level), at_gauss)
             end do
          end do
       end associate
    end subroutine add_quad
+
+   !> Values whose scalars do not leave the range of the Gauss points of the cell, as polynomials
+   !> through them may
+   pure function within_cell(values, at_gauss) result(kept)
+      real(wp), intent(in) :: values(:), at_gauss(:, :, :)
+      real(wp) :: kept(size(values))
+      integer :: i
+
+      kept(:) = values
+      do i = scalars_at + 1, recovered
+         kept(i) = min(max(values(i), minval(at_gauss(i, :, :))), maxval(at_gauss(i, :, :)))
+      end do
+   end function within_cell
 
    !> Values at the Gauss points of the plane at one height, (recovered, points)
    pure function level_values(at_gauss, share) result(values)

@@ -2,13 +2,14 @@
 module plydyn_output_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_dissipation, only : dissipated_energy
+   use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, part_type
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components
+   use plydyn_output_damage_listing, only : write_damage
    use plydyn_output_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_output_progress, only : duration_text
    use plydyn_output_step_listing, only : write_step
@@ -50,6 +51,7 @@ contains
       do p = 1, size(model%parts)
          call write_part(unit, model, model%parts(p))
       end do
+      call write_damage(unit, model, domain)
       call write_interface_laws(unit, model)
       call write_masses(unit, model, domain)
       call write_step(unit, model, domain)
@@ -219,7 +221,7 @@ contains
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
          write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
-            & trim(u%energy), "  dissipated", dissipated_energy(domain, state%history), &
+            & trim(u%energy), "  dissipated", sum(dissipated_energies(domain, state%history)), &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
             & "  added     ", e%added, trim(u%energy), &

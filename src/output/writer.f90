@@ -3,9 +3,8 @@ module plydyn_output_writer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : interface_losses
-   use plydyn_domain_dissipation, only : dissipated_energy
    use plydyn_domain_domain, only : domain_type
+   use plydyn_law_law, only : mechanisms
    use plydyn_model_model, only : model_type
    use plydyn_output_delamination, only : delamination_history_type
    use plydyn_output_fields, only : fields_type
@@ -14,6 +13,7 @@ module plydyn_output_writer
    use plydyn_output_node_history, only : node_history_type
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
+   use plydyn_output_rows, only : energy_names, energy_row, impactor_names, impactor_row
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -95,25 +95,18 @@ contains
    end subroutine open_writer
 
    !> Energies and momentum
-   !>
-   !> The names of columns are constants: gfortran 12 may blank the first word of a list of texts
-   !> that is an actual argument.
    subroutine open_energy(self, job, model, error)
       class(writer_type), intent(inout) :: self
       character(*), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
-      character(12), parameter :: names(*) = [character(12) :: "cycle", "time", "step", &
-         & "kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact", &
-         & "delamination", "friction", "ripple", "total", "error", "momentum x", "momentum y", &
-         & "momentum z"]
       character(20) :: momentum
 
       associate (u => model%control%units)
          momentum = trim(u%force)//" "//u%time
-         call self%energy%open(job//".energy.csv", names, [character(20) :: "-", u%time, u%time, &
-            & spread(u%energy, 1, 11), "-", spread(momentum, 1, 3)], &
+         call self%energy%open(job//".energy.csv", energy_names, [character(20) :: "-", &
+            & u%time, u%time, spread(u%energy, 1, 9 + mechanisms), "-", spread(momentum, 1, 3)], &
             & model%request%energy_interval, error)
       end associate
    end subroutine open_energy
@@ -125,9 +118,7 @@ contains
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
-      character(12), parameter :: names(*) = [character(12) :: "time", "force", "displacement", &
-         & "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", "penetration"]
-      character(20) :: units(size(names))
+      character(20) :: units(size(impactor_names))
       integer :: i
 
       allocate (self%impactors(size(model%impactors)))
@@ -136,7 +127,7 @@ contains
             & u%energy, u%energy, u%force, u%force, "-", u%length]
          do i = 1, size(self%impactors)
             call self%impactors(i)%open(job//".impactor_"//text(model%impactors(i)%id)//".csv", &
-               & names, units, model%request%impactor_interval, error)
+               & impactor_names, units, model%request%impactor_interval, error)
             if (allocated(error)) return
          end do
       end associate
@@ -251,12 +242,9 @@ contains
 
       integer :: i
 
-      associate (e => state%energies, time => state%time)
+      associate (time => state%time)
          if (self%energy%due(time) .or. is_last) then
-            call self%energy%record(time, [real(state%cycle, wp), time, state%step_before, &
-               & e%kinetic, e%internal, dissipated_energy(domain, state%history), e%impactor, &
-               & e%damping, e%external, e%contact, interface_losses(domain, state%history), &
-               & e%ripple - e%shift - e%added, e%total(), e%error(), e%momentum], error)
+            call self%energy%record(time, energy_row(domain, state), error)
             if (allocated(error)) return
          end if
          do i = 1, size(self%impactors)
@@ -274,23 +262,6 @@ contains
          end if
       end associate
    end subroutine record_histories
-
-   !> One line of an impactor
-   pure function impactor_row(domain, state, i) result(row)
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      integer, intent(in) :: i
-      real(wp) :: row(10)
-
-      real(wp) :: kinetic, start
-
-      associate (own => state%impactors(i), impactor => domain%impactors(i))
-         kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
-         start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
-         row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &
-            & start - kinetic, own%force(1:2), real(own%contacts, wp), own%penetration]
-      end associate
-   end function impactor_row
 
    !> The line of life, when its time has come
    subroutine show(self, state, is_last)

@@ -2,6 +2,7 @@
 module plydyn_solver_start
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_histories, only : start_histories
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
    use plydyn_solver_motion, only : node_blocks
@@ -34,6 +35,7 @@ contains
       state%acceleration(:) = 0.0_wp
       allocate (state%history(domain%histories))
       state%history(:) = 0.0_wp
+      call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)
       allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
       state%load_factor(:) = 0.0_wp

@@ -65,7 +65,7 @@ contains
          call self%law%set_lane(l, ply)
       end do
       history(:, :) = 0.0_wp
-      call self%law%start(spread(length, 1, lanes), history)
+      call self%law%start_history(spread(length, 1, lanes), history)
       self%history = history(1, :)
    end function new_point
 

@@ -58,6 +58,11 @@ program test_law_ply_constants
    call ply%check(error)
    call check_error(error, "shear curve", "looks at the curve too")
 
+   call begin("snaps_back")
+   ply = paper_ply()
+   call check(all(ply%snaps_back([5.0_wp, 0.39_wp]) &
+      & .eqv. [.true., .false., .false., .true., .true.]), "each mode has a width of its own")
+
    call begin("refuse_snap_back")
    ply = paper_ply()
    call ply%refuse_snap_back([4.1_wp, 0.31_wp], error)

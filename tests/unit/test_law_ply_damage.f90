@@ -1,9 +1,8 @@
 !> Each mode of a ply alone: onset at its strength, a straight way down, its toughness dissipated.
 !> All expectations follow from the constants of the paper's Table 5.
 program test_law_ply_damage
-   use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_constants, only : mode_names, modes, ply_constants_type
-   use plydyn_law_ply_damage, only : ply_damage_type
+   use plydyn_base_precision, only : wp
+   use plydyn_law_ply_constants, only : mode_names, ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_onset, &
       & matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
       & shear_energy, shear_set
@@ -20,7 +19,6 @@ program test_law_ply_damage
    call test_normal_modes()
    call test_shear()
    call test_curved_shear()
-   call test_counts()
    call finish()
 
 contains
@@ -188,23 +186,6 @@ contains
          call check(point%stress(4), -before, 1.0e-10_wp*before, "and loads again there")
       end associate
    end subroutine test_curved_shear
-
-   !> Bands that are too wide are counted by mode
-   subroutine test_counts()
-      type(ply_damage_type) :: law
-      real(wp) :: length(lanes, 2)
-      integer :: counts(modes)
-
-      call begin("add_snap_backs")
-      call law%set_lane(1, paper_ply())
-      call law%set_lane(3, paper_ply())
-      length(:, 1) = 5.0_wp
-      length(:, 2) = 0.35_wp
-      length(3, 2) = 0.39_wp
-      counts(:) = 0
-      call law%add_snap_backs(length, counts)
-      call check(all(counts == [2, 0, 0, 1, 2]), "counts own lanes, each mode at its own length")
-   end subroutine test_counts
 
    !> The larger of the two damages of a point
    pure real(wp) function damage(point)

@@ -327,7 +327,7 @@ contains
          call law%set_lane(2*p - 1, plies(p))
       end do
       length(:, :) = spread(narrow, 1, lanes)
-      call law%start(length, history)
+      call law%start_history(length, history)
       call draw(3, amplitude)
       do i = 1, 400
          strain(:) = strain_at(amplitude, real(i, wp)/400.0_wp)
@@ -347,7 +347,7 @@ contains
       end do
 
       stiffness(:, :) = ply_stiffness(plies(2)%young, plies(2)%poisson, plies(2)%shear)
-      call law%start(length, history)
+      call law%start_history(length, history)
       strain(:) = [1.0e-3_wp, -2.0e-3_wp, 3.0e-3_wp, 1.0e-3_wp, 2.0e-3_wp, -1.0e-3_wp]
       call law%update(0.0_wp, spread(strain, 1, lanes), history, stress)
       call check(stress(3, :), matmul(stiffness, strain), 1.0e-9_wp, "start elastic")

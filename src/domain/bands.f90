@@ -1,0 +1,137 @@
+!> Widths of the crack bands that a mesh gives to the plies that are damaged, and what they do.
+module plydyn_domain_bands
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_histories, only : band_lengths
+   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_law_ply_constants, only : modes, snap_refuse
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_bands, find_bands
+
+   !> Crack bands of a material, each for fibres and for matrix
+   type, public :: band_type
+      !> Narrowest and widest
+      real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
+      !> Quad of the mesh and ply from the bottom of its part where the widest is
+      integer :: quad(2) = 0, ply(2) = 0
+      !> Gauss points, and those of them where the band is too wide, by mode
+      integer :: points = 0, too_wide(modes) = 0
+   end type band_type
+
+contains
+
+   !> Refuse bands that snap back, where a material asks for that
+   subroutine check_bands(model, domain, error)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain with its plates
+      type(domain_type), intent(in) :: domain
+      !> Names the quad, the mode and the width that would be right
+      type(error_type), allocatable, intent(out) :: error
+
+      type(band_type) :: bands(size(model%materials))
+      type(error_type), allocatable :: cause
+      real(wp) :: length(2)
+      integer :: i, k
+
+      if (all(model%materials%ply%snap_back /= snap_refuse)) return
+      bands(:) = find_bands(model, domain)
+      do i = 1, size(bands)
+         associate (material => model%materials(i), band => bands(i))
+            if (material%ply%snap_back /= snap_refuse .or. band%points == 0) cycle
+            do k = 1, 2
+               length(:) = 0.0_wp
+               length(k) = band%widest(k)
+               call material%ply%refuse_snap_back(length, cause)
+               if (.not. allocated(cause)) cycle
+               call fail(error, exit_input, "error: "//material%place//": *"//material%keyword &
+                  & //" SNAP: in quad "//text(model%mesh%quad_id(band%quad(k)))//", ply " &
+                  & //text(band%ply(k))//" from the bottom, "//cause%message)
+               return
+            end do
+         end associate
+      end do
+   end subroutine check_bands
+
+   !> Crack bands of each material of the model
+   function find_bands(model, domain) result(bands)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain with its plates
+      type(domain_type), intent(in) :: domain
+      type(band_type) :: bands(size(model%materials))
+
+      integer :: b, p
+
+      do p = 1, size(domain%plates)
+         do b = 1, size(domain%plates(p)%batches)
+            call add_batch(model, domain, p, domain%plates(p)%batches(b), bands)
+         end do
+      end do
+   end function find_bands
+
+   !> Add the bands of a batch of layers of a part
+   subroutine add_batch(model, domain, p, batch, bands)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: p
+      type(layer_batch_type), intent(in) :: batch
+      type(band_type), intent(inout) :: bands(:)
+
+      real(wp) :: length(lanes, 2)
+      integer :: e, k, l, ply, q
+
+      associate (plate => domain%plates(p))
+         do k = 1, size(batch%laws)
+            associate (law => batch%laws(k)%law, block => batch%laws(k)%block)
+               if (all(law%band_rule == 0)) cycle
+               do e = 1, size(plate%quad)
+                  do q = 1, size(plate%node, 1)
+                     length(:, :) = band_lengths(plate, batch%turn(:, :, block), law, q, e)
+                     do l = 1, lanes
+                        if (law%band_rule(l) == 0 .or. batch%layer(l, block) == 0) cycle
+                        ply = domain%layers%ply(batch%layer(l, block))
+                        call add_point(model, plate, p, ply, e, length(l, :), &
+                           & batch%expansion%order + 1, bands)
+                     end do
+                  end do
+               end do
+            end associate
+         end do
+      end associate
+   end subroutine add_batch
+
+   !> Add the bands of the Gauss points above each other at a place of a layer
+   pure subroutine add_point(model, plate, p, ply, e, length, levels, bands)
+      type(model_type), intent(in) :: model
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: p, ply, e
+      real(wp), intent(in) :: length(2)
+      integer, intent(in) :: levels
+      type(band_type), intent(inout) :: bands(:)
+
+      integer :: k
+
+      associate (material => model%parts(p)%plies(ply)%material)
+         associate (band => bands(material))
+            do k = 1, 2
+               band%narrowest(k) = min(band%narrowest(k), length(k))
+               if (length(k) <= band%widest(k)) cycle
+               band%widest(k) = length(k)
+               band%quad(k) = plate%quad(e)
+               band%ply(k) = ply
+            end do
+            band%points = band%points + levels
+            where (model%materials(material)%ply%snaps_back(length))
+               band%too_wide(:) = band%too_wide + levels
+            end where
+         end associate
+      end associate
+   end subroutine add_point
+
+end module plydyn_domain_bands

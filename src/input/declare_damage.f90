@@ -1,0 +1,134 @@
+!> Keywords of plies that are damaged.
+module plydyn_input_declare_damage
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours
+   implicit none
+   private
+
+   public :: damage_keywords
+
+contains
+
+   !> Keywords of plies that are damaged
+   function damage_keywords() result(keywords)
+      type(keyword_type) :: keywords(1)
+
+      keywords(1) = mat_ply_codam2()
+   end function damage_keywords
+
+   !> Ply whose fibres and matrix are damaged
+   function mat_ply_codam2() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_PLY_CODAM2", ours, "Ply with damage of fibres and of matrix " &
+         & //"after nonlinear shear: CODAM2 at the level of the ply.", suffixes="TITLE")
+      keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. Damage starts at a " &
+         & //"strength, and the stress then falls linearly with strain until the toughness is " &
+         & //"spent over the width of the crack band, which is a length of the quad. The listing " &
+         & //"prints the strains and widths made of it."
+      call add_elastic_cards(keyword)
+      call add_strength_cards(keyword)
+      call add_shear_card(keyword)
+      call add_switch_card(keyword)
+   end function mat_ply_codam2
+
+   !> Density and elastic constants
+   subroutine add_elastic_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_integer("MID", "number of the material", least=1)
+      call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
+      call keyword%add_real("E1", "stress", "Young's modulus along 1", above=0.0_wp)
+      call keyword%add_real("E2", "stress", "Young's modulus along 2", above=0.0_wp)
+      call keyword%add_real("E3", "stress", "Young's modulus along 3", above=0.0_wp)
+      call keyword%add_real("NU12", "-", "Poisson's ratio: strain along 2 from stress along 1")
+      call keyword%add_real("NU13", "-", "Poisson's ratio: strain along 3 from stress along 1")
+      call keyword%add_real("NU23", "-", "Poisson's ratio: strain along 3 from stress along 2")
+      call keyword%add_card()
+      call keyword%add_real("G12", "stress", "shear modulus in the plane 1-2", above=0.0_wp)
+      call keyword%add_real("G13", "stress", "shear modulus in the plane 1-3", above=0.0_wp)
+      call keyword%add_real("G23", "stress", "shear modulus in the plane 2-3", above=0.0_wp)
+   end subroutine add_elastic_cards
+
+   !> Strengths, toughnesses, width of the crack band, largest damage
+   subroutine add_strength_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_real("XT", "stress", "strength of fibres in tension", above=0.0_wp)
+      call keyword%add_real("XC", "stress", "strength of fibres in compression", above=0.0_wp)
+      call keyword%add_real("YT", "stress", "strength of matrix in tension", above=0.0_wp)
+      call keyword%add_real("YC", "stress", "strength of matrix in compression", above=0.0_wp)
+      call keyword%add_real("SL", "stress", "shear strength in the plane 1-2", above=0.0_wp)
+      call keyword%add_real("ST", "stress", "shear strength in the plane 2-3; needed for MCOMP 1", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_card()
+      call keyword%add_real("G1T", "energy/length2", "toughness of fibres in tension", &
+         & above=0.0_wp)
+      call keyword%add_real("G1C", "energy/length2", "toughness of fibres in compression", &
+         & above=0.0_wp)
+      call keyword%add_real("G2T", "energy/length2", "toughness of matrix in tension", &
+         & above=0.0_wp)
+      call keyword%add_real("G2C", "energy/length2", "toughness of matrix in compression", &
+         & above=0.0_wp)
+      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
+         & //"remains", default=0.999999_wp, above=0.0_wp, most=0.999999999_wp)
+      call keyword%zero_is_default()
+      call keyword%add_real("G2S", "energy/length2", "toughness of matrix in shear; 0 for G2T or " &
+         & //"G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
+   end subroutine add_strength_cards
+
+   !> Curve of shear
+   subroutine add_shear_card(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card(optional=.true.)
+      call keyword%add_integer("SHEAR", "shear in the plane 1-2 until the matrix cracks: " &
+         & //"0 linear; 1 exponential that reaches SL at GAMU; 2 curve LCID; 3 of Ramberg and " &
+         & //"Osgood, strain = stress/G12 + ALPHA stress**N", default=0, allowed=[0, 1, 2, 3])
+      call keyword%add_integer("LCID", "curve of shear stress over shear strain from 0, 0; its " &
+         & //"last line goes on", default=0, least=0)
+      call keyword%add_real("GAMU", "-", "shear strain at which SL is reached, above SL/G12", &
+         & default=0.05_wp, above=0.0_wp)
+      call keyword%zero_is_default()
+      call keyword%add_real("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("N", "-", "exponent of Ramberg and Osgood, above 1", default=0.0_wp, &
+         & least=0.0_wp)
+   end subroutine add_shear_card
+
+   !> Choices within the law
+   subroutine add_switch_card(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card(optional=.true.)
+      call keyword%add_integer("LRULE", "width of the crack band: 0 share of the length of the " &
+         & //"quad along the direction, 13/18 with 9 nodes; 1 length of the Gauss point along " &
+         & //"it; 2 root of the area of the Gauss point; 3 root of the area of the quad", &
+         & default=0, allowed=[0, 1, 2, 3])
+      call keyword%add_integer("SNAP", "where the crack band is too wide for the toughness: 0 " &
+         & //"start damage early, the toughness stays right; 1 refuse the mesh; 2 let the stress " &
+         & //"drop at once from the strength", default=0, allowed=[0, 1, 2])
+      call keyword%add_real("RSNAP", "-", "least ratio of the strains at the end and at onset of " &
+         & //"damage, for SNAP 0 and 1", default=1.05_wp, least=1.0_wp)
+      call keyword%zero_is_default()
+      call keyword%add_integer("MCOMP", "onset of matrix damage in compression: 0 quadratic in " &
+         & //"stress and shear; 1 of Hashin (1980)", default=0, allowed=[0, 1])
+      call keyword%add_integer("TRIAL", "stresses of onset: 0 on what remains in the other " &
+         & //"direction; 1 of an intact ply", default=0, allowed=[0, 1])
+      call keyword%add_integer("CLOSE", "cracks: 0 never close; 1 close in compression, which " &
+         & //"has damage of its own", default=0, allowed=[0, 1])
+      call keyword%add_real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to " &
+         & //"below 1", default=0.0_wp, least=0.0_wp, most=0.99_wp)
+      call keyword%add_integer("GZ", "shear across the thickness: 0 weakened by damage; 1 not", &
+         & default=0, allowed=[0, 1])
+   end subroutine add_switch_card
+
+end module plydyn_input_declare_damage

@@ -1,0 +1,180 @@
+!> Readers of plies that are damaged.
+module plydyn_input_read_damage
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
+   use plydyn_input_catalogue, only : a_curve, catalogue_type
+   use plydyn_input_read_material, only : begin_material, check_stability
+   use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
+      & snap_drop, snap_reduce, snap_refuse
+   use plydyn_law_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
+      & new_table_curve
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_material, only : law_ply_damage, material_type
+   implicit none
+   private
+
+   public :: read_mat_ply_codam2
+
+   !> Numbers of the card to those of the law, which begin where the card says 0
+   integer, parameter :: rules(0:3) = [rule_band, rule_gauss_point, rule_root_point, rule_root_quad]
+   integer, parameter :: snaps(0:2) = [snap_reduce, snap_refuse, snap_drop]
+   integer, parameter :: onsets(0:1) = [onset_quadratic, onset_hashin]
+   !> Shapes of the shear curve as on the card
+   integer, parameter :: exponential = 1, table = 2, power = 3
+
+contains
+
+   !> *MAT_PLY_CODAM2: damage of fibres and matrix after nonlinear shear
+   subroutine read_mat_ply_codam2(cards, catalogue, curves, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Curves of the deck
+      type(curve_type), intent(in) :: curves(:)
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+
+      call begin_material(cards, catalogue, material)
+      material%law = law_ply_damage
+      material%young(:) = cards%reals(["E1", "E2", "E3"])
+      material%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
+      material%shear(:) = cards%reals(["G12", "G13", "G23"])
+      call check_stability(cards, ["NU12", "NU13", "NU23"], material, catalogue)
+      associate (ply => material%ply)
+         ply%young(:) = material%young
+         ply%poisson(:) = material%poisson
+         ply%shear(:) = material%shear
+         ply%fibre_strength(:) = cards%reals(["XT", "XC"])
+         ply%matrix_strength(:) = cards%reals(["YT", "YC"])
+         ply%shear_strength = cards%real("SL")
+         ply%cross_strength = cards%real("ST")
+         ply%fibre_toughness(:) = cards%reals(["G1T", "G1C"])
+         ply%matrix_toughness(:) = cards%reals(["G2T", "G2C"])
+         ply%shear_toughness = cards%real("G2S")
+         ply%band_width = cards%real("LSTAR")
+         ply%residual = 1.0_wp - cards%real("DMAX")
+      end associate
+      call check_strengths(cards, material, catalogue)
+      call read_switches(cards, catalogue, material%ply)
+      material%line = cards%line_of("MID")
+      if (cards%has("SNAP")) material%line = cards%line_of("SNAP")
+      call read_shear_curve(cards, catalogue, curves, material%ply)
+      materials = [materials, material]
+   end subroutine read_mat_ply_codam2
+
+   !> A strain of onset of 1 and more is a strength in other units than its modulus
+   subroutine check_strengths(cards, material, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(material_type), intent(in) :: material
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(2), parameter :: names(5) = ["XT", "XC", "YT", "YC", "SL"]
+      character(3), parameter :: moduli(5) = ["E1 ", "E1 ", "E2 ", "E2 ", "G12"]
+      real(wp) :: modulus(5)
+      integer :: i
+
+      modulus(:) = [material%young([1, 1, 2, 2]), material%shear(1)]
+      do i = 1, size(names)
+         if (.not. cards%is_fine(names(i)) .or. .not. cards%is_fine(trim(moduli(i)))) cycle
+         if (cards%real(names(i)) < modulus(i)) cycle
+         call catalogue%refuse(cards, names(i), names(i)//" is "//number_words(cards%real( &
+            & names(i)))//": damage would start at a strain of "//number_words( &
+            & cards%real(names(i))/modulus(i)), "a strength far below "//trim(moduli(i))//" = " &
+            & //number_words(modulus(i))//", in the same unit")
+      end do
+   end subroutine check_strengths
+
+   !> Choices within the law
+   subroutine read_switches(cards, catalogue, ply)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The ply
+      type(ply_constants_type), intent(inout) :: ply
+
+      ply%band_rule = rules(choice(cards, "LRULE"))
+      ply%snap_back = snaps(choice(cards, "SNAP"))
+      ply%snap_ratio = cards%real("RSNAP")
+      ply%onset = onsets(choice(cards, "MCOMP"))
+      ply%intact_onset = choice(cards, "TRIAL") == 1
+      ply%closes = choice(cards, "CLOSE") == 1
+      ply%plateau = cards%real("PLATEAU")
+      ply%weakens_across = choice(cards, "GZ") == 0
+      if (ply%onset == onset_hashin .and. cards%is_fine("ST") &
+         & .and. ply%cross_strength <= 0.0_wp) then
+         call catalogue%refuse(cards, "ST", "ST is missing", "a strength above 0, which Hashin's " &
+            & //"onset (MCOMP 1) needs")
+      end if
+   end subroutine read_switches
+
+   !> Number of a choice; 0 where the deck says none, or what cannot be
+   pure integer function choice(cards, name)
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+
+      choice = 0
+      if (cards%is_fine(name)) choice = cards%integer(name)
+   end function choice
+
+   !> Curve of shear in the plane
+   subroutine read_shear_curve(cards, catalogue, curves, ply)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), intent(in) :: curves(:)
+      !> The ply
+      type(ply_constants_type), intent(inout) :: ply
+
+      integer :: curve
+
+      if (.not. (cards%is_fine("G12") .and. cards%is_fine("SL"))) return
+      select case (choice(cards, "SHEAR"))
+      case (exponential)
+         if (.not. cards%is_fine("GAMU")) return
+         if (cards%real("GAMU")*ply%shear(1) <= ply%shear_strength) then
+            call catalogue%refuse(cards, "GAMU", "the shear curve cannot reach SL at a strain of " &
+               & //number_words(cards%real("GAMU")), "a strain above SL/G12 = " &
+               & //number_words(ply%shear_strength/ply%shear(1)))
+            return
+         end if
+         ply%curve = new_exponential_curve(ply%shear(1), ply%shear_strength, cards%real("GAMU"))
+      case (table)
+         curve = 0
+         if (.not. cards%is_fine("LCID")) return
+         if (cards%integer("LCID") == 0) then
+            call catalogue%refuse(cards, "LCID", "LCID is missing", "the curve that SHEAR 2 needs")
+         else
+            call catalogue%find(a_curve, cards, "LCID", curve)
+         end if
+         if (curve == 0) return
+         ply%curve = new_table_curve(curves(curve)%x, curves(curve)%y)
+         call check_shear(cards, "LCID", ply, catalogue)
+      case (power)
+         if (.not. (cards%is_fine("ALPHA") .and. cards%is_fine("N"))) return
+         ply%curve = new_power_curve(ply%shear(1)*cards%real("ALPHA"), cards%real("N"))
+         call check_shear(cards, merge("N    ", "ALPHA", cards%real("ALPHA") > 0.0_wp), ply, &
+            & catalogue)
+      case default
+         continue
+      end select
+   end subroutine read_shear_curve
+
+   !> What the law has to say about a shear curve
+   subroutine check_shear(cards, name, ply, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Field to blame
+      character(*), intent(in) :: name
+      type(ply_constants_type), intent(in) :: ply
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(error_type), allocatable :: error
+
+      call check_curve(ply%curve, ply%shear(1), ply%shear_strength, error)
+      if (.not. allocated(error)) return
+      call catalogue%refuse(cards, trim(name), error%message, "stress over strain from 0, 0, " &
+         & //"rising with a slope of G12 = "//number_words(ply%shear(1))//" at most")
+   end subroutine check_shear
+
+end module plydyn_input_read_damage

@@ -1,0 +1,66 @@
+!> Columns of the histories of energies and of impactors, and the lines under them.
+!>
+!> The names of columns are constants: gfortran 12 may blank the first word of a list of texts that
+!> is an actual argument.
+module plydyn_output_rows
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_dissipation, only : dissipated_energies
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_law_law, only : mechanism_names, mechanisms
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: energy_row, impactor_row
+
+   !> Columns of the energies
+   character(16), parameter, public :: energy_names(*) = [character(16) :: "cycle", "time", &
+      & "step", "kinetic", "internal", "dissipated", "impactor", "damping", "external", &
+      & "contact", mechanism_names, "ripple", "total", "error", "momentum x", "momentum y", &
+      & "momentum z"]
+   !> Columns of an impactor
+   character(12), parameter, public :: impactor_names(*) = [character(12) :: "time", "force", &
+      & "displacement", "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", &
+      & "penetration"]
+
+contains
+
+   !> One line of the energies
+   pure function energy_row(domain, state) result(row)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      real(wp) :: row(size(energy_names))
+
+      real(wp) :: lost(mechanisms)
+
+      lost(:) = dissipated_energies(domain, state%history)
+      associate (e => state%energies)
+         row(:) = [real(state%cycle, wp), state%time, state%step_before, e%kinetic, e%internal, &
+            & sum(lost), e%impactor, e%damping, e%external, e%contact, lost, &
+            & e%ripple - e%shift - e%added, e%total(), e%error(), e%momentum]
+      end associate
+   end function energy_row
+
+   !> One line of an impactor
+   pure function impactor_row(domain, state, i) result(row)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Index of the impactor
+      integer, intent(in) :: i
+      real(wp) :: row(size(impactor_names))
+
+      real(wp) :: kinetic, start
+
+      associate (own => state%impactors(i), impactor => domain%impactors(i))
+         kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
+         start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
+         row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &
+            & start - kinetic, own%force(1:2), real(own%contacts, wp), own%penetration]
+      end associate
+   end function impactor_row
+
+end module plydyn_output_rows

@@ -1,0 +1,156 @@
+!> Histories of damaged plies begin with the widths that the mesh gives to their crack bands.
+program test_domain_histories
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_bands, only : band_type, check_bands, find_bands
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_histories, only : start_histories
+   use plydyn_element_recover, only : point_history
+   use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_constants, only : snap_refuse
+   use plydyn_law_ply_history, only : fibre_length, matrix_length
+   use plydyn_model_material, only : law_ply_damage
+   use plydyn_model_model, only : model_type
+   use ply_point, only : paper_ply
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   !> Quads of 1.5 by 0.9, and a ply at 90 degrees below an elastic one and one at atan(3/4)
+   real(wp), parameter :: size_x = 1.5_wp, size_y = 0.9_wp
+   real(wp), parameter :: slanted = atan(0.75_wp)*180.0_wp/acos(-1.0_wp)
+   !> Gauss weights of a line of three points
+   real(wp), parameter :: outer = 5.0_wp/9.0_wp, middle = 8.0_wp/9.0_wp
+
+   call test_rules()
+   call test_width_given()
+   call test_bands()
+   call test_refused()
+   call finish()
+
+contains
+
+   !> The four rules at the corner point and the middle point of a rectangle
+   subroutine test_rules()
+      real(wp), parameter :: share = 13.0_wp/18.0_wp
+      !> Lines through the middle at the angle and across it leave by the sides y = const
+      real(wp), parameter :: along = size_y/0.6_wp, across = size_y/0.8_wp
+
+      call begin("rules")
+      call check(widths(rule_band, 9, 1, 1), share*[size_y, size_x], 1.0e-12_wp, "of a side")
+      call check(widths(rule_band, 9, 3, 1), share*[along, across], 1.0e-12_wp, "of a chord")
+      call check(widths(rule_band, 4, 1, 1), [size_y, size_x], 1.0e-12_wp, "a whole quad of 4")
+      call check(widths(rule_gauss_point, 9, 1, 1), 0.5_wp*outer*[size_y, size_x], 1.0e-12_wp, &
+         & "Gauss point in a corner")
+      call check(widths(rule_gauss_point, 9, 1, 4), 0.5_wp*[middle*size_y, outer*size_x], &
+         & 1.0e-12_wp, "Gauss point beside the middle")
+      call check(widths(rule_root_point, 9, 1, 4), spread(0.5_wp*sqrt(middle*outer*size_x*size_y), &
+         & 1, 2), 1.0e-12_wp, "root of the area of a Gauss point")
+      call check(widths(rule_root_quad, 9, 3, 5), spread(sqrt(size_x*size_y), 1, 2), 1.0e-12_wp, &
+         & "root of the area of the quad")
+      call check(widths(rule_band, 9, 2, 1), [0.0_wp, 0.0_wp], 0.0_wp, "elastic plies have none")
+   end subroutine test_rules
+
+   !> A width from the deck is taken as it is
+   subroutine test_width_given()
+      type(model_type) :: model
+
+      call begin("given width")
+      model = plate(rule_band, 9)
+      model%materials(2)%ply%band_width = 0.125_wp
+      call check(widths_of(model, 3, 5), [0.125_wp, 0.125_wp], 0.0_wp, "wherever, along and across")
+   end subroutine test_width_given
+
+   !> Narrowest and widest bands, and counts of Gauss points
+   subroutine test_bands()
+      type(band_type) :: bands(2)
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+
+      call begin("find_bands")
+      model = plate(rule_root_quad, 9)
+      call build_domain(model, domain, error)
+      bands(:) = find_bands(model, domain)
+      call check(bands(1)%points == 0, "none in elastic plies")
+      call check([bands(2)%narrowest, bands(2)%widest], spread(sqrt(size_x*size_y), 1, 4), &
+         & 1.0e-12_wp, "widths")
+      ! 2 quads with 9 points in the plane; two plies of order 1 and 2
+      call check(bands(2)%points == 2*9*(2 + 3), "points of all damaged plies")
+      ! Table 5: 0.674, 0.407 and 0.326 are the widest bands of matrix cracks
+      call check(all(bands(2)%too_wide == [0, 0, 90, 90, 90]), "too wide for the matrix")
+   end subroutine test_bands
+
+   !> A mesh that is too coarse is refused on request, and the culprit named
+   subroutine test_refused()
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+
+      call begin("check_bands")
+      model = plate(rule_band, 9)
+      model%materials(2)%ply%snap_back = snap_refuse
+      call build_domain(model, domain, error)
+      call check_error(error, "a.k:7: *MAT_PLY_CODAM2 SNAP: in quad 10", "place and quad")
+      call check_error(error, "ply 1 from the bottom, the crack band of matrix tension is 1.08", &
+         & "ply, mode and width")
+      model%materials(2)%ply%band_width = 0.3_wp
+      call check_bands(model, domain, error)
+      call check(allocated(error), "the domain counts: its laws have the old width")
+      call build_domain(model, domain, error)
+      call check(.not. allocated(error), "takes a band that is narrow enough")
+   end subroutine test_refused
+
+   !> Widths at a Gauss point of the first quad, for fibres and matrix
+   function widths(rule, nodes, layer, point)
+      integer, intent(in) :: rule, nodes, layer, point
+      real(wp) :: widths(2)
+
+      widths(:) = widths_of(plate(rule, nodes), layer, point)
+   end function widths
+
+   !> Widths in the history of a Gauss point, alike at all heights
+   function widths_of(model, layer, point) result(widths)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: layer, point
+      real(wp) :: widths(2)
+
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: history(:), values(:, :)
+
+      call build_domain(model, domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      allocate (history(domain%histories))
+      history(:) = 0.0_wp
+      call start_histories(domain, history)
+      associate (home => domain%columns%home(:, layer), own => domain%plates(1))
+         values = point_history(own, own%batches(home(1)), home(2), 1, point, 2, history)
+         widths(:) = values(home(3), [fibre_length, matrix_length])
+      end associate
+   end function widths_of
+
+   !> Two quads with an elastic ply between damaged ones
+   function plate(rule, nodes) result(model)
+      integer, intent(in) :: rule, nodes
+      type(model_type) :: model
+
+      model = rectangle_model(rectangle_mesh(nint(sqrt(real(nodes, wp))), 2, 1, 2.0_wp*size_x, &
+         & size_y, 0.0_wp), [90.0_wp, 0.0_wp, slanted], 0.25_wp, [1, 1, 2])
+      model%materials = [model%materials(1), model%materials(1)]
+      associate (material => model%materials(2))
+         material%id = 2
+         material%keyword = "MAT_PLY_CODAM2"
+         material%place = "a.k:7"
+         material%law = law_ply_damage
+         material%ply = paper_ply()
+         material%ply%band_rule = rule
+         material%young(:) = material%ply%young
+         material%poisson(:) = material%ply%poisson
+         material%shear(:) = material%ply%shear
+      end associate
+      model%parts(1)%plies%material = [2, 1, 2]
+   end function plate
+
+end program test_domain_histories
