@@ -1,6 +1,6 @@
 # The plate kernels: one module for each number of plane nodes and each order of expansion, all
 # expanded from the same pieces in kernel/, so that every loop bound is known to the compiler.
-foreach(piece lines linear large law)
+foreach(piece thickness plane_q4 plane_q9 linear large law)
   file(READ ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in ${piece})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in)
@@ -8,6 +8,7 @@ endforeach()
 set(kernel_sources)
 foreach(side 2 3)
   math(EXPR nodes "${side} * ${side}")
+  set(in_plane "${plane_q${nodes}}")
   foreach(order 1 2 3 4)
     set(kernel ${CMAKE_CURRENT_BINARY_DIR}/element/plate_q${nodes}_le${order}.f90)
     configure_file(${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/module.f90.in ${kernel} @ONLY)

@@ -1,0 +1,132 @@
+!> How fast the kernels are: lines `name,value` for tests/bench/run.py. A word on the command line
+!> chooses those that have it in their names.
+!>
+!> Values are the best of many short windows, so that other work on the machine disturbs little.
+program bench
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
+   use plydyn_bench_probe, only : chains, multiply_add, probe_flops
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : linear_strain, total_lagrangian
+   use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_solver_threads, only : set_threads
+   implicit none
+
+   !> Windows, and the time that one is to take at least, seconds
+   integer, parameter :: windows = 400
+   real(wp), parameter :: window = 1.0e-4_wp
+   real(wp), parameter :: nano = 1.0e9_wp, giga = 1.0e9_wp
+
+   abstract interface
+      !> What is timed
+      subroutine work_type()
+      end subroutine work_type
+   end interface
+
+   type(domain_type) :: domain
+   real(wp), allocatable :: displacement(:), force(:), history(:)
+   real(wp) :: vectors(lanes, chains)
+   character(32) :: chosen
+   integer :: order, side
+
+   call set_threads(1)
+   call get_command_argument(1, chosen)
+   vectors(:, :) = 1.0_wp
+   write (*, "(a,f0.2)") "peak GFLOP/s,", probe_flops/(giga*best_time(probe))
+   do side = 2, 3
+      do order = 1, 3
+         call time_plates("linear", side, order, linear_strain, "elastic")
+         call time_plates("large", side, order, total_lagrangian, "elastic")
+         call time_plates("damage linear", side, order, linear_strain, "damage")
+         call time_plates("damage large", side, order, total_lagrangian, "damage")
+         call time_plates("plastic linear", side, order, linear_strain, "plastic")
+      end do
+      call time_interfaces("interface springs", side)
+   end do
+
+contains
+
+   !> Print the time of a ply element
+   subroutine time_plates(name, side, order, kinematics, law)
+      character(*), intent(in) :: name, law
+      integer, intent(in) :: side, order, kinematics
+
+      character(32) :: line
+
+      write (line, "(2a,i0,a,i0)") name, " q", side**2, " le", order
+      if (index(line, trim(chosen)) == 0) return
+      call plate_case(side, order, kinematics, .false., domain)
+      if (law == "damage") call damage_laws(domain)
+      if (law == "plastic") call yield_laws(domain)
+      call rest()
+      write (*, "(2a,f0.3)") trim(line), ",", &
+         & nano*best_time(internal_forces)/real(lanes*size(domain%plates(1)%quad), wp)
+   end subroutine time_plates
+
+   !> Print the time of an interface element
+   subroutine time_interfaces(name, side)
+      character(*), intent(in) :: name
+      integer, intent(in) :: side
+
+      character(32) :: line
+
+      write (line, "(2a,i0)") name, " q", side**2
+      if (index(line, trim(chosen)) == 0) return
+      call plate_case(side, 1, linear_strain, .true., domain)
+      call rest()
+      write (*, "(2a,f0.3)") trim(line), ",", &
+         & nano*best_time(interface_forces)/real((lanes - 1)*size(domain%plates(1)%quad), wp)
+   end subroutine time_interfaces
+
+   !> Small random displacements, no history
+   subroutine rest()
+      if (allocated(displacement)) deallocate (displacement, force, history)
+      allocate (displacement(domain%columns%freedoms), force(domain%columns%forces))
+      allocate (history(domain%histories))
+      call random_number(displacement)
+      displacement(:) = 1.0e-6_wp*displacement
+      force(:) = 0.0_wp
+      history(:) = 0.0_wp
+   end subroutine rest
+
+   !> All plies of the plate
+   subroutine internal_forces()
+      call find_internal_forces(domain, 0.0_wp, displacement, history, force)
+   end subroutine internal_forces
+
+   !> All interfaces of the plate
+   subroutine interface_forces()
+      call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
+   end subroutine interface_forces
+
+   !> Multiplications and additions, nothing else
+   subroutine probe()
+      call multiply_add(vectors)
+   end subroutine probe
+
+   !> Least time that some work takes, seconds
+   real(wp) function best_time(work) result(best)
+      procedure(work_type) :: work
+
+      integer(int64) :: now, rate, then
+      integer :: i, k, repeats
+
+      call work()
+      call system_clock(then, rate)
+      call work()
+      call system_clock(now)
+      repeats = 1 + int(window*real(rate, wp)/real(max(now - then, 1_int64), wp))
+      best = huge(1.0_wp)
+      do k = 1, windows
+         call system_clock(then)
+         do i = 1, repeats
+            call work()
+         end do
+         call system_clock(now)
+         best = min(best, real(now - then, wp)/(real(rate, wp)*real(repeats, wp)))
+      end do
+   end function best_time
+
+end program bench

@@ -1,0 +1,104 @@
+!> Plates for the timing of kernels: one chunk of sixteen quads, eight plies, in the cache.
+module plydyn_bench_cases
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_plate, only : layer_batch_type, quad_histories
+   use plydyn_law_ply_damage, only : ply_damage_type
+   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_model_layup, only : faces_apart
+   use plydyn_model_material, only : interface_material_type
+   use plydyn_model_model, only : model_type
+   use ply_point, only : paper_ply
+   use sample, only : rectangle_mesh, rectangle_model
+   implicit none
+   private
+
+   public :: damage_laws, plate_case, yield_laws
+
+   !> Plies, of a width that fills one batch
+   real(wp), parameter :: angles(8) = [0.0_wp, 45.0_wp, 90.0_wp, -45.0_wp, -45.0_wp, 90.0_wp, &
+      & 45.0_wp, 0.0_wp]
+   !> Ply thickness and size of the plate
+   real(wp), parameter :: thickness = 0.25_wp, size_of_plate = 16.0_wp
+
+contains
+
+   !> A plate of elastic plies that are apart, or joined by springs
+   subroutine plate_case(side, order, kinematics, joined, domain)
+      !> Nodes along a side of a quad, order of the plies, strain measure
+      integer, intent(in) :: side, order, kinematics
+      !> Whether springs join the plies
+      logical, intent(in) :: joined
+      !> The plate
+      type(domain_type), intent(out) :: domain
+
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+
+      model = rectangle_model(rectangle_mesh(side, 4, 4, size_of_plate, size_of_plate, 0.05_wp), &
+         & angles, thickness, spread(order, 1, size(angles)))
+      model%parts(1)%joint(:) = faces_apart
+      if (joined) then
+         model%interface_materials = [interface_material_type(id=1)]
+         model%interface_materials(1)%constants%stiffness(:) = [1.0e5_wp, 1.0e5_wp]
+         model%parts(1)%joint(:) = 1
+      end if
+      model%control%kinematics = kinematics
+      call build_domain(model, domain, error)
+      if (allocated(error)) error stop "the plate of a benchmark cannot be built"
+   end subroutine plate_case
+
+   !> Give all plies the damage law of the paper's ply
+   subroutine damage_laws(domain)
+      !> The plate
+      type(domain_type), intent(inout) :: domain
+
+      type(ply_damage_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         call law%set_lane(l, paper_ply())
+      end do
+      associate (batch => domain%plates(1)%batches(1))
+         deallocate (batch%laws)
+         allocate (batch%laws(1))
+         batch%laws(1)%block = 1
+         allocate (batch%laws(1)%law, source=law)
+         call take_histories(domain, batch)
+      end associate
+   end subroutine damage_laws
+
+   !> Give all plies a metal that never yields
+   subroutine yield_laws(domain)
+      !> The plate
+      type(domain_type), intent(inout) :: domain
+
+      type(plastic_kinematic_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         call law%set_lane(l, 70.0e3_wp, 0.3_wp, 1.0e6_wp, 700.0_wp, 0.5_wp)
+      end do
+      associate (batch => domain%plates(1)%batches(1))
+         deallocate (batch%laws)
+         allocate (batch%laws(1))
+         batch%laws(1)%block = 1
+         allocate (batch%laws(1)%law, source=law)
+         call take_histories(domain, batch)
+      end associate
+   end subroutine yield_laws
+
+   !> Make room for the histories of a law
+   subroutine take_histories(domain, batch)
+      type(domain_type), intent(inout) :: domain
+      type(layer_batch_type), intent(inout) :: batch
+
+      batch%histories = batch%laws(1)%law%histories
+      batch%first_history = 1
+      domain%histories = quad_histories(batch, domain%plates(1)%side) &
+         & *size(domain%plates(1)%quad)
+   end subroutine take_histories
+
+end module plydyn_bench_cases
