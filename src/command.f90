@@ -1,6 +1,7 @@
 !> The words on the command line.
 module plydyn_command
    use plydyn_base_error, only : error_type, exit_output, exit_usage, fail
+   use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case, text
    implicit none
    private
@@ -11,20 +12,32 @@ module plydyn_command
    character(*), parameter, public :: usage = &
       & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*" &
       & //new_line("a") &
+      & //"plydyn restart FILE [DECK]             go on from a restart file; DECK changes loads, " &
+      & //"supports or the end"//new_line("a") &
       & //"plydyn check DECK                      read and check a deck, and say what it holds" &
       & //new_line("a") &
       & //"plydyn --keywords [NAME]               pages of the keywords, or of one"//new_line("a") &
       & //"plydyn --version                       version, compiler and flags"//new_line("a") &
-      & //"i=DECK jobid=JOB are understood in place of DECK and -j JOB; ncpu=N asks for N threads"
+      & //"-p NAME=NUMBER                         number of a *PARAMETER of the deck" &
+      & //new_line("a") &
+      & //"--wall-time H:MM:SS                    stop in time with a restart file"//new_line("a") &
+      & //"i=DECK r=FILE jobid=JOB are understood in place of DECK, restart FILE and -j JOB; " &
+      & //"ncpu=N asks for N threads"
 
    !> What the user asks for
    type, public :: command_type
-      !> run, check, --version, --keywords or --help
+      !> run, restart, check, --version, --keywords or --help
       character(:), allocatable :: action
-      !> Path of the deck
+      !> Path of the deck, empty for a restart without one
       character(:), allocatable :: deck
-      !> Path of the results without endings
+      !> Path of the restart file
+      character(:), allocatable :: restart
+      !> Path of the results without endings; empty for the one in the restart file
       character(:), allocatable :: job
+      !> Numbers for parameters, as in `velocity=3.0`, each with a line feed
+      character(:), allocatable :: parameters
+      !> Seconds on the wall that the run may take
+      real(wp) :: most_seconds = huge(1.0_wp)
       !> Keyword to explain; empty for all
       character(:), allocatable :: keyword
       !> Threads; 0 where nothing is said
@@ -55,18 +68,19 @@ contains
       command%deck = ""
       command%job = ""
       command%keyword = ""
+      command%restart = ""
+      command%parameters = ""
       folder = ""
       i = 1
       do while (i <= command_argument_count())
          word = argument(i)
-         if (word == "-j" .or. word == "-o") then
+         select case (word)
+         case ("-j", "-o", "-p", "--wall-time")
             i = i + 1
-            if (word == "-j") command%job = argument(i)
-            if (word == "-o") folder = argument(i)
-            if (len(argument(i)) == 0) call fail(error, exit_usage, word//" needs a name after it")
-         else
+            call take_option(word, argument(i), command, folder, error)
+         case default
             call take_word(word, command, error)
-         end if
+         end select
          if (allocated(error)) return
          i = i + 1
       end do
@@ -100,6 +114,56 @@ contains
       call get_command_argument(i, word)
    end function argument
 
+   !> A word and the one that belongs to it
+   subroutine take_option(word, value, command, folder, error)
+      character(*), intent(in) :: word, value
+      type(command_type), intent(inout) :: command
+      character(:), allocatable, intent(inout) :: folder
+      type(error_type), allocatable, intent(out) :: error
+
+      if (len(value) == 0) then
+         call fail(error, exit_usage, word//" needs a name after it")
+         return
+      end if
+      select case (word)
+      case ("-j"); command%job = value
+      case ("-o"); folder = value
+      case ("-p")
+         command%parameters = command%parameters//value//new_line("a")
+         if (index(value, "=") < 2) call fail(error, exit_usage, "-p needs a name and a number " &
+            & //"after it, as in -p velocity=3.0")
+      case default
+         command%most_seconds = seconds_of(value)
+         if (command%most_seconds <= 0.0_wp) call fail(error, exit_usage, "--wall-time needs " &
+            & //"hours, minutes and seconds after it, as in 11:45:00, or seconds")
+      end select
+   end subroutine take_option
+
+   !> Seconds of h:mm:ss, m:ss or s; zero when it is none of them
+   pure real(wp) function seconds_of(word) result(seconds)
+      character(*), intent(in) :: word
+
+      integer :: begin, colon, status
+      real(wp) :: part
+
+      seconds = 0.0_wp
+      begin = 1
+      do
+         colon = index(word(begin:)//":", ":")
+         status = 1
+         if (verify(word(begin:begin + colon - 2), "0123456789.") == 0 .and. colon > 1) then
+            read (word(begin:begin + colon - 2), *, iostat=status) part
+         end if
+         if (status /= 0) then
+            seconds = 0.0_wp
+            return
+         end if
+         seconds = 60.0_wp*seconds + part
+         begin = begin + colon
+         if (begin > len(word)) return
+      end do
+   end function seconds_of
+
    !> A word that stands for itself
    subroutine take_word(word, command, error)
       character(*), intent(in) :: word
@@ -112,6 +176,7 @@ contains
       if (equals > 0) then
          select case (lower_case(word(:equals - 1)))
          case ("i"); command%deck = word(equals + 1:)
+         case ("r"); command%restart = word(equals + 1:)
          case ("jobid"); command%job = word(equals + 1:)
          case ("ncpu"); call read_threads(word, word(equals + 1:), command%threads, error)
          case default
@@ -121,7 +186,7 @@ contains
          return
       end if
       select case (word)
-      case ("run", "check", "--version", "--keywords", "--help", "-h")
+      case ("run", "restart", "check", "--version", "--keywords", "--help", "-h")
          if (len(command%action) > 0) then
             call fail(error, exit_usage, "'"//command%action//"' and '"//word &
                & //"' cannot go together"//new_line("a")//usage)
@@ -131,6 +196,8 @@ contains
       case default
          if (command%action == "--keywords" .and. len(command%keyword) == 0) then
             command%keyword = word
+         else if (command%action == "restart" .and. len(command%restart) == 0) then
+            command%restart = word
          else if (len(command%deck) == 0 .and. word(1:min(1, len(word))) /= "-") then
             command%deck = word
          else
@@ -164,31 +231,53 @@ contains
       character(*), intent(in) :: folder
       type(error_type), allocatable, intent(out) :: error
 
+      if (len(command%restart) > 0 .and. command%action == "run") command%action = "restart"
+      select case (command%action)
+      case ("")
+         call fail(error, exit_usage, usage)
+      case ("run", "check")
+         if (len(command%deck) == 0) then
+            call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
+         else
+            call name_job(command%deck, folder, command, error)
+         end if
+      case ("restart")
+         if (len(command%restart) == 0) then
+            call fail(error, exit_usage, "restart needs a restart file"//new_line("a")//usage)
+         else if (len(command%parameters) > 0) then
+            call fail(error, exit_usage, "-p belongs to run: a restart keeps the parameters that " &
+               & //"the run began with")
+         else if (len(command%job) > 0 .or. len(folder) > 0) then
+            call name_job(command%restart, folder, command, error)
+         end if
+      case default
+         if (len(command%deck) > 0) call fail(error, exit_usage, "'"//command%deck &
+            & //"' is not understood"//new_line("a")//usage)
+      end select
+   end subroutine finish
+
+   !> Path of the results
+   subroutine name_job(path, folder, command, error)
+      !> Path of the deck or restart file
+      character(*), intent(in) :: path
+      !> Folder of the results, empty for the current one
+      character(*), intent(in) :: folder
+      type(command_type), intent(inout) :: command
+      type(error_type), allocatable, intent(out) :: error
+
       integer :: first, last
       logical :: exists
 
-      if (len(command%action) == 0) then
-         call fail(error, exit_usage, usage)
-      else if (command%action == "run" .or. command%action == "check") then
-         if (len(command%deck) == 0) then
-            call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
-            return
-         end if
-         if (len(command%job) == 0) then
-            first = index(command%deck, "/", back=.true.) + 1
-            last = index(command%deck, ".", back=.true.) - 1
-            if (last < first) last = len(command%deck)
-            command%job = command%deck(first:last)
-         end if
-         if (len(folder) > 0) then
-            inquire (file=folder//"/.", exist=exists)
-            if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
-            command%job = folder//"/"//command%job
-         end if
-      else if (len(command%deck) > 0) then
-         call fail(error, exit_usage, "'"//command%deck//"' is not understood"//new_line("a") &
-            & //usage)
+      if (len(command%job) == 0) then
+         first = index(path, "/", back=.true.) + 1
+         last = index(path, ".", back=.true.) - 1
+         if (last < first) last = len(path)
+         command%job = path(first:last)
       end if
-   end subroutine finish
+      if (len(folder) == 0) return
+      inquire (file=folder//"/.", exist=exists)
+      if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
+      command%job = folder//"/"//command%job
+   end subroutine name_job
 
 end module plydyn_command

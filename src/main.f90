@@ -2,19 +2,25 @@
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use plydyn_base_error, only : error_type, exit_normal
+   use plydyn_base_precision, only : wp
    use plydyn_command, only : command_type, read_command, usage
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_input_read_model, only : keyword_manual, read_model
+   use plydyn_input_read_model, only : keyword_manual, read_decks_of_run
    use plydyn_model_model, only : model_type
-   use plydyn_output_listing, only : write_end, write_listing
+   use plydyn_output_dump_input, only : dump_input_type
+   use plydyn_output_job, only : job_type
+   use plydyn_output_listing, only : write_end, write_listing, write_restart
+   use plydyn_output_places, only : new_places
    use plydyn_output_profile, only : check_profiles
-   use plydyn_output_text_file, only : close_text, create_text
+   use plydyn_output_text_file, only : append_to, close_text, create_text
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run, seconds_per_step
+   use plydyn_solver_restart, only : resume
    use plydyn_solver_start, only : new_state
    use plydyn_solver_threads, only : choose_threads, set_threads
+   use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    use plydyn_version, only : build_text, version
    implicit none
@@ -34,6 +40,9 @@ program plydyn
       write (output_unit, "(a)") pages
    case ("--help")
       write (output_unit, "(a)") usage
+   case ("restart")
+      call restart_run(command, error)
+      call stop_on(error)
    case default
       call run_deck(command, error)
       call stop_on(error)
@@ -51,14 +60,102 @@ contains
       character(:), allocatable :: messages
       type(contacts_type) :: contacts
       type(domain_type) :: domain
+      type(job_type) :: job
       type(model_type) :: model
       type(state_type) :: state
-      integer :: listing
 
-      call read_model(command%deck, model, messages, error)
+      call begin_job(command, job)
+      call read_decks_of_run(job%archive, command%deck, model, messages, error)
       if (allocated(error)) return
+      call build_run(command%threads, messages, model, domain, contacts, state, error)
+      if (allocated(error)) return
+      if (command%action == "check" .or. model%control%check_only) then
+         call write_listing(output_unit, build_text(), command%deck, messages, model, domain, &
+            & seconds_per_step(domain, state))
+         return
+      end if
+      call create_text(job%path//".out", job%listing, error)
+      if (allocated(error)) return
+      call write_listing(job%listing, build_text(), command%deck, messages, model, domain, &
+         & seconds_per_step(domain, state))
+      call run_job(job, command%most_seconds, model, domain, contacts, state, error)
+   end subroutine run_deck
+
+   !> Go on from a restart file
+   subroutine restart_run(command, error)
+      !> What the user asks for
+      type(command_type), intent(in) :: command
+      !> What went wrong
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: messages, written_by
+      type(contacts_type) :: contacts
+      type(domain_type) :: domain
+      type(dump_input_type) :: dump
+      type(job_type) :: job
+      type(model_type) :: model
+      type(state_type) :: state
+
+      call begin_job(command, job)
+      call dump%open(command%restart, error)
+      if (allocated(error)) return
+      call dump%read_job(job, error)
+      if (allocated(error)) return
+      call move_alloc(job%version, written_by)
+      job%version = version
+      if (len(command%job) > 0) call rename_job(command%job, job)
+      call read_decks_of_run(job%archive, command%deck, model, messages, error)
+      if (allocated(error)) return
+      call build_run(command%threads, messages, model, domain, contacts, state, error)
+      if (allocated(error)) return
+      call resume(dump, domain, model%changes, contacts, state, error)
+      if (allocated(error)) return
+      job%start_time = state%time
+      call append_to(job%path//".out", job%listing, error)
+      if (allocated(error)) return
+      call write_restart(job, build_text(), command%restart, written_by, command%deck, messages, &
+         & state)
+      call run_job(job, command%most_seconds, model, domain, contacts, state, error)
+   end subroutine restart_run
+
+   !> The job as the command line has it
+   subroutine begin_job(command, job)
+      type(command_type), intent(in) :: command
+      type(job_type), intent(out) :: job
+
+      job%path = command%job
+      job%deck = command%deck
+      job%version = version
+      job%screen = output_unit
+      job%places = new_places(job%path)
+      job%archive%parameters = command%parameters
+      if (command%action /= "restart") allocate (job%archive%bundles(0))
+   end subroutine begin_job
+
+   !> Let the results of a restart go to files of their own, which begin there
+   subroutine rename_job(path, job)
+      character(*), intent(in) :: path
+      type(job_type), intent(inout) :: job
+
+      job%path = path
+      job%places = new_places(path)
+      job%dumps = 0
+   end subroutine rename_job
+
+   !> From the model to a state at time zero
+   subroutine build_run(threads, messages, model, domain, contacts, state, error)
+      !> Threads that the command line asks for, 0 when it does not
+      integer, intent(in) :: threads
+      character(*), intent(in) :: messages
+      !> Gets the number of threads
+      type(model_type), intent(inout) :: model
+      type(domain_type), intent(out) :: domain
+      type(contacts_type), intent(out) :: contacts
+      type(state_type), intent(out) :: state
+      type(error_type), allocatable, intent(out) :: error
+
       if (len(messages) > 0) write (output_unit, "(a)") messages
-      model%control%threads = choose_threads(command%threads, model%control%threads)
+      model%control%threads = choose_threads(threads, model%control%threads)
       call set_threads(model%control%threads)
       call build_domain(model, domain, error)
       if (allocated(error)) return
@@ -67,22 +164,12 @@ contains
       call new_contacts(domain, contacts, error)
       if (allocated(error)) return
       state = new_state(model, domain)
-      if (command%action == "check" .or. model%control%check_only) then
-         call write_listing(output_unit, build_text(), command%deck, messages, model, domain, &
-            & seconds_per_step(domain, state))
-         return
-      end if
-      call create_text(command%job//".out", listing, error)
-      if (allocated(error)) return
-      call write_listing(listing, build_text(), command%deck, messages, model, domain, &
-         & seconds_per_step(domain, state))
-      call run_job(command, listing, model, domain, contacts, state, error)
-   end subroutine run_deck
+   end subroutine build_run
 
    !> Run, and close all files whatever happens
-   subroutine run_job(command, listing, model, domain, contacts, state, error)
-      type(command_type), intent(in) :: command
-      integer, intent(inout) :: listing
+   subroutine run_job(job, most_seconds, model, domain, contacts, state, error)
+      type(job_type), intent(inout) :: job
+      real(wp), intent(in) :: most_seconds
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(contacts_type), intent(inout) :: contacts
@@ -90,19 +177,24 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(error_type), allocatable :: close_error
+      type(watch_type) :: watch
       type(writer_type) :: writer
 
-      call writer%open(command%job, command%deck, version, output_unit, model, domain, error)
-      if (.not. allocated(error)) call run(domain, contacts, state, writer, error)
+      call watch%start(job, model%request, most_seconds)
+      call writer%open(job, model, domain, error)
+      if (.not. allocated(error) .and. state%cycle > 0 .and. size(job%places%list) == 0) then
+         call writer%record(domain, state, error)
+      end if
+      if (.not. allocated(error)) call run(domain, contacts, state, writer, watch, error)
       call writer%close(close_error)
       if (.not. allocated(error)) call move_alloc(close_error, error)
       if (allocated(error)) then
-         call write_end(listing, model, domain, state, writer%elapsed(), error%message)
+         call write_end(job%listing, model, domain, state, writer%elapsed(), error%message)
       else
-         call write_end(listing, model, domain, state, writer%elapsed(), "normal end")
-         write (output_unit, "(a)") "normal end, results in "//command%job//".*"
+         call write_end(job%listing, model, domain, state, writer%elapsed(), "normal end")
+         write (output_unit, "(a)") "normal end, results in "//job%path//".*"
       end if
-      call close_text(command%job//".out", listing, close_error)
+      call close_text(job%path//".out", job%listing, close_error)
       if (.not. allocated(error)) call move_alloc(close_error, error)
    end subroutine run_job
 

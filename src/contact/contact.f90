@@ -64,6 +64,8 @@ module plydyn_contact_contact
    contains
       procedure :: enforce
       procedure :: initial_gap
+      procedure :: remember
+      procedure :: recall
    end type contact_pair_type
 
 contains
@@ -133,6 +135,41 @@ contains
          initial_gap = self%nodes%least_gap(self%surface, position, centre)
       end if
    end function initial_gap
+
+   !> What the pair knows from the last step: with it, the next one gives the same bits elsewhere
+   pure subroutine remember(self, places, numbers)
+      !> The pair
+      class(contact_pair_type), intent(in) :: self
+      !> Facets; travel, positions, pushes
+      integer, allocatable, intent(out) :: places(:)
+      real(wp), allocatable, intent(out) :: numbers(:)
+
+      allocate (places(0), numbers(0))
+      call self%near%remember(places, numbers)
+      if (.not. self%setup%exact_sphere) call self%nodes%remember(places, numbers)
+   end subroutine remember
+
+   !> Take back what `remember` gave
+   pure subroutine recall(self, places, numbers, good)
+      !> The pair, new
+      class(contact_pair_type), intent(inout) :: self
+      !> As from `remember`
+      integer, intent(in) :: places(:)
+      real(wp), intent(in) :: numbers(:)
+      !> False when they are those of another pair
+      logical, intent(out) :: good
+
+      integer :: used(2)
+
+      call self%near%recall(self%surface, places, numbers, used)
+      good = used(1) >= 0
+      if (.not. good) return
+      if (self%setup%exact_sphere) then
+         good = used(1) == size(places) .and. used(2) == size(numbers)
+      else
+         call self%nodes%recall(places(used(1) + 1:), numbers(used(2) + 1:), good)
+      end if
+   end subroutine recall
 
    !> Push impactor and plate apart where their trial positions penetrate
    pure subroutine enforce(self, position, inverse_mass, dt, centre, correction, &

@@ -43,6 +43,8 @@ module plydyn_contact_near
       real(wp), allocatable, private :: seen(:, :)
    contains
       procedure :: update
+      procedure :: remember
+      procedure :: recall
    end type near_type
 
 contains
@@ -122,23 +124,78 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: f, i
-      logical, allocatable :: used(:)
       real(wp) :: arm(3)
 
-      allocate (used(size(position, 2)), source=.false.)
       do f = 1, size(self%bound)
          arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
          self%listed(f) = norm2(arm) < sqrt(self%bound(f)) + self%reach
-         if (self%listed(f)) used(surface%facet(:, f)) = .true.
       end do
-      self%facet = pack([(f, f=1, size(self%bound))], self%listed)
-      self%point = pack([(i, i=1, size(position, 2))], used)
-      deallocate (self%seen)
-      allocate (self%seen(3, size(self%point)))
+      call list_points(self, surface)
       do i = 1, size(self%point)
          self%seen(:, i) = position(:, self%point(i)) - centre
       end do
    end subroutine rebuild
+
+   !> List the facets that are marked, and their points
+   pure subroutine list_points(self, surface)
+      !> The list
+      type(near_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+
+      integer :: f, i
+      logical, allocatable :: used(:)
+
+      self%facet = pack([(f, f=1, size(self%bound))], self%listed)
+      allocate (used(maxval(surface%facet)), source=.false.)
+      do f = 1, size(self%facet)
+         used(surface%facet(:, self%facet(f))) = .true.
+      end do
+      self%point = pack([(i, i=1, size(used))], used)
+      deallocate (self%seen)
+      allocate (self%seen(3, size(self%point)))
+   end subroutine list_points
+
+   !> Append what is remembered from step to step
+   pure subroutine remember(self, places, numbers)
+      !> The list
+      class(near_type), intent(in) :: self
+      !> How many facets are listed, and which
+      integer, allocatable, intent(inout) :: places(:)
+      !> Travel and positions seen
+      real(wp), allocatable, intent(inout) :: numbers(:)
+
+      places = [places, size(self%facet), self%facet]
+      numbers = [numbers, self%travel, reshape(self%seen, [size(self%seen)])]
+   end subroutine remember
+
+   !> Take back what `remember` gave
+   pure subroutine recall(self, surface, places, numbers, used)
+      !> The list
+      class(near_type), intent(inout) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> As from `remember`, with more behind it
+      integer, intent(in) :: places(:)
+      real(wp), intent(in) :: numbers(:)
+      !> How many places and numbers were for this list; negative when they do not fit it
+      integer, intent(out) :: used(2)
+
+      integer :: count
+
+      used(:) = -1
+      if (size(places) == 0) return
+      count = places(1)
+      if (count < 0 .or. count > size(places) - 1) return
+      if (any(places(2:count + 1) < 1 .or. places(2:count + 1) > size(self%bound))) return
+      self%listed(:) = .false.
+      self%listed(places(2:count + 1)) = .true.
+      call list_points(self, surface)
+      if (size(numbers) < 1 + size(self%seen)) return
+      self%travel = numbers(1)
+      self%seen(:, :) = reshape(numbers(2:size(self%seen) + 1), shape(self%seen))
+      used(:) = [count, size(self%seen)] + 1
+   end subroutine recall
 
    !> Add the largest move of a listed point relative to the sphere since the last step
    pure subroutine add_travel(self, position, centre)

@@ -51,6 +51,8 @@ module plydyn_contact_nodes
    contains
       procedure :: collect
       procedure :: forget
+      procedure :: remember
+      procedure :: recall
       procedure :: least_gap
    end type node_set_type
 
@@ -182,6 +184,44 @@ contains
       self%wake(:) = 0.0_wp
       self%ring_wake(:) = 0.0_wp
    end subroutine forget
+
+   !> Append what is remembered from step to step
+   pure subroutine remember(self, places, numbers)
+      !> The nodes
+      class(node_set_type), intent(in) :: self
+      !> Facet under each node
+      integer, allocatable, intent(inout) :: places(:)
+      !> Push, travel at which to look again, and place in the facet of each node
+      real(wp), allocatable, intent(inout) :: numbers(:)
+
+      places = [places, self%facet]
+      numbers = [numbers, self%push, self%wake, reshape(self%place, [size(self%place)])]
+   end subroutine remember
+
+   !> Take back what `remember` gave
+   pure subroutine recall(self, places, numbers, good)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+      !> As from `remember`
+      integer, intent(in) :: places(:)
+      real(wp), intent(in) :: numbers(:)
+      !> False when they are not for as many nodes
+      logical, intent(out) :: good
+
+      integer :: r
+
+      associate (nodes => size(self%facet))
+         good = size(places) == nodes .and. size(numbers) == 4*nodes
+         if (.not. good) return
+         self%facet(:) = places
+         self%push(:) = numbers(:nodes)
+         self%wake(:) = numbers(nodes + 1:2*nodes)
+         self%place(:, :) = reshape(numbers(2*nodes + 1:), shape(self%place))
+      end associate
+      do r = 1, size(self%ring_wake)
+         self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
+      end do
+   end subroutine recall
 
    !> Make a row of every node below the surface, looking only at those that can be
    pure subroutine collect(self, surface, near, position, centre, rows)

@@ -1,16 +1,17 @@
 !> A deck: its lines, its keywords, and what is wrong with it.
 module plydyn_deck_deck
+   use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
    use plydyn_deck_parser, only : parse
    use plydyn_deck_render, only : count_text, findings_text
    use plydyn_deck_report, only : grave_error, grave_note, grave_warning, report_type
-   use plydyn_deck_source, only : read_source, source_type
+   use plydyn_deck_source, only : add_source, begin_source, read_source, source_type
    implicit none
    private
 
-   public :: read_deck, conclude
+   public :: read_deck, read_decks, conclude
 
    !> Everything of a deck but its meaning
    type, public :: deck_type
@@ -34,8 +35,32 @@ contains
       type(report_type), intent(inout) :: report
 
       call read_source(path, deck%source, report)
-      call parse(deck%source, known, deck%keywords, report)
+      call parse(deck%source, known, "", deck%keywords, report)
    end subroutine read_deck
+
+   !> Read the decks of a run that were stored, and one more behind them
+   subroutine read_decks(archive, path, known, deck, report)
+      !> The stored decks, and numbers for parameters from the command line
+      type(archive_type), intent(in) :: archive
+      !> Path of one more deck, empty for none
+      character(*), intent(in) :: path
+      !> Declarations of the keywords that are known
+      type(keyword_type), intent(in) :: known(:)
+      !> All decks, one after the other
+      type(deck_type), intent(out) :: deck
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: i
+
+      call begin_source(deck%source)
+      do i = 1, size(archive%bundles)
+         call add_source(archive%bundles(i)%documents(1)%path, deck%source, report, &
+            & archive%bundles(i))
+      end do
+      if (len(path) > 0) call add_source(path, deck%source, report)
+      call parse(deck%source, known, archive%parameters, deck%keywords, report)
+   end subroutine read_decks
 
    !> All findings as text: warnings and notes to tell, errors as one error
    subroutine conclude(deck, report, messages, error)

@@ -169,6 +169,7 @@ contains
       letter = head(1:1)
       name = trim(adjustl(head(2:)))
       known = parameters%find(name)
+      call parameters%choose(name, parameter%value)
       if (index("RrIi", letter) == 0) then
          call report%refuse(spot(i, column, keyword), "'"//letter//"' is no kind of parameter", &
             & "R for a real number, I for an integer, then the name")

@@ -3,6 +3,8 @@ module plydyn_deck_parameter
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case
    use plydyn_deck_nearest, only : nearest_word
+   use plydyn_deck_number, only : read_real
+   use plydyn_deck_report, only : place_type, report_type
    implicit none
    private
 
@@ -21,19 +23,95 @@ module plydyn_deck_parameter
       integer :: line = 0
    end type parameter_type
 
+   !> A number from the command line, in place of that of the deck
+   type, public :: setting_type
+      !> Name in lower case
+      character(parameter_length) :: name = ""
+      !> Its number
+      real(wp) :: value = 0.0_wp
+      !> The deck defines a parameter of this name
+      logical :: used = .false.
+   end type setting_type
+
    !> The parameters defined so far
    type, public :: parameter_table_type
       !> The parameters, as many as `count`
       type(parameter_type), allocatable :: list(:)
       !> How many there are
       integer :: count = 0
+      !> Numbers from the command line
+      type(setting_type), allocatable :: settings(:)
    contains
+      procedure :: set
+      procedure :: choose
+      procedure :: check_settings
       procedure :: add
       procedure :: find
       procedure :: advice
    end type parameter_table_type
 
 contains
+
+   !> Take numbers from the command line
+   subroutine set(self, settings, report)
+      class(parameter_table_type), intent(inout) :: self
+      !> Names and numbers, as in `velocity=3.0`, each with a line feed
+      character(*), intent(in) :: settings
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: nowhere
+      type(setting_type) :: setting
+      integer :: begin, equals, last, wrong_at
+
+      allocate (self%settings(0))
+      begin = 1
+      do while (begin <= len(settings))
+         last = begin + index(settings(begin:), achar(10)) - 2
+         equals = begin + index(settings(begin:last), "=") - 1
+         setting%name = lower_case(settings(begin:equals - 1))
+         call read_real(settings(equals + 1:last), setting%value, wrong_at)
+         if (equals <= begin .or. wrong_at > 0) then
+            call report%refuse(nowhere, "'-p "//settings(begin:last)//"' on the command line", &
+               & "a name and a number, as in -p velocity=3.0")
+         end if
+         self%settings = [self%settings, setting]
+         begin = last + 2
+      end do
+   end subroutine set
+
+   !> Take the number from the command line, if there is one for a parameter
+   pure subroutine choose(self, name, value)
+      class(parameter_table_type), intent(inout) :: self
+      !> Name in either case
+      character(*), intent(in) :: name
+      !> Number of the deck, replaced
+      real(wp), intent(inout) :: value
+
+      integer :: i
+
+      do i = 1, size(self%settings)
+         if (self%settings(i)%name /= lower_case(name)) cycle
+         self%settings(i)%used = .true.
+         value = self%settings(i)%value
+      end do
+   end subroutine choose
+
+   !> Every number from the command line is for a parameter of the deck
+   subroutine check_settings(self, report)
+      class(parameter_table_type), intent(in) :: self
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: nowhere
+      integer :: i
+
+      do i = 1, size(self%settings)
+         if (self%settings(i)%used) cycle
+         call report%refuse(nowhere, "'-p "//trim(self%settings(i)%name)//"' on the command " &
+            & //"line: the deck has no such parameter", self%advice(trim(self%settings(i)%name)))
+      end do
+   end subroutine check_settings
 
    !> Define a parameter
    pure subroutine add(self, parameter)

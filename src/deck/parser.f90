@@ -38,11 +38,13 @@ module plydyn_deck_parser
 contains
 
    !> Read all keywords of a deck
-   subroutine parse(source, keywords, cards, report)
+   subroutine parse(source, keywords, settings, cards, report)
       !> The deck
       type(source_type), intent(in) :: source
       !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
+      !> Parameters from the command line, as in `velocity=3.0`, each with a line feed
+      character(*), intent(in) :: settings
       !> The keywords of the deck in their order
       type(cards_type), allocatable, intent(out) :: cards(:)
       !> Findings
@@ -55,14 +57,16 @@ contains
       allocate (context%long(source%file_count), context%opened(source%file_count))
       context%long(:) = .false.
       context%opened(:) = .false.
+      call context%parameters%set(settings, report)
+      call check_begins(source, report)
       first = next_keyword(source, 1)
-      call check_begin(source, first, report)
       do i = 1, size(cards)
          last = next_keyword(source, first + 1) - 1
          call parse_keyword(source, keywords, first, last, context, cards(i), report)
          first = last + 1
-         call check_once(cards(:i), report)
+         call check_once(source, cards(:i), report)
       end do
+      call context%parameters%check_settings(report)
       call check_end(source, report)
    end subroutine parse
 
@@ -78,10 +82,30 @@ contains
       end do
    end function next_keyword
 
+   !> Every deck begins with *KEYWORD
+   subroutine check_begins(source, report)
+      !> The decks
+      type(source_type), intent(in) :: source
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: begin, i, root
+
+      root = 0
+      do i = 1, source%line_count
+         if (source%root(i) == root) cycle
+         root = source%root(i)
+         begin = i
+         call check_begin(source, begin, next_keyword(source, begin), report)
+      end do
+   end subroutine check_begins
+
    !> A deck begins with *KEYWORD
-   subroutine check_begin(source, first, report)
+   subroutine check_begin(source, begin, first, report)
       !> The deck
       type(source_type), intent(in) :: source
+      !> Its first line
+      integer, intent(in) :: begin
       !> Line of its first keyword
       integer, intent(in) :: first
       !> Findings
@@ -90,8 +114,7 @@ contains
       type(place_type) :: place
       integer :: i
 
-      if (source%line_count == 0) return
-      do i = 1, first - 1
+      do i = begin, first - 1
          if (source%width(i) == 0) cycle
          place%line = i
          call report%refuse(place, "a line before the first keyword", "*KEYWORD on the first line")
@@ -116,7 +139,7 @@ contains
 
       if (source%ended .or. source%file_count == 0) return
       do i = source%line_count, 1, -1
-         if (source%lines(i)%file == 1) exit
+         if (source%files(source%lines(i)%file)%parent == 0) exit
       end do
       place%line = i
       call report%refuse(place, "the deck does not end with *END, it may have been cut short", &
@@ -124,7 +147,9 @@ contains
    end subroutine check_end
 
    !> Some keywords stand in a deck once
-   subroutine check_once(cards, report)
+   subroutine check_once(source, cards, report)
+      !> The decks
+      type(source_type), intent(in) :: source
       !> The keywords so far
       type(cards_type), intent(in) :: cards(:)
       !> Findings
@@ -136,6 +161,7 @@ contains
          if (len(new%name) == 0 .or. .not. new%declaration%once) return
          do i = 1, size(cards) - 1
             if (cards(i)%name /= new%name) cycle
+            if (source%root(cards(i)%line) /= source%root(new%line)) cycle
             call report%refuse(new%head(), "the keyword stands in the deck twice", &
                & "the keyword once", cards(i)%line)
             return

@@ -1,31 +1,13 @@
 !> The lines of a deck and of all files that it includes, each with its file and number.
 module plydyn_deck_source
+   use plydyn_base_archive, only : bundle_type
    use plydyn_base_text, only : text, upper_case
+   use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, read_content
    use plydyn_deck_report, only : place_type, report_type
    implicit none
    private
 
-   public :: read_source
-
-   !> One file
-   type, public :: file_type
-      !> Path, as it is shown to the user
-      character(:), allocatable :: path
-      !> Everything in it
-      character(:), allocatable :: content
-      !> Index of the file that includes this one; 0 for the deck itself
-      integer :: parent = 0
-   end type file_type
-
-   !> One line, a stretch of the content of its file
-   type, public :: line_type
-      !> Index of the file
-      integer :: file = 0
-      !> Number in the file
-      integer :: number = 0
-      !> First and last character in the content
-      integer :: first = 1, last = 0
-   end type line_type
+   public :: add_source, begin_source, read_source
 
    !> A deck with its include files in place; comments are gone, blank lines are kept
    type, public :: source_type
@@ -39,18 +21,20 @@ module plydyn_deck_source
       integer :: line_count = 0
       !> Folders in which include files are looked for, separated by line feeds
       character(:), allocatable :: include_path
-      !> The deck has its *END
+      !> The deck read last has its *END
       logical :: ended = .false.
+      !> Files in place of those on the disk
+      type(bundle_type) :: stored
    contains
       procedure :: line
       procedure :: width
       procedure :: is_keyword
       procedure :: where
+      procedure :: root
+      procedure :: bundle
    end type source_type
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
-   !> Mark of UTF-8 that some editors put before the first line
-   character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
 
 contains
 
@@ -63,10 +47,69 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      allocate (source%files(4), source%lines(1024))
-      source%include_path = ""
-      call load(source, path, 0, 0, report)
+      call begin_source(source)
+      call add_source(path, source, report)
    end subroutine read_source
+
+   !> No lines yet
+   pure subroutine begin_source(source)
+      !> The lines
+      type(source_type), intent(out) :: source
+
+      allocate (source%files(4), source%lines(1024), source%stored%documents(0))
+      source%include_path = ""
+   end subroutine begin_source
+
+   !> Read a deck behind those that are there, and all files that it includes
+   subroutine add_source(path, source, report, stored)
+      !> Path of the deck
+      character(*), intent(in) :: path
+      !> Gets its lines
+      type(source_type), intent(inout) :: source
+      !> Findings
+      type(report_type), intent(inout) :: report
+      !> The files to read in place of those on the disk
+      type(bundle_type), intent(in), optional :: stored
+
+      source%ended = .false.
+      source%include_path = ""
+      if (present(stored)) source%stored = stored
+      call load(source, path, 0, 0, report)
+      deallocate (source%stored%documents)
+      allocate (source%stored%documents(0))
+   end subroutine add_source
+
+   !> The deck that a line comes from, by itself or by files that it includes: 1 for the first deck
+   pure integer function root(self, i)
+      class(source_type), intent(in) :: self
+      !> Index of the line
+      integer, intent(in) :: i
+
+      integer :: file
+
+      file = self%lines(i)%file
+      do while (self%files(file)%parent > 0)
+         file = self%files(file)%parent
+      end do
+      root = count(self%files(:file)%parent == 0)
+   end function root
+
+   !> The files of a deck, word for word
+   pure function bundle(self, root)
+      class(source_type), intent(in) :: self
+      !> 1 for the first deck
+      integer, intent(in) :: root
+      type(bundle_type) :: bundle
+
+      integer :: deck, i
+
+      allocate (bundle%documents(0))
+      deck = 0
+      do i = 1, self%file_count
+         if (self%files(i)%parent == 0) deck = deck + 1
+         if (deck == root) call bundle%add_document(self%files(i)%path, self%files(i)%content)
+      end do
+   end function bundle
 
    !> Text of a line
    pure function line(self, i) result(content)
@@ -142,7 +185,13 @@ contains
       end if
       file%path = path
       file%parent = parent
-      call read_content(path, file%content, found)
+      ancestor = source%stored%find(path)
+      if (ancestor > 0) then
+         file%content = source%stored%documents(ancestor)%content
+         found = .true.
+      else
+         call read_content(path, file%content, found)
+      end if
       if (found) then
          call add_file(source, file)
          call add_lines(source, (source%file_count), report)
@@ -152,36 +201,6 @@ contains
             & merge(1, 0, parent > 0)))
       end if
    end subroutine load
-
-   !> Everything in a file
-   subroutine read_content(path, content, found)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> What is in it, with a line feed at the end
-      character(:), allocatable, intent(out) :: content
-      !> False when there is no such file or it cannot be read
-      logical, intent(out) :: found
-
-      integer :: length, status, unit
-
-      found = .false.
-      inquire (file=path, size=length)
-      if (length < 0) return
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
-         & action="read", iostat=status)
-      if (status /= 0) return
-      allocate (character(length) :: content)
-      read (unit, iostat=status) content
-      close (unit)
-      if (length == 0) content = line_feed
-      if (content(len(content):) /= line_feed) content = content//line_feed
-      if (length >= len(byte_order_mark)) then
-         if (content(:len(byte_order_mark)) == byte_order_mark) then
-            content = content(len(byte_order_mark) + 1:)
-         end if
-      end if
-      found = status == 0
-   end subroutine read_content
 
    !> Append a file
    subroutine add_file(source, file)
@@ -203,18 +222,6 @@ contains
       source%file_count = source%file_count + 1
       call move_file(file, source%files(source%file_count))
    end subroutine add_file
-
-   !> Move a file without copying its content
-   subroutine move_file(from, to)
-      !> Loses its texts
-      type(file_type), intent(inout) :: from
-      !> Gets them
-      type(file_type), intent(inout) :: to
-
-      call move_alloc(from%path, to%path)
-      call move_alloc(from%content, to%content)
-      to%parent = from%parent
-   end subroutine move_file
 
    !> Append the lines of a file, and those of the files that it includes where it does
    recursive subroutine add_lines(source, file, report)
@@ -239,7 +246,7 @@ contains
          if (.not. begins_with(source, line, "*")) cycle
          select case (upper_case(source%line(source%line_count)))
          case ("*END")
-            if (file == 1) source%ended = .true.
+            if (source%files(file)%parent == 0) source%ended = .true.
             call warn_of_rest(source, source%files(file)%content(next:), report)
             return
          case ("*INCLUDE", "*INCLUDE_PATH")
@@ -250,27 +257,6 @@ contains
       end do
       call include_pending(source, pending, report)
    end subroutine add_lines
-
-   !> Find the end of a line
-   pure subroutine cut_line(content, next, line)
-      !> Content of the file
-      character(*), intent(in) :: content
-      !> Where the line begins, and where the next one does
-      integer, intent(inout) :: next
-      !> Gets number and stretch, without blanks at the end
-      type(line_type), intent(inout) :: line
-
-      integer :: feed
-
-      feed = next + index(content(next:), line_feed) - 1
-      line%number = line%number + 1
-      line%first = next
-      next = feed + 1
-      if (feed > line%first) then
-         if (content(feed - 1:feed - 1) == carriage_return) feed = feed - 1
-      end if
-      line%last = line%first + len_trim(content(line%first:feed - 1)) - 1
-   end subroutine cut_line
 
    !> First character of a line
    pure logical function begins_with(source, line, mark)
@@ -342,15 +328,26 @@ contains
 
       name = trim(adjustl(source%line(i)))
       path = beside(source, i)
-      inquire (file=path, exist=exists)
+      exists = is_there(source, path)
       begin = 1
       do while (.not. exists .and. begin <= len(source%include_path))
          last = begin + index(source%include_path(begin:), line_feed) - 2
-         inquire (file=source%include_path(begin:last)//name, exist=exists)
+         exists = is_there(source, source%include_path(begin:last)//name)
          if (exists) path = source%include_path(begin:last)//name
          begin = last + 2
       end do
    end function found_path
+
+   !> Whether there is a file, stored or else on the disk
+   logical function is_there(source, path)
+      !> Lines so far
+      type(source_type), intent(in) :: source
+      !> Path of the file
+      character(*), intent(in) :: path
+
+      is_there = source%stored%find(path) > 0
+      if (.not. is_there) inquire (file=path, exist=is_there)
+   end function is_there
 
    !> Path that a line names, relative to the file that the line is in
    pure function beside(source, i) result(path)

@@ -122,24 +122,6 @@ module plydyn_domain_domain
       type(pair_inertia_type) :: pairs
       !> What of it lies between prescribed points
       type(links_type) :: moved_links
-   contains
-      procedure :: is_finished
    end type domain_type
-
-contains
-
-   !> Whether the end has come
-   pure logical function is_finished(self, time, cycle)
-      class(domain_type), intent(in) :: self
-      !> Time reached
-      real(wp), intent(in) :: time
-      !> Steps made
-      integer, intent(in) :: cycle
-
-      associate (control => self%control)
-         is_finished = time >= control%end_time*(1.0_wp - epsilon(1.0_wp)) &
-            & .or. (control%end_cycle > 0 .and. cycle >= control%end_cycle)
-      end associate
-   end function is_finished
 
 end module plydyn_domain_domain

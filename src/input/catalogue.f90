@@ -54,6 +54,9 @@ module plydyn_input_catalogue
       type(table_type), allocatable :: tables(:)
       !> All nodes and elements could be read: what is said about their shape can be trusted
       logical :: mesh_is_sound = .true.
+      !> Lines of stored decks: what they define need not be used, as a restart may have replaced
+      !> what used it
+      integer :: stored_lines = 0
       !> Findings
       type(report_type) :: report
    contains
@@ -299,7 +302,7 @@ contains
 
       associate (register => self%registers(kind))
          do i = 1, register%count
-            if (register%used(i)) cycle
+            if (register%used(i) .or. register%line(i) <= self%stored_lines) cycle
             place%line = register%line(i)
             call self%report%refuse(place, register%what//" "//text(register%id(i)) &
                & //" is never used", advice)

@@ -10,6 +10,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_mesh, only : mesh_keywords
    use plydyn_input_declare_metal, only : metal_keywords
    use plydyn_input_declare_part, only : part_keywords
+   use plydyn_input_declare_restart, only : restart_keywords
    implicit none
    private
 
@@ -23,7 +24,8 @@ contains
 
       keywords = [frame_keywords(), control_keywords(), mesh_keywords(), part_keywords(), &
          & metal_keywords(), damage_keywords(), interface_keywords(), support_keywords(), &
-         & load_keywords(), impact_keywords(), output_keywords(), ignored_keywords(), &
+         & load_keywords(), impact_keywords(), output_keywords(), restart_keywords(), &
+         & ignored_keywords(), &
          & refused_keywords()]
    end function all_keywords
 

@@ -31,6 +31,7 @@ contains
       type(control_type), intent(inout) :: control
 
       control%end_time = cards%real("ENDTIM")
+      if (control%planned_end <= 0.0_wp) control%planned_end = control%end_time
       control%end_cycle = cards%integer("ENDCYC")
       control%smallest_share = cards%real("DTMIN")
       control%check_only = cards%integer("NOSOL") == 1

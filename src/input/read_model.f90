@@ -1,11 +1,13 @@
 !> From a deck to a model: every keyword has one reader, and what it refers to is read before it.
 module plydyn_input_read_model
+   use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
-   use plydyn_base_precision, only : wp
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_deck, only : conclude, deck_type, read_deck
+   use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
+   use plydyn_input_changes, only : apply_changes, changes_of
    use plydyn_input_check_model, only : check_model
+   use plydyn_input_defaults, only : begin_model, end_model
    use plydyn_input_keywords, only : all_keywords
    use plydyn_input_manual, only : keyword_manual
    use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
@@ -24,8 +26,7 @@ module plydyn_input_read_model
    use plydyn_input_read_metal, only : read_define_table, read_define_table_2d, &
       & read_mat_piecewise_linear_plasticity, read_mat_plastic_kinematic, &
       & read_mat_simplified_johnson_cook
-   use plydyn_input_read_mesh, only : new_mesh, read_element_plate_q9, read_element_shell, &
-      & read_node
+   use plydyn_input_read_mesh, only : read_element_plate_q9, read_element_shell, read_node
    use plydyn_input_read_part, only : read_part_composite, &
       & read_part_composite_long, read_section_layerwise
    use plydyn_input_read_set, only : read_define_box, read_define_curve, read_set_node_general, &
@@ -33,18 +34,11 @@ module plydyn_input_read_model
    use plydyn_input_read_support, only : read_boundary_face, read_boundary_face_motion, &
       & read_boundary_prescribed_motion_set, read_boundary_spc_set, read_initial_velocity, &
       & read_initial_velocity_node
-   use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
-   use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: read_model, keyword_manual
-
-   !> Field states of a run that does not say how many
-   integer, parameter :: usual_states = 20
-   !> Lines of the history of delamination, likewise
-   integer, parameter :: usual_lines = 1000
+   public :: read_decks_of_run, read_model, keyword_manual
 
    abstract interface
       !> Take the cards of one keyword into the model, if the keyword is one of the stage
@@ -73,12 +67,34 @@ contains
       !> Everything that is wrong with the deck, in one text
       type(error_type), allocatable, intent(out) :: error
 
+      type(archive_type) :: archive
+
+      allocate (archive%bundles(0))
+      archive%parameters = ""
+      call read_decks_of_run(archive, path, model, messages, error)
+   end subroutine read_model
+
+   !> Read the stored decks of a run, and one that begins or changes it
+   subroutine read_decks_of_run(archive, path, model, messages, error)
+      !> The decks so far, and numbers for parameters; gets the files of the new one
+      type(archive_type), intent(inout) :: archive
+      !> Path of the new deck, empty for none
+      character(*), intent(in) :: path
+      !> The model
+      type(model_type), intent(out) :: model
+      !> Warnings and notes for the listing, empty without any
+      character(:), allocatable, intent(out) :: messages
+      !> Everything that is wrong with the decks, in one text
+      type(error_type), allocatable, intent(out) :: error
+
       type(catalogue_type) :: catalogue
       type(deck_type) :: deck
 
       catalogue = new_catalogue()
-      call read_deck(path, all_keywords(), deck, catalogue%report)
+      call read_decks(archive, path, all_keywords(), deck, catalogue%report)
+      call apply_changes(deck, catalogue)
       call begin_model(model)
+      if (len(path) > 0) model%changes = changes_of(deck)
       call read_stage(deck, read_independent, catalogue, model)
       call read_stage(deck, read_table, catalogue, model)
       call read_stage(deck, read_material, catalogue, model)
@@ -92,7 +108,8 @@ contains
       call end_model(deck, model)
       call check_model(model, catalogue)
       call conclude(deck, catalogue%report, messages, error)
-   end subroutine read_model
+      if (len(path) > 0) call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
+   end subroutine read_decks_of_run
 
    !> Let one stage see all keywords of the deck in their order
    subroutine read_stage(deck, take, catalogue, model)
@@ -337,6 +354,11 @@ contains
          model%request%support_interval = cards%real("DT")
       case ("DATABASE_BINARY_D3PLOT")
          model%request%field_interval = cards%real("DT")
+      case ("DATABASE_BINARY_D3DUMP")
+         model%request%kept_cycles = cards%integer("CYCL")
+      case ("DATABASE_BINARY_RUNRSF")
+         model%request%running_cycles = cards%integer("CYCL")
+         model%request%running_files = cards%integer("NR")
       case ("DATABASE_FIELD")
          call read_database_field(cards, catalogue, model%materials, model%request)
       case ("DATABASE_PROFILE")
@@ -349,50 +371,5 @@ contains
          continue
       end select
    end subroutine read_run
-
-   !> An empty model
-   subroutine begin_model(model)
-      !> The model
-      type(model_type), intent(inout) :: model
-
-      model%title = ""
-      model%mesh = new_mesh()
-      allocate (model%parts(0), model%materials(0), model%interface_materials(0))
-      allocate (model%curves(0), model%holds(0), model%motions(0), model%initial_velocities(0))
-      allocate (model%initial_damages(0))
-      allocate (model%point_loads(0), model%line_loads(0), model%pressures(0), model%body_loads(0))
-      allocate (model%impactors(0), model%contacts(0))
-      allocate (model%request%fields(0), model%request%nodes(0), model%request%profiles(0))
-   end subroutine begin_model
-
-   !> What the deck does not say
-   subroutine end_model(deck, model)
-      !> The deck
-      type(deck_type), intent(in) :: deck
-      !> The model
-      type(model_type), intent(inout) :: model
-
-      integer :: i
-
-      do i = 1, size(model%materials)
-         model%materials(i)%place = ""
-         if (model%materials(i)%line > 0) model%materials(i)%place = deck%source%where( &
-            & model%materials(i)%line)
-      end do
-      associate (request => model%request)
-         if (size(request%fields) == 0) then
-            request%fields = [character(len(request%fields)) :: &
-               & "displacement", "velocity", "stress"]
-            if (any(model%materials%law == law_ply_damage)) request%fields = [request%fields, &
-               & scalar_names(shows_fibre_damage:shows_shear_damage)]
-         end if
-         if (request%field_interval <= 0.0_wp) then
-            request%field_interval = model%control%end_time/usual_states
-         end if
-         if (request%delamination_interval < 0.0_wp) then
-            request%delamination_interval = model%control%end_time/usual_lines
-         end if
-      end associate
-   end subroutine end_model
 
 end module plydyn_input_read_model

@@ -22,6 +22,8 @@ module plydyn_model_control
    type, public :: control_type
       !> Last time
       real(wp) :: end_time = 0.0_wp
+      !> Last time as the first deck of the run has it; a restart may change the other one
+      real(wp) :: planned_end = 0.0_wp
       !> Last cycle; 0 for none
       integer :: end_cycle = 0
       !> Check the deck, build the domain and stop
@@ -49,6 +51,12 @@ module plydyn_model_control
       !> Names of units
       type(units_type) :: units
    end type control_type
+
+   !> What the newest deck of a restart changes
+   type, public :: changes_type
+      !> Supports or loads; the end
+      logical :: conditions = .false., end = .false.
+   end type changes_type
 
    !> Stress through the thickness at a place of the plane
    type, public :: profile_type
@@ -82,6 +90,10 @@ module plydyn_model_control
       real(wp) :: delamination_interval = -1.0_wp
       !> Profiles through the thickness
       type(profile_type), allocatable :: profiles(:)
+      !> Steps between two restart files that are kept; 0 for none
+      integer :: kept_cycles = 0
+      !> Steps between two restart files that replace older ones, 0 for none, and how many there are
+      integer :: running_cycles = 0, running_files = 1
    end type request_type
 
 end module plydyn_model_control

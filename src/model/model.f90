@@ -1,6 +1,6 @@
 !> The model: what the deck says, in an engineer's words and with the user's numbers.
 module plydyn_model_model
-   use plydyn_model_control, only : control_type, request_type
+   use plydyn_model_control, only : changes_type, control_type, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_initial, only : initial_damage_type
@@ -50,6 +50,8 @@ module plydyn_model_model
       type(control_type) :: control
       !> What to write
       type(request_type) :: request
+      !> What the newest deck of a restart changes; nothing in a run that begins
+      type(changes_type) :: changes
    end type model_type
 
 end module plydyn_model_model

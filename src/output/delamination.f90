@@ -8,6 +8,7 @@ module plydyn_output_delamination
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : units_type
    use plydyn_output_history, only : history_type
+   use plydyn_output_places, only : places_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -23,6 +24,7 @@ module plydyn_output_delamination
    contains
       procedure :: open => open_delamination
       procedure :: record => record_delamination
+      procedure :: mark => mark_delamination
       procedure :: close => close_delamination
    end type delamination_history_type
 
@@ -49,7 +51,7 @@ contains
    end function failing_interfaces
 
    !> Create the file, if something can fail
-   subroutine open_delamination(self, path, units, interval, domain, error)
+   subroutine open_delamination(self, path, units, interval, domain, places, error)
       class(delamination_history_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
@@ -59,6 +61,8 @@ contains
       real(wp), intent(in) :: interval
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(places_type), intent(in) :: places
       !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
@@ -79,7 +83,7 @@ contains
       names(n + 3) = "projected area"
       unit(2:n + 3) = trim(units%length)//"2"
       unit(n + 4:) = units%energy
-      call self%history%open(path, names, unit, interval, error)
+      call self%history%open(path, names, unit, interval, places, error)
    end subroutine open_delamination
 
    !> Add a line if one is due
@@ -105,6 +109,17 @@ contains
             & lost(here)%fracture + lost(here)%closing + lost(here)%friction], error)
       end associate
    end subroutine record_delamination
+
+   !> Put all lines on the disk, and note how far the file goes
+   subroutine mark_delamination(self, places, error)
+      class(delamination_history_type), intent(inout) :: self
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%history%mark(places, error)
+   end subroutine mark_delamination
 
    !> Close the file
    subroutine close_delamination(self, error)

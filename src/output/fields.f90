@@ -14,6 +14,7 @@ module plydyn_output_fields
    use plydyn_output_components, only : field_components, tensor, tensor_share
    use plydyn_output_description, only : describe_file
    use plydyn_output_grid, only : grid_type, new_grid
+   use plydyn_output_places, only : places_type
    use plydyn_output_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -33,6 +34,7 @@ module plydyn_output_fields
    contains
       procedure :: open => open_fields
       procedure :: write => write_state
+      procedure :: mark
       procedure :: close => close_fields
    end type fields_type
 
@@ -44,7 +46,7 @@ module plydyn_output_fields
 contains
 
    !> Create the file: grid, plies, units
-   subroutine open_fields(self, path, deck, version, model, domain, error)
+   subroutine open_fields(self, path, deck, version, model, domain, places, error)
       class(fields_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
@@ -54,6 +56,8 @@ contains
       type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(places_type), intent(in) :: places
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
@@ -75,7 +79,19 @@ contains
             & field_components(self%names(i)), error)
          if (allocated(error)) return
       end do
+      call self%file%settle(places, error)
    end subroutine open_fields
+
+   !> Put all states on the disk, and note how many there are
+   subroutine mark(self, places, error)
+      class(fields_type), intent(inout) :: self
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%file%mark(places, error)
+   end subroutine mark
 
    !> What does not change: ply, part, element, angle, fibre
    subroutine add_cell_fields(self, model, domain, error)

@@ -8,11 +8,13 @@ module plydyn_output_h5
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : rename_file
    use plydyn_base_precision, only : wp
    use plydyn_output_h5_raw, only : append_rows, close_file, create_file, create_group, &
       & create_series, flush_file, hid_t, is_integer, is_long, is_real, numbers_type, &
       & store_byte, store_double, store_integer, store_long, store_single, write_attribute, &
       & write_dataset, write_text_attribute
+   use plydyn_output_text_file, only : try_text
    implicit none
    private
 
@@ -33,6 +35,7 @@ module plydyn_output_h5
    contains
       procedure :: create
       procedure :: is_open
+      procedure :: rename
       procedure :: make_group
       procedure :: write_text
       !> Give an object of the file an attribute of numbers, or give it anew with the same shape
@@ -62,37 +65,37 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       this%path = trim(path)
-      call try_path(this%path, error)
+      call try_text(this%path, error)
       if (allocated(error)) return
       call create_file(this%path, this%id, this%opened)
       call this%confirm(this%opened, "the file", error)
    end subroutine create
 
-   !> Fortran's own opening tells why a path is no good, in words
-   subroutine try_path(path, error)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Why it cannot be written
-      type(error_type), allocatable, intent(out) :: error
-
-      character(256) :: reason
-      integer :: unit, status
-
-      open (newunit=unit, file=path, action="readwrite", iostat=status, iomsg=reason)
-      if (status /= 0) then
-         call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
-         return
-      end if
-      close (unit)
-   end subroutine try_path
-
    !> True between `create` and `close` or the first failure
    pure logical function is_open(this)
-      !> The file
       class(h5_file_type), intent(in) :: this
 
       is_open = this%opened
    end function is_open
+
+   !> Give the file another name, in place of a file that has it
+   subroutine rename(this, path, error)
+      !> The file
+      class(h5_file_type), intent(inout) :: this
+      !> Its new path, on the same disk
+      character(*), intent(in) :: path
+      !> Why it keeps its name
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call rename_file(this%path, path, good)
+      if (good) then
+         this%path = path
+      else
+         call fail(error, exit_output, "cannot rename "//this%path//" to "//path)
+      end if
+   end subroutine rename
 
    !> Make a group
    subroutine make_group(this, name, error)
@@ -350,7 +353,6 @@ contains
 
    !> Hand all that was written to the operating system: it outlives a kill of this process
    subroutine flush_all(this, error)
-      !> The file
       class(h5_file_type), intent(inout) :: this
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
@@ -363,7 +365,6 @@ contains
 
    !> Write what is left and close the file; nothing happens when it is not open
    subroutine close_whole(this, error)
-      !> The file
       class(h5_file_type), intent(inout) :: this
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error

@@ -1,4 +1,5 @@
-!> Calls of HDF5, bundled: the only module that uses the library's interface.
+!> Calls of HDF5 that write, bundled; `plydyn_output_h5_input` has those that read. No other module
+!> uses the library's interface.
 !>
 !> Each procedure makes one thing in a file and says whether every call went well; the module
 !> `plydyn_output_h5` turns that into errors. Numbers come as an address, the kind of number that
@@ -24,7 +25,7 @@ module plydyn_output_h5_raw
 
    public :: create_file, flush_file, close_file, create_group, write_text_attribute, &
       & write_attribute, write_dataset, create_series, append_rows
-   public :: hid_t
+   public :: hid_t, type_in_memory
 
    !> Kinds of number in memory: default integers, long integers, reals of the working precision
    integer, parameter, public :: is_integer = 1, is_long = 2, is_real = 3

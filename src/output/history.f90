@@ -6,8 +6,10 @@ module plydyn_output_history
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
-   use plydyn_output_text_file, only : close_text, create_text, secure_text
+   use plydyn_output_places, only : place_type, places_type
+   use plydyn_output_text_file, only : close_text, continue_text, create_text, secure_text
    implicit none
    private
 
@@ -35,6 +37,8 @@ module plydyn_output_history
    contains
       procedure :: due => schedule_due
       procedure :: advance
+      procedure :: mark => mark_schedule
+      procedure :: resume
    end type schedule_type
 
    !> A file of histories being written
@@ -59,6 +63,7 @@ module plydyn_output_history
       procedure :: is_open
       procedure :: due
       procedure :: record
+      procedure :: mark => mark_history
       procedure :: flush => flush_history
       procedure :: close => close_history
    end type history_type
@@ -86,8 +91,32 @@ contains
       if (this%interval > 0.0_wp) this%next = floor(time/this%interval + slack, int64) + 1
    end subroutine advance
 
-   !> Create the file and write the heads, such as `force [N]`
-   subroutine open_history(this, path, names, units, interval, error)
+   !> The instants as they are
+   elemental type(place_type) function mark_schedule(this, amount) result(place)
+      !> The instants
+      class(schedule_type), intent(in) :: this
+      !> What was written so far
+      integer(int64), intent(in) :: amount
+
+      place = place_type(amount=amount, interval=this%interval, next=this%next)
+   end function mark_schedule
+
+   !> Go on with instants from an earlier run, unless their interval is another one
+   elemental subroutine resume(this, place)
+      !> The instants, with their interval
+      class(schedule_type), intent(inout) :: this
+      !> As from `mark`
+      type(place_type), intent(in) :: place
+
+      if (abs(place%interval - this%interval) <= 0.0_wp) then
+         this%next = place%next
+      else if (place%next >= 0) then
+         call this%advance(place%interval*(place%next - 1))
+      end if
+   end subroutine resume
+
+   !> Create the file and write the heads, such as `force [N]`; or go on with it
+   subroutine open_history(this, path, names, units, interval, places, error)
       !> The history
       class(history_type), intent(inout) :: this
       !> Path of the file; a file that was there is replaced
@@ -98,9 +127,13 @@ contains
       character(*), intent(in) :: units(:)
       !> Time between two lines; 0 for every step
       real(wp), intent(in) :: interval
-      !> Why the file could not be created
+      !> Where to go on with files of an earlier run; a file that is not there is created
+      type(places_type), intent(in) :: places
+      !> Why the file could not be created, or there is no going on with it
       type(error_type), allocatable, intent(out) :: error
 
+      character(:), allocatable :: heads
+      type(place_type) :: place
       integer :: i
 
       this%path = trim(path)
@@ -108,17 +141,24 @@ contains
          call fail(error, exit_output, this%path//": each column must have a name and a unit")
          return
       end if
-      call create_text(this%path, this%unit, error)
-      if (allocated(error)) return
+      heads = head(names(1), units(1))
+      do i = 2, size(names)
+         heads = heads//","//head(names(i), units(i))
+      end do
       this%schedule = schedule_type(interval)
+      place = places%at(this%path)
+      if (place%amount < 0) then
+         call create_text(this%path, this%unit, error)
+         if (allocated(error)) return
+         write (this%unit, "(a)") heads
+      else
+         call continue_text(this%path, heads, place%amount, this%unit, error)
+         if (allocated(error)) return
+         call this%schedule%resume(place)
+      end if
       this%columns = size(names)
       if (allocated(this%line)) deallocate (this%line)
       allocate (character((number_length + 1)*this%columns) :: this%line)
-      do i = 1, this%columns
-         if (i > 1) write (this%unit, "(a)", advance="no") ","
-         write (this%unit, "(a)", advance="no") head(names(i), units(i))
-      end do
-      write (this%unit, "()")
       this%opened = .true.
       call this%flush(error)
    end subroutine open_history
@@ -173,6 +213,30 @@ contains
       call system_clock(now, rate)
       if (now - this%secured > seconds_in_memory*rate) call this%flush(error)
    end subroutine record
+
+   !> Put all lines on the disk, and note how far the file goes
+   subroutine mark_history(this, places, error)
+      !> The history
+      class(history_type), intent(inout) :: this
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: bytes
+      logical :: good
+
+      if (.not. this%opened) return
+      call this%flush(error)
+      if (allocated(error)) return
+      inquire (file=this%path, size=bytes)
+      call secure_file(this%path, good)
+      if (good) then
+         call places%add(this%path, this%schedule%mark(bytes))
+      else
+         call fail(error, exit_output, "cannot bring "//this%path//" to its disk")
+      end if
+   end subroutine mark_history
 
    !> Put all lines on the disk
    subroutine flush_history(this, error)

@@ -9,6 +9,7 @@ module plydyn_output_interface_fields
    use plydyn_output_description, only : describe_file
    use plydyn_output_interface_values, only : at_damage, at_dissipated, at_mixity, damage_values, &
       & interface_values
+   use plydyn_output_places, only : places_type
    use plydyn_output_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -38,13 +39,14 @@ module plydyn_output_interface_fields
    contains
       procedure :: open => open_interfaces
       procedure :: write => write_state
+      procedure :: mark
       procedure :: close => close_interfaces
    end type interface_fields_type
 
 contains
 
    !> Create the file, if there are interfaces
-   subroutine open_interfaces(self, path, deck, version, model, domain, error)
+   subroutine open_interfaces(self, path, deck, version, model, domain, places, error)
       class(interface_fields_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
@@ -54,6 +56,8 @@ contains
       type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(places_type), intent(in) :: places
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
@@ -70,7 +74,19 @@ contains
          if (allocated(error)) return
          call self%file%declare_point_data(trim(names(i)), components(i), error)
       end do
+      if (.not. allocated(error)) call self%file%settle(places, error)
    end subroutine open_interfaces
+
+   !> Put all states on the disk, and note how many there are
+   subroutine mark(self, places, error)
+      class(interface_fields_type), intent(inout) :: self
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%file%mark(places, error)
+   end subroutine mark
 
    !> Find the cells, and where the points of each interface begin
    subroutine arrange(self, domain)

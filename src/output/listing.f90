@@ -10,6 +10,7 @@ module plydyn_output_listing
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components
    use plydyn_output_damage_listing, only : write_damage
+   use plydyn_output_job, only : job_type, no_unit
    use plydyn_output_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_output_progress, only : duration_text
    use plydyn_output_step_listing, only : write_step
@@ -18,7 +19,7 @@ module plydyn_output_listing
    implicit none
    private
 
-   public :: independent_freedoms, write_end, write_listing
+   public :: independent_freedoms, write_end, write_listing, write_restart
 
    !> Bytes in a megabyte, and in a real of the results file
    real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp
@@ -58,6 +59,32 @@ contains
       call write_effort(unit, model, domain, seconds_per_step)
       flush (unit)
    end subroutine write_listing
+
+   !> Where a run goes on, and what is different from there on
+   subroutine write_restart(job, build, path, written_by, deck, messages, state)
+      !> The job
+      type(job_type), intent(in) :: job
+      !> Version and compiler
+      character(*), intent(in) :: build
+      !> Path of the restart file, and version of the program that wrote it
+      character(*), intent(in) :: path, written_by
+      !> Path of the deck that changes the run, empty for none; warnings of the readers
+      character(*), intent(in) :: deck, messages
+      !> The state
+      type(state_type), intent(in) :: state
+
+      character(:), allocatable :: words
+
+      call write_section(job%listing, "Restart")
+      words = "goes on from "//path//" at cycle "//text(state%cycle)//", time "//text(state%time)
+      write (job%listing, "(a)") build, words
+      if (written_by /= job%version) write (job%listing, "(3a)") "the restart file is of plydyn ", &
+         & written_by, ": the last bits may differ from those of an unbroken run"
+      if (len(deck) > 0) write (job%listing, "(2a)") "changed by ", deck
+      if (len(messages) > 0) write (job%listing, "(a)") messages
+      flush (job%listing)
+      if (job%screen /= no_unit) write (job%screen, "(a)") words
+   end subroutine write_restart
 
    !> Names of units
    subroutine write_units(unit, model)

@@ -8,6 +8,7 @@ module plydyn_output_node_history
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
    use plydyn_output_history, only : history_type
+   use plydyn_output_places, only : places_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -23,13 +24,14 @@ module plydyn_output_node_history
    contains
       procedure :: open => open_nodes
       procedure :: record => record_nodes
+      procedure :: mark => mark_nodes
       procedure :: close => close_nodes
    end type node_history_type
 
 contains
 
    !> Create the file, if the deck asks for nodes
-   subroutine open_nodes(self, path, model, domain, error)
+   subroutine open_nodes(self, path, model, domain, places, error)
       class(node_history_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
@@ -37,6 +39,8 @@ contains
       type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(places_type), intent(in) :: places
       !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
@@ -65,7 +69,7 @@ contains
       end do
       allocate (self%row(size(names)))
       if (size(model%request%nodes) == 0) return
-      call self%history%open(path, names, units, model%request%node_interval, error)
+      call self%history%open(path, names, units, model%request%node_interval, places, error)
    end subroutine open_nodes
 
    !> Add a line if one is due; the velocity is that of this time
@@ -93,6 +97,17 @@ contains
       end do
       call self%history%record(state%time, self%row, error)
    end subroutine record_nodes
+
+   !> Put all lines on the disk, and note how far the file goes
+   subroutine mark_nodes(self, places, error)
+      class(node_history_type), intent(inout) :: self
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%history%mark(places, error)
+   end subroutine mark_nodes
 
    !> Close the file
    subroutine close_nodes(self, error)

@@ -10,7 +10,8 @@ module plydyn_output_profile
       & recovered, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
-   use plydyn_output_history, only : history_type, schedule_type
+   use plydyn_output_history, only : history_type
+   use plydyn_output_places, only : places_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -19,7 +20,6 @@ module plydyn_output_profile
    type, public :: profile_file_type
       private
       type(history_type) :: file
-      type(schedule_type) :: schedule
       !> Points in each layer
       integer :: points = 0
       !> Quads that meet at the place: plate and quad, and where the place is in each
@@ -28,6 +28,7 @@ module plydyn_output_profile
    contains
       procedure :: open => open_profile
       procedure :: record
+      procedure :: mark
       procedure :: close => close_profile
    end type profile_file_type
 
@@ -70,7 +71,7 @@ contains
    end subroutine check_profiles
 
    !> Find the place and create the file
-   subroutine open_profile(self, path, profile, units, domain, error)
+   subroutine open_profile(self, path, profile, units, domain, places, error)
       class(profile_file_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
@@ -80,19 +81,20 @@ contains
       type(units_type), intent(in) :: units
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(places_type), intent(in) :: places
       !> Why the file could not be created
       type(error_type), allocatable, intent(out) :: error
 
       character(8) :: unit(columns)
 
       self%points = profile%points
-      self%schedule%interval = profile%interval
       call find_quads(self, domain, profile%position)
       unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
       unit(7:12) = units%stress
       unit(13:18) = "-"
       unit(19:24) = units%stress
-      call self%file%open(path, names, unit, 0.0_wp, error)
+      call self%file%open(path, names, unit, profile%interval, places, error)
    end subroutine open_profile
 
    !> All quads that contain a place, on a border more than one
@@ -161,8 +163,7 @@ contains
       real(wp) :: part, row(columns)
       integer :: i, k
 
-      if (.not. (self%schedule%due(state%time) .or. is_last)) return
-      call self%schedule%advance(state%time)
+      if (.not. (self%file%due(state%time) .or. is_last)) return
       do k = 1, size(domain%layers%order)
          do i = 1, self%points
             part = real(i - 1, wp)/real(self%points - 1, wp)
@@ -236,6 +237,17 @@ contains
          end do
       end do
    end function displacement_at
+
+   !> Put all blocks on the disk, and note how far the file goes
+   subroutine mark(self, places, error)
+      class(profile_file_type), intent(inout) :: self
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%file%mark(places, error)
+   end subroutine mark
 
    !> Close the file
    subroutine close_profile(self, error)

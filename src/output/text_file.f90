@@ -6,10 +6,11 @@
 module plydyn_output_text_file
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : cut_file
    implicit none
    private
 
-   public :: create_text, secure_text, close_text
+   public :: append_to, close_text, continue_text, create_text, secure_text, try_text
 
 contains
 
@@ -30,6 +31,79 @@ contains
       if (status /= 0) call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
    end subroutine create_text
 
+   !> Fortran's own opening tells why a path is no good, in words
+   subroutine try_text(path, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Why it cannot be written
+      type(error_type), allocatable, intent(out) :: error
+
+      character(256) :: reason
+      integer :: unit, status
+
+      open (newunit=unit, file=path, action="readwrite", iostat=status, iomsg=reason)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
+         return
+      end if
+      close (unit)
+   end subroutine try_text
+
+   !> Go on with a text file behind some byte; what stands after it is dropped
+   subroutine continue_text(path, head, length, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Its first line
+      character(*), intent(in) :: head
+      !> Bytes that stay
+      integer(int64), intent(in) :: length
+      !> Unit to write lines to
+      integer, intent(out) :: unit
+      !> Why there is no going on
+      type(error_type), allocatable, intent(out) :: error
+
+      character(len(head)) :: found
+      integer(int64) :: kept
+      integer :: status
+      logical :: good
+
+      open (newunit=unit, file=path, status="old", action="readwrite", access="stream", &
+         & form="formatted", iostat=status)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot go on with "//path//": it must be there and " &
+            & //"writable, as the run left it")
+         return
+      end if
+      read (unit, "(a)", iostat=status) found
+      inquire (unit=unit, size=kept)
+      close (unit)
+      good = status == 0 .and. found == head .and. kept >= length
+      if (good) call cut_file(path, length, good)
+      if (.not. good) then
+         call fail(error, exit_output, "cannot go on with "//path//": it must have the columns " &
+            & //"and all lines that it had when the restart file was written")
+         return
+      end if
+      call append_to(path, unit, error)
+   end subroutine continue_text
+
+   !> Open a text file at its end
+   subroutine append_to(path, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Unit to write lines to
+      integer, intent(out) :: unit
+      !> Why it cannot be opened
+      type(error_type), allocatable, intent(out) :: error
+
+      character(256) :: reason
+      integer :: status
+
+      open (newunit=unit, file=path, status="unknown", position="append", action="write", &
+         & access="stream", form="formatted", iostat=status, iomsg=reason)
+      if (status /= 0) call fail(error, exit_output, "cannot go on with "//path//": "//trim(reason))
+   end subroutine append_to
+
    !> Put all lines written so far on the disk, and see that they are there
    subroutine secure_text(path, unit, error)
       !> Path of the file
@@ -39,14 +113,8 @@ contains
       !> Why the lines are not all there
       type(error_type), allocatable, intent(out) :: error
 
-      character(256) :: reason
-      integer :: status
-
       call close_text(path, unit, error)
-      if (allocated(error)) return
-      open (newunit=unit, file=path, status="unknown", position="append", action="write", &
-         & access="stream", form="formatted", iostat=status, iomsg=reason)
-      if (status /= 0) call fail(error, exit_output, "cannot go on with "//path//": "//trim(reason))
+      if (.not. allocated(error)) call append_to(path, unit, error)
    end subroutine secure_text
 
    !> Close a text file and see that all its lines are on the disk

@@ -3,14 +3,18 @@
 !> Read by ParaView and by `vtkHDFReader` of VTK 9.3 and later. Points and times are stored in
 !> double precision, fields in single precision: they are looked at, not computed with. What does
 !> not change is stored once; each state adds its point data, then its time, and last it is
-!> counted, so that a file whose run was killed shows every state that was ended.
+!> counted, so that a file whose run was killed shows every state that was ended. The file is made
+!> under a name of its own and gets its place when all that comes before the first state is there.
 !> Symmetric tensors have VTK's order XX YY ZZ XY YZ XZ; the caller sorts them.
 module plydyn_output_vtkhdf
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_output_h5, only : h5_file_type, store_double, store_integer, store_single
+   use plydyn_output_places, only : place_type, places_type
+   use plydyn_output_vtkhdf_copy, only : copy_states
    use plydyn_output_vtkhdf_layout, only : add_state, cell_data, cell_data_offsets, make_groups, &
       & make_offsets, make_steps, own_group, point_data, point_data_offsets, write_grid
    implicit none
@@ -30,6 +34,9 @@ module plydyn_output_vtkhdf
       !> True once the state being written has the field
       logical :: written = .false.
    end type field_type
+
+   !> Behind the name of a file that is not in its place yet
+   character(*), parameter :: in_the_making = ".part"
 
    !> A file of states being written
    type, public :: vtkhdf_type
@@ -56,10 +63,12 @@ module plydyn_output_vtkhdf
       !> Fields on the cells that never change; before the first state
       generic :: add_cell_data => add_cell_integers, add_cell_reals, add_cell_vectors
       procedure :: declare_point_data
+      procedure :: settle
       procedure :: begin_step
       !> The values of a declared field in this state
       generic :: write_point_data => write_point_reals, write_point_vectors
       procedure :: end_step
+      procedure :: mark
       procedure :: close => close_whole
       procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors, &
          & write_point_reals, write_point_vectors, note_cell_data, take_field, &
@@ -68,7 +77,7 @@ module plydyn_output_vtkhdf
 
 contains
 
-   !> Create the file with its grid
+   !> Create the file with its grid; `settle` gives it its place
    subroutine create(this, path, points, connectivity, offsets, types, error)
       !> The file
       class(vtkhdf_type), intent(inout) :: this
@@ -96,7 +105,7 @@ contains
             & //"one more", error)
          return
       end if
-      call this%file%create(path, error)
+      call this%file%create(this%path//in_the_making, error)
       if (allocated(error)) return
       call make_groups(this%file, error)
       if (allocated(error)) return
@@ -109,7 +118,6 @@ contains
 
    !> True between `create` and `close`
    pure logical function is_open(this)
-      !> The file
       class(vtkhdf_type), intent(in) :: this
 
       is_open = this%file%is_open()
@@ -245,9 +253,29 @@ contains
          & min(this%points, points_per_chunk), store_single, error)
    end subroutine declare_point_data
 
+   !> Put the file in its place, once all fields are declared
+   subroutine settle(this, places, error)
+      !> The file
+      class(vtkhdf_type), intent(inout) :: this
+      !> Where to go on with files of an earlier run: their states are taken over
+      type(places_type), intent(in) :: places
+      !> Why the file could not be put there
+      type(error_type), allocatable, intent(out) :: error
+
+      type(place_type) :: place
+
+      place = places%at(this%path)
+      if (place%amount >= 0) then
+         this%states = int(place%amount)
+         call copy_states(this%path, this%states, this%points, this%fields%name, &
+            & this%fields%components, cell_data_offsets//this%cell_fields%name, this%file, error)
+         if (allocated(error)) return
+      end if
+      call this%file%rename(this%path, error)
+   end subroutine settle
+
    !> Begin a state
    subroutine begin_step(this, time)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Time of the state
       real(wp), intent(in) :: time
@@ -328,9 +356,30 @@ contains
       this%states = this%states + 1
    end subroutine end_step
 
+   !> Put all states on the disk, and note how many there are
+   subroutine mark(this, places, error)
+      !> The file
+      class(vtkhdf_type), intent(inout) :: this
+      !> Places in all files
+      type(places_type), intent(inout) :: places
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      if (.not. this%is_open()) return
+      call this%file%flush(error)
+      if (allocated(error)) return
+      call secure_file(this%path, good)
+      if (good) then
+         call places%add(this%path, place_type(amount=int(this%states, int64)))
+      else
+         call fail(error, exit_output, "cannot bring "//this%path//" to its disk")
+      end if
+   end subroutine mark
+
    !> Close the file; nothing happens when it is not open
    subroutine close_whole(this, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error

@@ -22,6 +22,8 @@ module plydyn_output_vtkhdf_layout
    integer, parameter :: states_per_chunk = 256
    !> Group of the states
    character(*), parameter :: steps = "VTKHDF/Steps/"
+   !> List of the times of the states
+   character(*), parameter, public :: state_times = steps//"Values"
    !> Lists that are 0 in every state, as the grid stands still, and tables of one column that are
    character(*), parameter :: still_lists(2) = [character(12) :: "PartOffsets", "PointOffsets"]
    character(*), parameter :: still_tables(2) = &
@@ -94,7 +96,7 @@ contains
 
       call count_states(file, 0, error)
       if (allocated(error)) return
-      call file%make_series(steps//"Values", 0, states_per_chunk, store_double, error)
+      call file%make_series(state_times, 0, states_per_chunk, store_double, error)
       if (allocated(error)) return
       call make_offsets(file, "NumberOfParts", error)
       if (allocated(error)) return
@@ -147,7 +149,7 @@ contains
       if (allocated(error)) return
       call add_number(file, moving, start, error)
       if (allocated(error)) return
-      call file%append(steps//"Values", [time], error)
+      call file%append(state_times, [time], error)
       if (allocated(error)) return
       call file%flush(error)
       if (allocated(error)) return

@@ -1,5 +1,6 @@
 !> All results of a job: histories, profiles, fields and the line of life.
 module plydyn_output_writer
+   use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -10,10 +11,13 @@ module plydyn_output_writer
    use plydyn_output_fields, only : fields_type
    use plydyn_output_history, only : history_type, schedule_type
    use plydyn_output_interface_fields, only : interface_fields_type
+   use plydyn_output_job, only : job_type, no_unit
    use plydyn_output_node_history, only : node_history_type
+   use plydyn_output_places, only : new_places, places_type
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
    use plydyn_output_rows, only : energy_names, energy_row, impactor_names, impactor_row
+   use plydyn_output_support_history, only : support_history_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -21,7 +25,9 @@ module plydyn_output_writer
    !> What writes the results of a job
    type, public :: writer_type
       private
-      type(history_type) :: energy, supports
+      type(job_type) :: job
+      type(history_type) :: energy
+      type(support_history_type) :: supports
       type(node_history_type) :: nodes
       type(delamination_history_type) :: delamination
       type(history_type), allocatable :: impactors(:)
@@ -31,33 +37,32 @@ module plydyn_output_writer
       type(schedule_type) :: field_schedule
       !> Time of the last state in the file of fields
       real(wp) :: field_time = -1.0_wp
-      !> Held and prescribed directions, in the order of `state%support_force`
-      integer, allocatable :: support_direction(:)
       !> Line of life
       type(progress_type) :: progress
       type(pulse_type) :: pulse
-      !> Unit of the line of life; negative for none
-      integer :: screen = -1
    contains
       procedure :: open => open_writer
       procedure :: record
+      procedure :: keep
+      procedure :: plot
+      procedure :: tell
       procedure :: save_state
       procedure :: elapsed
       procedure :: close => close_writer
    end type writer_type
 
+   !> Ending of the file of fields, and what its instants are kept under
+   character(*), parameter :: fields_ending = ".vtkhdf", schedule_ending = ".vtkhdf instants"
    !> Steps between two looks at the clock
    integer, parameter :: steps_per_look = 16
 
 contains
 
-   !> Create all files
-   subroutine open_writer(self, job, deck, version, screen, model, domain, error)
+   !> Create all files, or go on with those of an earlier run
+   subroutine open_writer(self, job, model, domain, error)
       class(writer_type), intent(inout) :: self
-      !> Path of the results without endings; path of the deck; version of the program
-      character(*), intent(in) :: job, deck, version
-      !> Unit of the line of life; negative for none
-      integer, intent(in) :: screen
+      !> The job
+      type(job_type), intent(in) :: job
       !> The model
       type(model_type), intent(in) :: model
       !> The domain
@@ -67,37 +72,42 @@ contains
 
       integer :: i
 
+      self%job = job
+      ! all at once: they are closed together, whichever of them could be opened
+      allocate (self%impactors(size(model%impactors)), self%profiles(size(model%request%profiles)))
       call open_energy(self, job, model, error)
       if (allocated(error)) return
       call open_impactors(self, job, model, error)
       if (allocated(error)) return
-      call self%nodes%open(job//".nodes.csv", model, domain, error)
+      call self%nodes%open(job%path//".nodes.csv", model, domain, job%places, error)
       if (allocated(error)) return
-      call open_supports(self, job, model, domain, error)
+      call self%supports%open(job, model, domain, error)
       if (allocated(error)) return
-      allocate (self%profiles(size(model%request%profiles)))
       do i = 1, size(self%profiles)
          associate (profile => model%request%profiles(i))
-            call self%profiles(i)%open(job//".profile_"//text(profile%id)//".csv", profile, &
-               & model%control%units, domain, error)
+            call self%profiles(i)%open(job%path//".profile_"//text(profile%id)//".csv", profile, &
+               & model%control%units, domain, job%places, error)
          end associate
          if (allocated(error)) return
       end do
-      call self%fields%open(job//".vtkhdf", deck, version, model, domain, error)
+      call self%fields%open(job%path//fields_ending, job%deck, job%version, model, domain, &
+         & job%places, error)
       if (allocated(error)) return
-      call self%interfaces%open(job//".interfaces.vtkhdf", deck, version, model, domain, error)
+      call self%interfaces%open(job%path//".interfaces.vtkhdf", job%deck, job%version, model, &
+         & domain, job%places, error)
       if (allocated(error)) return
-      call self%delamination%open(job//".delamination.csv", model%control%units, &
-         & model%request%delamination_interval, domain, error)
+      call self%delamination%open(job%path//".delamination.csv", model%control%units, &
+         & model%request%delamination_interval, domain, job%places, error)
       if (allocated(error)) return
       self%field_schedule%interval = model%request%field_interval
-      call open_progress(self, screen, model, domain)
+      call self%field_schedule%resume(job%places%at(job%path//schedule_ending))
+      call open_progress(self, model, domain)
    end subroutine open_writer
 
    !> Energies and momentum
    subroutine open_energy(self, job, model, error)
       class(writer_type), intent(inout) :: self
-      character(*), intent(in) :: job
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
@@ -105,84 +115,48 @@ contains
 
       associate (u => model%control%units)
          momentum = trim(u%force)//" "//u%time
-         call self%energy%open(job//".energy.csv", energy_names, [character(20) :: "-", &
+         call self%energy%open(job%path//".energy.csv", energy_names, [character(20) :: "-", &
             & u%time, u%time, spread(u%energy, 1, 9 + mechanisms), "-", spread(momentum, 1, 3)], &
-            & model%request%energy_interval, error)
+            & model%request%energy_interval, job%places, error)
       end associate
    end subroutine open_energy
 
    !> Force and motion of each impactor
    subroutine open_impactors(self, job, model, error)
       class(writer_type), intent(inout) :: self
-      character(*), intent(in) :: job
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
       type(error_type), allocatable, intent(out) :: error
 
       character(20) :: units(size(impactor_names))
       integer :: i
 
-      allocate (self%impactors(size(model%impactors)))
       associate (u => model%control%units)
          units(:) = [character(20) :: u%time, u%force, u%length, trim(u%length)//"/"//u%time, &
             & u%energy, u%energy, u%force, u%force, "-", u%length]
          do i = 1, size(self%impactors)
-            call self%impactors(i)%open(job//".impactor_"//text(model%impactors(i)%id)//".csv", &
-               & impactor_names, units, model%request%impactor_interval, error)
+            call self%impactors(i)%open(job%path//".impactor_"//text(model%impactors(i)%id) &
+               & //".csv", impactor_names, units, model%request%impactor_interval, job%places, &
+               & error)
             if (allocated(error)) return
          end do
       end associate
    end subroutine open_impactors
 
-   !> Force of all supports on the plate
-   subroutine open_supports(self, job, model, domain, error)
-      class(writer_type), intent(inout) :: self
-      character(*), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
-
-      character(4), parameter :: names(*) = [character(4) :: "time", "fx", "fy", "fz"]
-      integer :: c, k, m, t
-
-      allocate (self%support_direction(0))
-      if (model%request%support_interval < 0.0_wp) return
-      block
-         integer :: direction(domain%columns%freedoms)
-
-         direction(:) = 0
-         do k = 1, size(domain%layers%order)
-            do t = 1, domain%columns%levels(k)
-               do c = 1, 3
-                  direction(domain%columns%freedom(k, t, c, [(m, m=1, domain%columns%nodes)])) = c
-               end do
-            end do
-         end do
-         self%support_direction = direction(domain%held)
-         do m = 1, size(domain%motions)
-            self%support_direction = [self%support_direction, &
-               & direction(domain%motions(m)%freedom)]
-         end do
-      end block
-      associate (u => model%control%units)
-         call self%supports%open(job//".supports.csv", names, &
-            & [u%time, u%force, u%force, u%force], model%request%support_interval, error)
-      end associate
-   end subroutine open_supports
-
    !> Heads of the line of life
-   subroutine open_progress(self, screen, model, domain)
+   subroutine open_progress(self, model, domain)
       class(writer_type), intent(inout) :: self
-      integer, intent(in) :: screen
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
 
-      self%screen = screen
-      self%progress%end_time = domain%control%end_time
+      self%progress%start_time = self%job%start_time
       self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
       if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
       call self%pulse%start()
-      if (screen < 0) return
-      write (screen, "(a)") progress_heads(model%control%units%time, model%control%units%force)
+      if (self%job%screen == no_unit) return
+      associate (u => model%control%units)
+         write (self%job%screen, "(a)") progress_heads(u%time, u%force)
+      end associate
    end subroutine open_progress
 
    !> Write whatever is due at this time
@@ -198,7 +172,7 @@ contains
       logical :: is_last
       integer :: i
 
-      is_last = domain%is_finished(state%time, state%cycle)
+      is_last = state%is_finished()
       call record_histories(self, domain, state, is_last, error)
       if (allocated(error)) return
       do i = 1, size(self%profiles)
@@ -216,6 +190,57 @@ contains
       if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show(self, state, is_last)
    end subroutine record
 
+   !> Bring all files to the disk, and note how far each of them goes
+   subroutine keep(self, places, error)
+      class(writer_type), intent(inout) :: self
+      !> Gets the places
+      type(places_type), intent(out) :: places
+      !> Why something is not on the disk
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      places = new_places(self%job%path)
+      call places%add(self%job%path//schedule_ending, self%field_schedule%mark(0_int64))
+      call self%energy%mark(places, error)
+      if (.not. allocated(error)) call self%nodes%mark(places, error)
+      if (.not. allocated(error)) call self%supports%mark(places, error)
+      do i = 1, size(self%impactors)
+         if (.not. allocated(error)) call self%impactors(i)%mark(places, error)
+      end do
+      do i = 1, size(self%profiles)
+         if (.not. allocated(error)) call self%profiles(i)%mark(places, error)
+      end do
+      if (.not. allocated(error)) call self%delamination%mark(places, error)
+      if (.not. allocated(error)) call self%fields%mark(places, error)
+      if (.not. allocated(error)) call self%interfaces%mark(places, error)
+   end subroutine keep
+
+   !> Write the fields at this time, if they are not in the file already
+   subroutine plot(self, domain, state, error)
+      class(writer_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why they could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      if (state%time <= self%field_time) return
+      self%field_time = state%time
+      call self%fields%write(domain, state, error)
+      if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
+   end subroutine plot
+
+   !> Write the line of life, due or not
+   subroutine tell(self, state)
+      class(writer_type), intent(inout) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+
+      call show(self, state, .true.)
+   end subroutine tell
+
    !> Write the fields of a run that is stopped, if they are not in the file already
    subroutine save_state(self, domain, state)
       class(writer_type), intent(inout) :: self
@@ -227,9 +252,7 @@ contains
       type(error_type), allocatable :: error
 
       ! what stopped the run is worse than a state that cannot be written
-      if (state%time <= self%field_time) return
-      call self%fields%write(domain, state, error)
-      call self%interfaces%write(domain, state, error)
+      call self%plot(domain, state, error)
    end subroutine save_state
 
    !> Lines of the histories
@@ -256,10 +279,7 @@ contains
          if (allocated(error)) return
          call self%delamination%record(domain, state, is_last, error)
          if (allocated(error)) return
-         if (self%supports%is_open() .and. (self%supports%due(time) .or. is_last)) then
-            call self%supports%record(time, [time, (-sum(state%support_force, &
-               & self%support_direction == i), i=1, 3)], error)
-         end if
+         call self%supports%record(state, is_last, error)
       end associate
    end subroutine record_histories
 
@@ -271,18 +291,19 @@ contains
 
       real(wp) :: seconds
 
-      if (self%screen < 0) return
+      if (self%job%screen == no_unit) return
       seconds = self%pulse%elapsed()
       if (.not. (self%pulse%due(seconds) .or. is_last)) return
       call self%pulse%advance(seconds)
       self%progress%cycle = state%cycle
       self%progress%time = state%time
+      self%progress%end_time = state%end_time
       self%progress%step = state%step_before
       self%progress%energy_error = state%energies%error()
       self%progress%force = 0.0_wp
       if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
-      write (self%screen, "(a)") progress_line(self%progress, seconds)
-      flush (self%screen)
+      write (self%job%screen, "(a)") progress_line(self%progress, seconds)
+      flush (self%job%screen)
    end subroutine show
 
    !> Seconds since the start of the run

@@ -27,6 +27,8 @@ module plydyn_solver_contacts
       type(pair_type), allocatable :: pairs(:)
    contains
       procedure :: enforce
+      procedure :: remember
+      procedure :: recall
    end type contacts_type
 
    !> Share of the radius that an impactor may be inside the plate at time zero
@@ -69,6 +71,38 @@ contains
          end associate
       end do
    end subroutine new_contacts
+
+   !> Put what contact knows from the last step into the state
+   subroutine remember(self, state)
+      class(contacts_type), intent(in) :: self
+      !> Gets the memory
+      type(state_type), intent(inout) :: state
+      integer :: i
+
+      do i = 1, size(self%pairs)
+         call self%pairs(i)%pair%remember(state%contacts(i)%places, state%contacts(i)%numbers)
+      end do
+   end subroutine remember
+
+   !> Take it back from there
+   subroutine recall(self, state, error)
+      class(contacts_type), intent(inout) :: self
+      !> Has the memory
+      type(state_type), intent(in) :: state
+      !> The memory is that of another contact
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+      integer :: i
+
+      do i = 1, size(self%pairs)
+         call self%pairs(i)%pair%recall(state%contacts(i)%places, state%contacts(i)%numbers, good)
+         if (good) cycle
+         call fail(error, exit_input, "the contact in the restart file is not that of the deck " &
+            & //"in it: it must have been written by the same version of plydyn")
+         return
+      end do
+   end subroutine recall
 
    !> Move the impactors over the coming step, and push them and the plate apart where they meet
    subroutine enforce(self, domain, state)

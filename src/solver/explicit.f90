@@ -11,19 +11,20 @@ module plydyn_solver_explicit
    use plydyn_solver_health, only : check_health
    use plydyn_solver_motion, only : accelerate, advance
    use plydyn_solver_supports, only : hold_supports, move_supports
+   use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: next_step, run, seconds_per_step
+   public :: find_accelerations, next_step, run, seconds_per_step
 
    !> Share of a step by which the last one may be stretched to end the run on time
    real(wp), parameter :: stretch = 1.0e-6_wp
 
 contains
 
-   !> From the state at time zero to the end
-   subroutine run(domain, contacts, state, writer, error)
+   !> From the state at time zero, or from where a run was left, to the end
+   subroutine run(domain, contacts, state, writer, watch, error)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts and their work space
@@ -32,16 +33,20 @@ contains
       type(state_type), intent(inout) :: state
       !> What writes the results
       type(writer_type), intent(inout) :: writer
+      !> What looks after the run
+      type(watch_type), intent(inout) :: watch
       !> What stopped the run
       type(error_type), allocatable, intent(out) :: error
 
-      call find_accelerations(domain, state)
-      call balance(domain, state)
-      state%energies%start = state%energies%kinetic + state%energies%impactor
-      call writer%record(domain, state, error)
-      if (allocated(error)) return
+      if (state%cycle == 0) then
+         call find_accelerations(domain, state)
+         call balance(domain, state)
+         state%energies%start = state%energies%kinetic + state%energies%impactor
+         call writer%record(domain, state, error)
+         if (allocated(error)) return
+      end if
 
-      do while (.not. domain%is_finished(state%time, state%cycle))
+      do while (.not. state%is_finished())
          state%step = next_step(domain, state)
          if (state%cycle == 0) state%first_step = state%step
          call change_step(state)
@@ -68,6 +73,8 @@ contains
             call writer%save_state(domain, state)
             return
          end if
+         call watch%look(domain, contacts, state, writer, error)
+         if (allocated(error)) return
       end do
    end subroutine run
 
@@ -103,8 +110,8 @@ contains
          if (control%step_curve > 0) then
             step = min(step, domain%curves(control%step_curve)%at(state%time))
          end if
-         if (state%time + step*(1.0_wp + stretch) >= control%end_time) then
-            step = control%end_time - state%time
+         if (state%time + step*(1.0_wp + stretch) >= state%end_time) then
+            step = state%end_time - state%time
          end if
       end associate
    end function next_step

@@ -41,7 +41,7 @@ contains
          call fail(error, exit_run, "the motion is unstable"//when(state)//fastest(domain, state) &
             & //"; a smaller TSSFAC may help (it is "//text(domain%control%step_factor)//")")
       else if (state%step < domain%control%smallest_share*state%first_step &
-         & .and. .not. domain%is_finished(state%time, state%cycle)) then
+         & .and. .not. state%is_finished()) then
          call fail(error, exit_run, "the step of "//text(state%step)//" is below the share of " &
             & //"the first step, "//text(state%first_step)//", at which the run is to stop (" &
             & //"DTMIN of *CONTROL_TERMINATION)"//when(state))

@@ -25,6 +25,8 @@ contains
 
       integer :: i
 
+      state%end_time = domain%control%end_time
+      state%end_cycle = domain%control%end_cycle
       associate (n => domain%columns%freedoms)
          allocate (state%displacement(n), state%velocity(n))
       end associate
@@ -46,6 +48,7 @@ contains
          state%support_velocity = [state%support_velocity, &
             & state%velocity(domain%motions(i)%freedom)]
       end do
+      allocate (state%contacts(size(domain%contacts)))
       allocate (state%impactors(size(domain%impactors)))
       do i = 1, size(domain%impactors)
          state%impactors(i)%centre(:) = domain%impactors(i)%centre

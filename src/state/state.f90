@@ -56,11 +56,22 @@ module plydyn_state_state
       real(wp) :: power = 0.0_wp
    end type sums_type
 
+   !> What a contact remembers from step to step; only contact knows the order
+   type, public :: contact_memory_type
+      !> Facets near the sphere, and the facet under each contact node
+      integer, allocatable :: places(:)
+      !> Travel, positions seen, pushes, places in facets
+      real(wp), allocatable :: numbers(:)
+   end type contact_memory_type
+
    !> The state of a run
    type, public :: state_type
       !> Time and number of steps made
       real(wp) :: time = 0.0_wp
       integer :: cycle = 0
+      !> Time and number of steps at which the run ends; no such number when 0
+      real(wp) :: end_time = 0.0_wp
+      integer :: end_cycle = 0
       !> The step to come, and the one just made
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp
       !> The first step of the run
@@ -73,6 +84,9 @@ module plydyn_state_state
       real(wp), allocatable :: history(:)
       !> Impactors
       type(impactor_state_type), allocatable :: impactors(:)
+      !> Memory of the contacts when the state was last kept: `contacts%remember` brings it up to
+      !> date
+      type(contact_memory_type), allocatable :: contacts(:)
       !> Value of each load's curve at this time
       real(wp), allocatable :: load_factor(:)
       !> Force that each held or prescribed point would feel free, in the order of
@@ -87,9 +101,19 @@ module plydyn_state_state
       real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
       !> Energies
       type(energies_type) :: energies
+   contains
+      procedure :: is_finished
    end type state_type
 
 contains
+
+   !> Whether the end has come
+   pure logical function is_finished(self)
+      class(state_type), intent(in) :: self
+
+      is_finished = self%time >= self%end_time*(1.0_wp - epsilon(1.0_wp)) &
+         & .or. (self%end_cycle > 0 .and. self%cycle >= self%end_cycle)
+   end function is_finished
 
    !> What the system holds and has lost, in the form that central differences conserve
    pure real(wp) function total(self)

@@ -6,6 +6,7 @@
 program write_sample
    use plydyn_base_error, only : error_type, exit_output
    use plydyn_base_precision, only : wp
+   use plydyn_output_places, only : new_places
    use plydyn_output_vtkhdf, only : vtkhdf_type
    implicit none
 
@@ -68,6 +69,8 @@ contains
       call file%declare_point_data("displacement", 3, error)
       if (allocated(error)) return
       call file%declare_point_data("stress", 6, error)
+      if (allocated(error)) return
+      call file%settle(new_places(path), error)
    end subroutine start
 
    !> One state: value = 1000 x state + point + component/10

@@ -2,6 +2,7 @@
 program test_deck_parameter
    use plydyn_base_precision, only : wp
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
+   use plydyn_deck_report, only : report_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -24,5 +25,45 @@ program test_deck_parameter
    call check(index(table%advice("p3x"), "perhaps p") > 0, "names the nearest one")
    call check(index(table%advice("elephant"), "*PARAMETER") > 0, "or the keyword")
 
+   call settings()
    call finish()
+
+contains
+
+   !> Numbers from the command line
+   subroutine settings()
+      character(*), parameter :: feed = new_line("a")
+      type(parameter_table_type) :: chosen
+      type(report_type) :: report
+      real(wp) :: value
+
+      call begin("set")
+      call chosen%set("Speed=-8e3"//feed//"mass=2"//feed, report)
+      value = 1.0_wp
+      call chosen%choose("speed", value)
+      call check(value, -8.0e3_wp, 0.0_wp, "a number replaces that of the deck")
+      call chosen%choose("radius", value)
+      call check(value, -8.0e3_wp, 0.0_wp, "of no other parameter")
+      call check(.not. report%has_errors(), "all is well so far")
+      call chosen%check_settings(report)
+      call check(report%has_errors(), "a number that no parameter takes is refused")
+
+      call begin("set refuses")
+      call refuse("speed")
+      call refuse("speed=")
+      call refuse("speed=fast")
+      call refuse("=3.0")
+   end subroutine settings
+
+   !> What is no setting
+   subroutine refuse(word)
+      character(*), intent(in) :: word
+
+      type(parameter_table_type) :: chosen
+      type(report_type) :: report
+
+      call chosen%set(word//new_line("a"), report)
+      call check(report%has_errors(), word)
+   end subroutine refuse
+
 end program test_deck_parameter

@@ -3,6 +3,7 @@ program test_output_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_output_history, only : history_type, number_text, schedule_type
+   use plydyn_output_places, only : new_places, places_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
@@ -11,6 +12,7 @@ program test_output_history
    call instants()
    call numbers()
    call lines()
+   call goes_on()
    call refusals()
    call finish()
 
@@ -75,7 +77,8 @@ contains
 
       call begin("history")
       call check(.not. history%due(0.0_wp), "nothing is due before it is open")
-      call history%open(path, ["time ", "force", "share"], ["s", "N", " "], 1.0_wp, error)
+      call history%open(path, ["time ", "force", "share"], ["s", "N", " "], 1.0_wp, &
+         & new_places("x"), error)
       call check(.not. allocated(error), "opens")
       call history%record(0.0_wp, [0.0_wp, 2.5_wp, 1.0_wp], error)
       call history%flush(error)
@@ -96,18 +99,59 @@ contains
       close (unit, status="delete")
    end subroutine lines
 
+   !> A file that an earlier run wrote
+   subroutine goes_on()
+      type(history_type) :: history
+      type(error_type), allocatable :: error
+      type(places_type) :: places
+      character(80) :: line
+      integer :: i, unit, status
+
+      call begin("history goes on")
+      places = new_places("test_output_history")
+      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
+      call history%record(1.0_wp, [1.0_wp], error)
+      call history%record(3.0_wp, [3.0_wp], error)
+      call history%mark(places, error)
+      call check(.not. allocated(error), "the place is noted")
+      call check(size(places%list) == 1 .and. places%list(1)%amount == 13, "thirteen bytes")
+      call history%record(5.0_wp, [5.0_wp], error)
+      call history%close(error)
+      call history%open(path, ["force"], ["N"], 2.0_wp, places, error)
+      call check_error(error, "must have the columns", "other columns than before")
+      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
+      call check(.not. allocated(error), "the same columns")
+      call check(.not. history%due(3.5_wp) .and. history%due(4.0_wp), "the instants go on")
+      call history%record(4.0_wp, [4.0_wp], error)
+      call history%close(error)
+      open (newunit=unit, file=path, status="old", action="read")
+      do i = 1, 4
+         read (unit, "(a)") line
+      end do
+      call check(line == "4", "lines after the place are dropped, new ones follow")
+      read (unit, "(a)", iostat=status) line
+      call check(status /= 0, "nothing else")
+      close (unit)
+      call history%open(path, ["time "], ["s"], 0.5_wp, places, error)
+      call check(history%due(3.0_wp), "another interval counts from the last line on")
+      call history%close(error)
+      call delete(path)
+      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
+      call check_error(error, "as the run left it", "a file that is not there")
+   end subroutine goes_on
+
    !> What cannot be written
    subroutine refusals()
       type(history_type) :: history
       type(error_type), allocatable :: error
 
       call begin("history refuses")
-      call history%open("no/such/folder/x.csv", ["time"], ["s"], 0.0_wp, error)
+      call history%open("no/such/folder/x.csv", ["time"], ["s"], 0.0_wp, new_places("x"), error)
       call check_error(error, "no/such/folder/x.csv", "a folder that is not there")
       call check(.not. history%is_open(), "it stays closed")
-      call history%open(path, ["time"], ["s", "N"], 0.0_wp, error)
+      call history%open(path, ["time"], ["s", "N"], 0.0_wp, new_places("x"), error)
       call check_error(error, "a name and a unit", "heads without units")
-      call history%open(path, ["time"], ["s"], 0.0_wp, error)
+      call history%open(path, ["time"], ["s"], 0.0_wp, new_places("x"), error)
       call history%record(0.0_wp, [0.0_wp, 1.0_wp], error)
       call check_error(error, "a value for each column", "a line too long")
       call history%close(error)

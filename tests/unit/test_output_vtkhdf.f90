@@ -2,6 +2,7 @@
 program test_output_vtkhdf
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_output_places, only : new_places, places_type
    use plydyn_output_vtkhdf, only : vtkhdf_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -12,6 +13,7 @@ program test_output_vtkhdf
       & 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1], wp), [3, 8])
    integer, parameter :: connectivity(8) = [0, 1, 2, 3, 4, 5, 6, 7]
    type(vtkhdf_type) :: file
+   type(places_type) :: places
    type(error_type), allocatable :: error
 
    call grids()
@@ -48,12 +50,19 @@ contains
    !> Fields on points
    subroutine point_fields()
       real(wp) :: scalar(8), vector(3, 8)
+      logical :: exists
 
       call begin("write_point_data")
+      places = new_places("test_output_vtkhdf")
       scalar(:) = 0.0_wp
       vector(:, :) = 0.0_wp
       call file%declare_point_data("velocity", 3, error)
       call check(.not. allocated(error), "a field is declared")
+      inquire (file=path, exist=exists)
+      call check(.not. exists, "the file is not in its place")
+      call file%settle(places, error)
+      inquire (file=path, exist=exists)
+      call check(exists, "and then it is")
       call file%begin_step(0.0_wp)
       call file%write_point_data("speed", scalar, error)
       call check_error(error, "speed must be declared", "a field that is not")
@@ -69,6 +78,8 @@ contains
       call check(.not. allocated(error), "a whole state")
       call file%declare_point_data("pressure", 1, error)
       call check_error(error, "before the first state", "a field that comes late")
+      call file%mark(places, error)
+      call check(places%list(1)%amount == 1, "one state is noted")
       call file%close(error)
       call check(.not. allocated(error) .and. .not. file%is_open(), "closes")
       call file%close(error)

@@ -9,11 +9,14 @@ program test_solver_explicit
       & points_on_plate
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
+   use plydyn_output_job, only : job_type
+   use plydyn_output_places, only : new_places
    use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_explicit, only : run
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_start, only : new_state
+   use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
@@ -91,6 +94,8 @@ contains
       type(contacts_type) :: contacts
       type(domain_type) :: domain
       type(error_type), allocatable :: close_error
+      type(job_type) :: job
+      type(watch_type) :: watch
       type(writer_type) :: writer
 
       call build_domain(model, domain, error)
@@ -98,9 +103,14 @@ contains
       call new_contacts(domain, contacts, error)
       if (allocated(error)) return
       state = new_state(model, domain)
-      call writer%open("test_solver_explicit", "none", "test", -1, model, domain, error)
+      job%path = "test_solver_explicit"
+      job%deck = "none"
+      job%version = "test"
+      job%places = new_places(job%path)
+      call writer%open(job, model, domain, error)
       if (allocated(error)) return
-      call run(domain, contacts, state, writer, error)
+      call watch%start(job, model%request, huge(1.0_wp))
+      call run(domain, contacts, state, writer, watch, error)
       call writer%close(close_error)
    end subroutine run_model
 

@@ -1,0 +1,142 @@
+!> Files as the operating system sees them: safe on the disk, renamed, cut short, removed.
+!>
+!> Fortran has no words for these. The calls are those of POSIX, none of them with a variable number
+!> of arguments.
+module plydyn_base_files
+   use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_null_char, &
+      & c_ptr
+   use, intrinsic :: iso_fortran_env, only : int64
+   implicit none
+   private
+
+   public :: cut_file, remove_file, rename_file, secure_file
+
+   interface
+      integer(c_int) function c_rename(from, to) bind(c, name="rename")
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: from(*), to(*)
+      end function c_rename
+
+      integer(c_int) function c_remove(path) bind(c, name="remove")
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_remove
+
+      integer(c_int) function c_truncate(path, length) bind(c, name="truncate")
+         import :: c_char, c_int, c_int64_t
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int64_t), value :: length
+      end function c_truncate
+
+      integer(c_int) function c_fsync(descriptor) bind(c, name="fsync")
+         import :: c_int
+         implicit none
+         integer(c_int), value :: descriptor
+      end function c_fsync
+
+      type(c_ptr) function c_fopen(path, mode) bind(c, name="fopen")
+         import :: c_char, c_ptr
+         implicit none
+         character(kind=c_char), intent(in) :: path(*), mode(*)
+      end function c_fopen
+
+      integer(c_int) function c_fileno(stream) bind(c, name="fileno")
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: stream
+      end function c_fileno
+
+      integer(c_int) function c_fclose(stream) bind(c, name="fclose")
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: stream
+      end function c_fclose
+
+      type(c_ptr) function c_opendir(path) bind(c, name="opendir")
+         import :: c_char, c_ptr
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_opendir
+
+      integer(c_int) function c_dirfd(folder) bind(c, name="dirfd")
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: folder
+      end function c_dirfd
+
+      integer(c_int) function c_closedir(folder) bind(c, name="closedir")
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: folder
+      end function c_closedir
+   end interface
+
+contains
+
+   !> Give a file another name in one stroke, in place of a file that has it; the new name is on the
+   !> disk afterwards
+   subroutine rename_file(from, to, good)
+      !> Path of the file
+      character(*), intent(in) :: from
+      !> Its new path, on the same disk
+      character(*), intent(in) :: to
+      !> True when all went well
+      logical, intent(out) :: good
+
+      type(c_ptr) :: folder
+      integer(c_int) :: status
+
+      good = c_rename(from//c_null_char, to//c_null_char) == 0
+      if (.not. good) return
+      folder = c_opendir(to(:index(to, "/", back=.true.))//"."//c_null_char)
+      if (.not. c_associated(folder)) return
+      ! some file systems have no such call for folders: then the name is as safe as it gets
+      status = c_fsync(c_dirfd(folder))
+      status = c_closedir(folder)
+   end subroutine rename_file
+
+   !> Wait until all that was written to a file is on the disk
+   subroutine secure_file(path, good)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> True when all went well
+      logical, intent(out) :: good
+
+      type(c_ptr) :: stream
+      integer(c_int) :: status(2)
+
+      good = .false.
+      stream = c_fopen(path//c_null_char, "r"//c_null_char)
+      if (.not. c_associated(stream)) return
+      status(1) = c_fsync(c_fileno(stream))
+      status(2) = c_fclose(stream)
+      good = all(status == 0)
+   end subroutine secure_file
+
+   !> Cut a file behind some byte
+   subroutine cut_file(path, length, good)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Bytes that stay
+      integer(int64), intent(in) :: length
+      !> True when all went well
+      logical, intent(out) :: good
+
+      good = c_truncate(path//c_null_char, int(length, c_int64_t)) == 0
+   end subroutine cut_file
+
+   !> Remove a file; one that is not there is no matter
+   subroutine remove_file(path)
+      !> Path of the file
+      character(*), intent(in) :: path
+
+      integer(c_int) :: status
+
+      ! C tells whether there was a file: nobody asks
+      status = c_remove(path//c_null_char)
+   end subroutine remove_file
+
+end module plydyn_base_files

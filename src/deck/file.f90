@@ -1,0 +1,97 @@
+!> The files of a deck, read whole, and their lines.
+module plydyn_deck_file
+   implicit none
+   private
+
+   public :: cut_line, move_file, read_content
+
+   character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
+   !> Mark of UTF-8 that some editors put before the first line
+   character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+
+   !> One file
+   type, public :: file_type
+      !> Path, as it is shown to the user
+      character(:), allocatable :: path
+      !> Everything in it
+      character(:), allocatable :: content
+      !> Index of the file that includes this one; 0 for the deck itself
+      integer :: parent = 0
+   end type file_type
+
+   !> One line, a stretch of the content of its file
+   type, public :: line_type
+      !> Index of the file
+      integer :: file = 0
+      !> Number in the file
+      integer :: number = 0
+      !> First and last character in the content
+      integer :: first = 1, last = 0
+   end type line_type
+
+contains
+
+   !> Everything in a file
+   subroutine read_content(path, content, found)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> What is in it, with a line feed at the end
+      character(:), allocatable, intent(out) :: content
+      !> False when there is no such file or it cannot be read
+      logical, intent(out) :: found
+
+      integer :: length, status, unit
+
+      found = .false.
+      inquire (file=path, size=length)
+      if (length < 0) return
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
+         & action="read", iostat=status)
+      if (status /= 0) return
+      allocate (character(length) :: content)
+      read (unit, iostat=status) content
+      close (unit)
+      if (length == 0) content = line_feed
+      if (content(len(content):) /= line_feed) content = content//line_feed
+      if (length >= len(byte_order_mark)) then
+         if (content(:len(byte_order_mark)) == byte_order_mark) then
+            content = content(len(byte_order_mark) + 1:)
+         end if
+      end if
+      found = status == 0
+   end subroutine read_content
+
+   !> Move a file without copying its content
+   subroutine move_file(from, to)
+      !> Loses its texts
+      type(file_type), intent(inout) :: from
+      !> Gets them
+      type(file_type), intent(inout) :: to
+
+      call move_alloc(from%path, to%path)
+      call move_alloc(from%content, to%content)
+      to%parent = from%parent
+   end subroutine move_file
+
+   !> Find the end of a line
+   pure subroutine cut_line(content, next, line)
+      !> Content of the file
+      character(*), intent(in) :: content
+      !> Where the line begins, and where the next one does
+      integer, intent(inout) :: next
+      !> Gets number and stretch, without blanks at the end
+      type(line_type), intent(inout) :: line
+
+      integer :: feed
+
+      feed = next + index(content(next:), line_feed) - 1
+      line%number = line%number + 1
+      line%first = next
+      next = feed + 1
+      if (feed > line%first) then
+         if (content(feed - 1:feed - 1) == carriage_return) feed = feed - 1
+      end if
+      line%last = line%first + len_trim(content(line%first:feed - 1)) - 1
+   end subroutine cut_line
+
+end module plydyn_deck_file

@@ -1,0 +1,113 @@
+!> What the deck of a restart changes in the decks before it.
+module plydyn_input_changes
+   use plydyn_deck_deck, only : deck_type
+   use plydyn_input_catalogue, only : catalogue_type
+   use plydyn_model_control, only : changes_type
+   implicit none
+   private
+
+   public :: apply_changes, changes_of
+
+   !> Longest name below
+   integer, parameter :: longest_name = 32
+   !> Keywords of which all those of earlier decks go when a later deck has one
+   character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
+   !> Keywords that a restart may have besides; of those that stand in a deck once the last counts
+   character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
+      & "CONTROL_TERMINATION", "DAMPING_GLOBAL", "DEFINE_CURVE", "DEFINE_BOX", "SET_NODE_LIST", &
+      & "SET_NODE_GENERAL", "SET_SHELL_LIST", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
+      & "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
+      & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
+
+contains
+
+   !> Refuse what cannot be changed, and take out what is replaced
+   subroutine apply_changes(deck, catalogue)
+      !> Decks, one after the other; keywords that are replaced lose their names
+      type(deck_type), intent(inout) :: deck
+      !> Gets findings, and the number of lines of the decks before the last
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i, k, last, root
+
+      associate (keywords => deck%keywords)
+         last = 1
+         do i = 1, size(keywords)
+            root = deck%source%root(keywords(i)%line)
+            last = max(last, root)
+            if (root > 1) call check_allowed(deck, i, catalogue)
+         end do
+         do k = 1, size(replaced)
+            call take_out(deck, trim(replaced(k)))
+         end do
+         if (last == 1) return
+         do i = 1, deck%source%line_count
+            if (deck%source%root(i) < last) catalogue%stored_lines = i
+         end do
+      end associate
+   end subroutine apply_changes
+
+   !> What the last deck changes, when there are others before it
+   pure function changes_of(deck) result(changes)
+      !> Decks, one after the other
+      type(deck_type), intent(in) :: deck
+      type(changes_type) :: changes
+
+      integer :: i, last
+
+      if (deck%source%line_count == 0) return
+      last = deck%source%root(deck%source%line_count)
+      do i = 1, size(deck%keywords)
+         if (deck%source%root(deck%keywords(i)%line) < max(2, last)) cycle
+         if (is_replaced(deck%keywords(i)%name)) changes%conditions = .true.
+         if (deck%keywords(i)%name == "CONTROL_TERMINATION") changes%end = .true.
+      end do
+   end function changes_of
+
+   !> A keyword that replaces those of its family
+   pure logical function is_replaced(name)
+      !> Name of the keyword
+      character(*), intent(in) :: name
+      integer :: k
+
+      is_replaced = .false.
+      do k = 1, size(replaced)
+         is_replaced = is_replaced .or. index(name, trim(replaced(k))) == 1
+      end do
+   end function is_replaced
+
+   !> A restart changes loads, supports, the end and the instants of results, and no more
+   subroutine check_allowed(deck, i, catalogue)
+      type(deck_type), intent(in) :: deck
+      !> Number of the keyword
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      associate (keyword => deck%keywords(i))
+         if (len(keyword%name) == 0) return
+         if (any(allowed == keyword%name)) return
+         if (is_replaced(keyword%name)) return
+         call catalogue%report%refuse(keyword%head(), "a restart cannot change this", &
+            & "supports, loads, damping, the end time, intervals of results, and the sets, boxes " &
+            & //"and curves for them")
+      end associate
+   end subroutine check_allowed
+
+   !> Take out the keywords of a family from the decks before the last one that has any
+   subroutine take_out(deck, family)
+      type(deck_type), intent(inout) :: deck
+      !> What their names begin with
+      character(*), intent(in) :: family
+
+      integer :: i, newest, root
+
+      newest = 1
+      do i = size(deck%keywords), 1, -1
+         if (index(deck%keywords(i)%name, family) /= 1) cycle
+         root = deck%source%root(deck%keywords(i)%line)
+         newest = max(newest, root)
+         if (root < newest) deck%keywords(i)%name = ""
+      end do
+   end subroutine take_out
+
+end module plydyn_input_changes

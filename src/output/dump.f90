@@ -1,0 +1,171 @@
+!> Restart files: everything with which a run goes on as if nothing had happened.
+!>
+!> One file of HDF5 holds the decks word for word, the state, and how far every file of results had
+!> been written. It is written beside its place and renamed when it is whole and on the disk, so
+!> that a kill at any moment leaves the one before. Arrays are in the order of the whole model.
+module plydyn_output_dump
+   use plydyn_base_archive, only : archive_type
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : remove_file, rename_file, secure_file
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_output_h5, only : h5_file_type, store_byte, store_double, store_integer
+   use plydyn_output_job, only : job_type
+   use plydyn_output_places, only : places_type
+   use plydyn_state_exchange, only : exchange_state, exchange_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: write_dump
+
+   !> What the file says it is, and the version of its layout
+   character(*), parameter, public :: dump_kind = "restart file of plydyn"
+   integer, parameter, public :: dump_format = 1
+   !> Groups
+   character(*), parameter, public :: run_group = "run", deck_group = "decks", &
+      & state_group = "state"
+   !> Between two endings of files
+   character(1), parameter, public :: ending_mark = "/"
+
+   !> Behind the name of a file that is not whole yet
+   character(*), parameter :: in_the_making = ".part"
+
+   !> Writes a state
+   type, extends(exchange_type) :: state_writer_type
+      !> The file
+      type(h5_file_type) :: file
+      !> The first thing that went wrong
+      type(error_type), allocatable :: error
+   contains
+      procedure :: reals => write_reals
+      procedure :: integers => write_integers
+   end type state_writer_type
+
+contains
+
+   !> Write a restart file, in place of one that was there
+   subroutine write_dump(path, job, places, state, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The job
+      type(job_type), intent(in) :: job
+      !> How far the files of results have been written
+      type(places_type), intent(in) :: places
+      !> The state, with the memory of contacts
+      type(state_type), intent(inout) :: state
+      !> Why the file is not there; one that was there before still is
+      type(error_type), allocatable, intent(out) :: error
+
+      type(state_writer_type) :: writer
+      logical :: good
+
+      call writer%file%create(path//in_the_making, error)
+      if (allocated(error)) return
+      call write_run(writer%file, job, places, error)
+      if (.not. allocated(error)) call write_decks(writer%file, job%archive, error)
+      if (.not. allocated(error)) call writer%file%make_group(state_group, error)
+      if (.not. allocated(error)) then
+         call exchange_state(writer, state)
+         if (allocated(writer%error)) call move_alloc(writer%error, error)
+      end if
+      if (.not. allocated(error)) call writer%file%close(error)
+      if (.not. allocated(error)) then
+         call secure_file(path//in_the_making, good)
+         if (good) call rename_file(path//in_the_making, path, good)
+         if (good) return
+         call fail(error, exit_output, "cannot bring the restart file "//path//" to its disk")
+      end if
+      call remove_file(path//in_the_making)
+   end subroutine write_dump
+
+   !> What kind of file this is, and where the files of results were
+   subroutine write_run(file, job, places, error)
+      type(h5_file_type), intent(inout) :: file
+      type(job_type), intent(in) :: job
+      type(places_type), intent(in) :: places
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: endings
+      real(wp), allocatable :: table(:, :)
+      integer :: i
+
+      call file%make_group(run_group, error)
+      if (allocated(error)) return
+      call file%write_text(run_group, "kind", dump_kind, error)
+      if (allocated(error)) return
+      call file%write_text(run_group, "version", job%version, error)
+      if (allocated(error)) return
+      call file%write_text(run_group, "job", job%path(index(job%path, "/", back=.true.) + 1:), &
+         & error)
+      if (allocated(error)) return
+      call file%write_text(run_group, "parameters", job%archive%parameters, error)
+      if (allocated(error)) return
+      call file%write_number(run_group, "format", dump_format, error)
+      if (allocated(error)) return
+      call file%write_number(run_group, "lanes", lanes, error)
+      if (allocated(error)) return
+      call file%write_number(run_group, "dumps", job%dumps, error)
+      if (allocated(error)) return
+      endings = ""
+      allocate (table(3, size(places%list)))
+      do i = 1, size(places%list)
+         associate (place => places%list(i))
+            endings = endings//trim(place%ending)//ending_mark
+            table(:, i) = [real(place%amount, wp), place%interval, real(place%next, wp)]
+         end associate
+      end do
+      call file%write_text(run_group, "endings", endings, error)
+      if (allocated(error)) return
+      call file%write_values(run_group//"/places", table, store_double, error)
+   end subroutine write_run
+
+   !> The decks, word for word
+   subroutine write_decks(file, archive, error)
+      type(h5_file_type), intent(inout) :: file
+      type(archive_type), intent(in) :: archive
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: group, name
+      integer :: b, d, i
+
+      call file%make_group(deck_group, error)
+      if (allocated(error)) return
+      do b = 1, size(archive%bundles)
+         group = deck_group//"/"//text(b)
+         call file%make_group(group, error)
+         if (allocated(error)) return
+         do d = 1, size(archive%bundles(b)%documents)
+            associate (document => archive%bundles(b)%documents(d))
+               name = group//"/"//text(d)
+               call file%write_values(name, [(ichar(document%content(i:i)), &
+                  & i=1, len(document%content))], store_byte, error)
+               if (allocated(error)) return
+               call file%write_text(name, "path", document%path, error)
+               if (allocated(error)) return
+            end associate
+         end do
+      end do
+   end subroutine write_decks
+
+   !> Write an array, unless something went wrong before
+   subroutine write_reals(self, name, values)
+      class(state_writer_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), allocatable, intent(inout) :: values(:)
+
+      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
+         & store_double, self%error)
+   end subroutine write_reals
+
+   !> Write an array, unless something went wrong before
+   subroutine write_integers(self, name, values)
+      class(state_writer_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      integer, allocatable, intent(inout) :: values(:)
+
+      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
+         & store_integer, self%error)
+   end subroutine write_integers
+
+end module plydyn_output_dump

@@ -1,0 +1,229 @@
+!> Restart files being read.
+module plydyn_output_dump_input
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_archive, only : archive_type, bundle_type
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_output_dump, only : deck_group, dump_format, dump_kind, ending_mark, run_group, &
+      & state_group
+   use plydyn_output_h5_input, only : h5_input_type
+   use plydyn_output_job, only : job_type
+   use plydyn_output_places, only : new_places, place_type
+   use plydyn_state_exchange, only : exchange_state, exchange_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> A restart file being read
+   type, public, extends(exchange_type) :: dump_input_type
+      private
+      !> The file
+      type(h5_input_type) :: file
+      !> Its path
+      character(:), allocatable :: path
+      !> The first thing that went wrong
+      type(error_type), allocatable :: error
+   contains
+      procedure :: open => open_dump
+      procedure :: read_job
+      procedure :: read_state
+      procedure :: reals => read_reals
+      procedure :: integers => read_integers
+   end type dump_input_type
+
+contains
+
+   !> Open a restart file
+   subroutine open_dump(self, path, error)
+      class(dump_input_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The file is not one
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: kind
+      integer :: form, width
+      logical :: exists, good
+
+      self%path = path
+      inquire (file=path, exist=exists)
+      if (.not. exists) then
+         call fail(error, exit_input, "there is no restart file "//path)
+         return
+      end if
+      call self%file%open(path, good)
+      if (.not. good) then
+         call fail(error, exit_input, path//" is no restart file, or not a whole one: it must be " &
+            & //"a file JOB.dump01 or JOB.runrsf that plydyn wrote to its end")
+         return
+      end if
+      call self%file%read_text(run_group, "kind", kind, good)
+      if (.not. good .or. kind /= dump_kind) then
+         call fail(error, exit_input, path//" is a file of HDF5, but no restart file of plydyn")
+         return
+      end if
+      call self%file%read_number(run_group, "format", form, good)
+      if (good) call self%file%read_number(run_group, "lanes", width, good)
+      if (good) good = form == dump_format .and. width == lanes
+      if (.not. good) call fail(error, exit_input, path//" was written by a plydyn that arranges " &
+         & //"its data in another way: it must be read by the version that wrote it")
+   end subroutine open_dump
+
+   !> The decks, and where the files of results were
+   subroutine read_job(self, job, error)
+      class(dump_input_type), intent(inout) :: self
+      !> Gets the decks, its own name beside the restart file, and the places in its files; its
+      !> version is that of the program that wrote
+      type(job_type), intent(inout) :: job
+      !> The file is damaged
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: endings, name
+      logical :: good(6)
+
+      good(:) = .true.
+      call self%file%read_text(run_group, "version", job%version, good(1))
+      call self%file%read_text(run_group, "job", name, good(2))
+      call self%file%read_text(run_group, "parameters", job%archive%parameters, good(3))
+      call self%file%read_text(run_group, "endings", endings, good(4))
+      call self%file%read_number(run_group, "dumps", job%dumps, good(5))
+      job%path = self%path(:index(self%path, "/", back=.true.))//name
+      if (all(good)) call read_places(self, endings, job, good(5))
+      if (all(good)) call read_decks(self, job%archive, good(6))
+      if (.not. all(good)) call fail(error, exit_input, self%path//" is damaged: go on from " &
+         & //"another restart file")
+      if (.not. allocated(error)) job%deck = job%archive%bundles(1)%documents(1)%path
+   end subroutine read_job
+
+   !> How far the files of results had been written
+   subroutine read_places(self, endings, job, good)
+      class(dump_input_type), intent(in) :: self
+      character(*), intent(in) :: endings
+      type(job_type), intent(inout) :: job
+      logical, intent(out) :: good
+
+      real(wp), allocatable :: table(:)
+      integer :: first, i, last
+
+      job%places = new_places(job%path)
+      allocate (table(max(0, self%file%extent(run_group//"/places"))))
+      call self%file%read_reals(run_group//"/places", table, good)
+      if (.not. good) return
+      first = 1
+      do i = 1, size(table)/3
+         last = first + index(endings(first:), ending_mark) - 2
+         associate (row => table(3*i - 2:3*i))
+            call job%places%add(job%path//endings(first:last), place_type(amount=nint(row(1), &
+               & int64), interval=row(2), next=nint(row(3), int64)))
+         end associate
+         first = last + 2
+      end do
+   end subroutine read_places
+
+   !> The decks, word for word
+   subroutine read_decks(self, archive, good)
+      class(dump_input_type), intent(in) :: self
+      type(archive_type), intent(inout) :: archive
+      logical, intent(out) :: good
+
+      type(bundle_type) :: bundle
+      character(:), allocatable :: group
+      integer :: d
+
+      good = self%file%has(deck_group)
+      allocate (archive%bundles(0))
+      do while (good)
+         group = deck_group//"/"//text(size(archive%bundles) + 1)
+         if (.not. self%file%has(group)) exit
+         if (allocated(bundle%documents)) deallocate (bundle%documents)
+         allocate (bundle%documents(0))
+         d = 1
+         do while (self%file%has(group//"/"//text(d)))
+            call read_document(self, group//"/"//text(d), bundle, good)
+            if (.not. good) return
+            d = d + 1
+         end do
+         call archive%add_bundle(bundle)
+      end do
+      good = good .and. size(archive%bundles) > 0
+      if (good) good = size(archive%bundles(1)%documents) > 0
+   end subroutine read_decks
+
+   !> A deck, or a file that it includes
+   subroutine read_document(self, name, bundle, good)
+      class(dump_input_type), intent(in) :: self
+      character(*), intent(in) :: name
+      type(bundle_type), intent(inout) :: bundle
+      logical, intent(out) :: good
+
+      character(:), allocatable :: content, path
+      integer, allocatable :: codes(:)
+      integer :: i
+
+      allocate (codes(max(0, self%file%extent(name))))
+      call self%file%read_integers(name, codes, good)
+      if (.not. good) return
+      call self%file%read_text(name, "path", path, good)
+      content = repeat(" ", size(codes))
+      do i = 1, size(codes)
+         content(i:i) = char(codes(i))
+      end do
+      call bundle%add_document(path, content)
+   end subroutine read_document
+
+   !> Read the state and close the file
+   subroutine read_state(self, state, error)
+      class(dump_input_type), intent(inout) :: self
+      !> The state, with the arrays of the model allocated; those that are not take any length
+      type(state_type), intent(inout) :: state
+      !> The file is damaged or not for this model
+      type(error_type), allocatable, intent(out) :: error
+
+      call exchange_state(self, state)
+      call self%file%close()
+      if (allocated(self%error)) call move_alloc(self%error, error)
+   end subroutine read_state
+
+   !> Read an array, unless something went wrong before
+   subroutine read_reals(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), allocatable, intent(inout) :: values(:)
+
+      logical :: good
+
+      if (allocated(self%error)) return
+      if (.not. allocated(values)) then
+         allocate (values(max(0, self%file%extent(state_group//"/"//name))))
+      end if
+      call self%file%read_reals(state_group//"/"//name, values, good)
+      if (.not. good) call complain(self, name)
+   end subroutine read_reals
+
+   !> Read an array, unless something went wrong before
+   subroutine read_integers(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      integer, allocatable, intent(inout) :: values(:)
+
+      logical :: good
+
+      if (allocated(self%error)) return
+      if (.not. allocated(values)) then
+         allocate (values(max(0, self%file%extent(state_group//"/"//name))))
+      end if
+      call self%file%read_integers(state_group//"/"//name, values, good)
+      if (.not. good) call complain(self, name)
+   end subroutine read_integers
+
+   !> An array that cannot be read
+   subroutine complain(self, name)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+
+      call fail(self%error, exit_input, self%path//" does not hold the "//name//" of the model " &
+         & //"that its deck describes: it is damaged, or of another version of plydyn")
+   end subroutine complain
+
+end module plydyn_output_dump_input

@@ -1,0 +1,130 @@
+!> Words to a running job: the lines of its file JOB.ctl.
+module plydyn_solver_requests
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use plydyn_base_files, only : rename_file
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case, text
+   implicit none
+   private
+
+   public :: take_requests
+
+   !> What a job is asked for
+   type, public :: requests_type
+      !> End with a restart file; write a restart file and go on
+      logical :: stop = .false., dump = .false.
+      !> Write a field state; a line of life; bring histories to the disk
+      logical :: plot = .false., status = .false., flush = .false.
+      !> New end time; negative for none
+      real(wp) :: end_time = -1.0_wp
+      !> What to tell about the file, a line for each of its lines
+      character(:), allocatable :: answer
+   end type requests_type
+
+   !> Behind the name of a file of requests that was read
+   character(*), parameter :: was_read = ".read"
+   !> Longest line, and most lines that are read
+   integer, parameter :: longest = 200, most = 100
+   character(*), parameter :: words = "stop, dump, plot, status, flush, end-time TIME " &
+      & //"(or sw1, sw3, sw4, sw2, d3kil)"
+
+contains
+
+   !> Read the file of requests, if there is one, and set it aside
+   subroutine take_requests(path, time, requests, found)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Time now
+      real(wp), intent(in) :: time
+      !> What it asks for
+      type(requests_type), intent(out) :: requests
+      !> Whether there was such a file
+      logical, intent(out) :: found
+
+      character(longest) :: line
+      integer :: i, status, unit
+      logical :: good
+
+      requests%answer = ""
+      inquire (file=path, exist=found)
+      if (.not. found) return
+      ! under another name nobody writes to it any more, and it is read once
+      call rename_file(path, path//was_read, good)
+      if (good) open (newunit=unit, file=path//was_read, status="old", action="read", &
+         & iostat=status)
+      if (good) good = status == 0
+      if (.not. good) then
+         requests%answer = path//": cannot be read and set aside"
+         return
+      end if
+      do i = 1, most
+         read (unit, "(a)", iostat=status) line
+         if (status /= 0) exit
+         if (len_trim(line) > 0) call take_line(path, trim(adjustl(line)), time, requests)
+      end do
+      close (unit)
+   end subroutine take_requests
+
+   !> One line
+   subroutine take_line(path, line, time, requests)
+      character(*), intent(in) :: path, line
+      real(wp), intent(in) :: time
+      type(requests_type), intent(inout) :: requests
+
+      character(:), allocatable :: answer
+      integer :: blank
+
+      blank = scan(line//" ", " =")
+      answer = "taken"
+      select case (lower_case(line(:blank - 1)))
+      case ("stop", "sw1", "d3kil"); requests%stop = .true.
+      case ("dump", "sw3"); requests%dump = .true.
+      case ("plot", "sw4"); requests%plot = .true.
+      case ("status", "sw2"); requests%status = .true.
+      case ("flush"); requests%flush = .true.
+      case ("end-time")
+         call take_end_time(line(blank + verify(line(blank:)//"x", " =") - 1:), time, requests, &
+            & answer)
+         blank = len(line) + 1
+      case default
+         answer = "not understood, set aside; right would be "//words
+      end select
+      if (answer == "taken" .and. blank < len(line)) then
+         answer = "taken, but for what stands behind the first word"
+      end if
+      requests%answer = requests%answer//path//": '"//printable(line)//"' "//answer//new_line("a")
+   end subroutine take_line
+
+   !> A text with question marks in place of what no screen shows
+   pure function printable(line) result(shown)
+      character(*), intent(in) :: line
+      character(len(line)) :: shown
+      integer :: i
+
+      do i = 1, len(line)
+         shown(i:i) = merge(line(i:i), "?", line(i:i) >= " " .and. line(i:i) <= "~")
+      end do
+   end function printable
+
+   !> A new end time, not before now
+   subroutine take_end_time(word, time, requests, answer)
+      character(*), intent(in) :: word
+      real(wp), intent(in) :: time
+      type(requests_type), intent(inout) :: requests
+      character(:), allocatable, intent(inout) :: answer
+
+      real(wp) :: wanted
+      integer :: status
+
+      read (word, *, iostat=status) wanted
+      if (status == 0) status = merge(0, 1, ieee_is_finite(wanted))
+      if (status /= 0) then
+         answer = "not understood, set aside; right would be a time, as in end-time 0.005"
+      else if (wanted <= time) then
+         answer = "set aside: the run is at time "//text(time)//" already"
+      else
+         requests%end_time = wanted
+      end if
+   end subroutine take_end_time
+
+end module plydyn_solver_requests

@@ -1,0 +1,86 @@
+!> A run that goes on from a restart file.
+module plydyn_solver_restart
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : changes_type
+   use plydyn_output_dump_input, only : dump_input_type
+   use plydyn_solver_contacts, only : contacts_type
+   use plydyn_solver_explicit, only : find_accelerations
+   use plydyn_solver_energies, only : balance
+   use plydyn_solver_supports, only : support_points
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: resume
+
+contains
+
+   !> Take the state of a restart file
+   subroutine resume(dump, domain, changes, contacts, state, error)
+      !> The file, open
+      type(dump_input_type), intent(inout) :: dump
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> What a deck changes
+      type(changes_type), intent(in) :: changes
+      !> Contacts, new; they get their memory back
+      type(contacts_type), intent(inout) :: contacts
+      !> The state at time zero, replaced
+      type(state_type), intent(inout) :: state
+      !> The file is not for this model
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: end_time
+      integer :: end_cycle
+
+      end_time = state%end_time
+      end_cycle = state%end_cycle
+      if (changes%conditions) then
+         deallocate (state%load_factor, state%support_force, state%support_velocity)
+      end if
+      call dump%read_state(state, error)
+      if (allocated(error)) return
+      call contacts%recall(state, error)
+      if (allocated(error)) return
+      if (changes%end) then
+         state%end_time = end_time
+         state%end_cycle = end_cycle
+      end if
+      if (changes%conditions) call change_conditions(domain, state)
+   end subroutine resume
+
+   !> Let other supports and loads act from now on
+   !>
+   !> What they take from the motion at once, or give to it, is work from outside.
+   subroutine change_conditions(domain, state)
+      !> The domain with the new supports and loads
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: external, internal, total
+      integer :: m
+
+      state%velocity(domain%held) = 0.0_wp
+      deallocate (state%load_factor, state%support_force, state%support_velocity)
+      allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
+      allocate (state%support_velocity(0))
+      do m = 1, size(domain%motions)
+         state%support_velocity = [state%support_velocity, &
+            & state%velocity(domain%motions(m)%freedom)]
+      end do
+      associate (e => state%energies)
+         total = e%total()
+         external = e%external
+         internal = e%internal
+         call find_accelerations(domain, state)
+         call balance(domain, state)
+         ! no step was made: the stored energy is what it was
+         e%internal = internal
+         e%external = external + e%total() - total
+      end associate
+   end subroutine change_conditions
+
+end module plydyn_solver_restart

@@ -1,0 +1,157 @@
+!> Everything in a state, named once: what writes a state and what reads it go through this list.
+module plydyn_state_exchange
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_state_state, only : contact_memory_type, energies_type, impactor_state_type, &
+      & state_type, sums_type
+   implicit none
+   private
+
+   public :: exchange_state
+
+   !> Something that takes arrays by their names, or gives them
+   type, abstract, public :: exchange_type
+   contains
+      procedure(take_reals), deferred :: reals
+      procedure(take_integers), deferred :: integers
+   end type exchange_type
+
+   abstract interface
+      !> Take or give an array
+      subroutine take_reals(self, name, values)
+         import :: exchange_type, wp
+         implicit none
+         class(exchange_type), intent(inout) :: self
+         !> Name of the array
+         character(*), intent(in) :: name
+         !> Its values; whoever gives them keeps to the extent, and allocates what is not allocated
+         real(wp), allocatable, intent(inout) :: values(:)
+      end subroutine take_reals
+
+      !> Take or give an array
+      subroutine take_integers(self, name, values)
+         import :: exchange_type
+         implicit none
+         class(exchange_type), intent(inout) :: self
+         !> Name of the array
+         character(*), intent(in) :: name
+         !> Its values; whoever gives them keeps to the extent, and allocates what is not allocated
+         integer, allocatable, intent(inout) :: values(:)
+      end subroutine take_integers
+   end interface
+
+   !> Numbers of an impactor
+   integer, parameter :: impactor_numbers = 14
+
+contains
+
+   !> Hand over all of a state; arrays are in the order of the whole model
+   subroutine exchange_state(exchange, state)
+      !> What takes or gives
+      class(exchange_type), intent(inout) :: exchange
+      !> The state, with arrays of their extents
+      type(state_type), intent(inout) :: state
+
+      call exchange_clock(exchange, state)
+      call exchange%reals("displacement", state%displacement)
+      call exchange%reals("velocity", state%velocity)
+      call exchange_accelerations(exchange, size(state%displacement), state%acceleration)
+      call exchange%reals("history", state%history)
+      call exchange%reals("load_factor", state%load_factor)
+      call exchange%reals("support_force", state%support_force)
+      call exchange%reals("support_velocity", state%support_velocity)
+      call exchange_sums(exchange, state%sums, state%energies)
+      call exchange_impactors(exchange, state%impactors)
+      call exchange_contacts(exchange, state%contacts)
+   end subroutine exchange_state
+
+   !> Time, steps, powers
+   subroutine exchange_clock(exchange, state)
+      class(exchange_type), intent(inout) :: exchange
+      type(state_type), intent(inout) :: state
+
+      real(wp), allocatable :: clock(:)
+      integer, allocatable :: counts(:)
+
+      clock = [state%time, state%step, state%step_before, state%first_step, state%end_time, &
+         & state%internal_power, state%external_power]
+      call exchange%reals("clock", clock)
+      state%time = clock(1)
+      state%step = clock(2)
+      state%step_before = clock(3)
+      state%first_step = clock(4)
+      state%end_time = clock(5)
+      state%internal_power = clock(6)
+      state%external_power = clock(7)
+      counts = [state%cycle, state%end_cycle]
+      call exchange%integers("cycle", counts)
+      state%cycle = counts(1)
+      state%end_cycle = counts(2)
+   end subroutine exchange_clock
+
+   !> Accelerations, without the room for forces behind them
+   subroutine exchange_accelerations(exchange, freedoms, accelerations)
+      class(exchange_type), intent(inout) :: exchange
+      !> How many there are
+      integer, intent(in) :: freedoms
+      real(wp), intent(inout) :: accelerations(:)
+
+      real(wp), allocatable :: values(:)
+
+      values = accelerations(:freedoms)
+      call exchange%reals("acceleration", values)
+      accelerations(:freedoms) = values
+   end subroutine exchange_accelerations
+
+   !> Sums and energies, whichever there are: all of them are reals
+   subroutine exchange_sums(exchange, sums, energies)
+      class(exchange_type), intent(inout) :: exchange
+      type(sums_type), intent(inout) :: sums
+      type(energies_type), intent(inout) :: energies
+
+      real(wp), allocatable :: numbers(:)
+
+      numbers = transfer(sums, [0.0_wp])
+      call exchange%reals("sums", numbers)
+      sums = transfer(numbers, sums)
+      numbers = transfer(energies, [0.0_wp])
+      call exchange%reals("energies", numbers)
+      energies = transfer(numbers, energies)
+   end subroutine exchange_sums
+
+   !> Impactors
+   subroutine exchange_impactors(exchange, impactors)
+      class(exchange_type), intent(inout) :: exchange
+      type(impactor_state_type), intent(inout) :: impactors(:)
+
+      real(wp), allocatable :: numbers(:)
+      integer :: i
+
+      do i = 1, size(impactors)
+         associate (own => impactors(i))
+            numbers = [own%centre, own%displacement, own%velocity, own%force, &
+               & real(own%contacts, wp), own%penetration]
+            call exchange%reals("impactor_"//text(i), numbers)
+            own%centre(:) = numbers(1:3)
+            own%displacement(:) = numbers(4:6)
+            own%velocity(:) = numbers(7:9)
+            own%force(:) = numbers(10:12)
+            own%contacts = nint(numbers(13))
+            own%penetration = numbers(impactor_numbers)
+         end associate
+      end do
+   end subroutine exchange_impactors
+
+   !> What contacts remember
+   subroutine exchange_contacts(exchange, contacts)
+      class(exchange_type), intent(inout) :: exchange
+      type(contact_memory_type), intent(inout) :: contacts(:)
+      integer :: i
+
+      do i = 1, size(contacts)
+         call exchange%integers("contact_"//text(i)//"_places", contacts(i)%places)
+         call exchange%reals("contact_"//text(i)//"_numbers", contacts(i)%numbers)
+      end do
+   end subroutine exchange_contacts
+
+end module plydyn_state_exchange

@@ -1,0 +1,187 @@
+"""A run that goes on from a restart file ends as the run in one piece, to the last bit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from broken import CYCLES, impact, metal, said, unlike
+from decks import Deck
+from elasticity import Array
+from runs import DIGITS, Results
+
+NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
+
+CASES: dict[str, Callable[[], Deck]] = {
+    "nodes on sphere": lambda: impact(1),
+    "points of plate": lambda: impact(2),
+    "springs": lambda: impact(1, "springs"),
+    "implicit springs": lambda: impact(1, "springs", implicit=True),
+    "failing interfaces": lambda: impact(1, "cohesive"),
+    "failing plies": lambda: impact(1, "springs", failing=True),
+    "metal": metal,
+}
+
+
+def both(deck: Deck, folder: Path, cycles: int = CYCLES) -> tuple[Path, Path]:
+    """Run a deck in one piece with restart files, and once more up to the same end by itself."""
+    deck.add("DATABASE_BINARY_D3DUMP", (cycles,))
+    whole, broken = folder / "whole", folder / "broken"
+    for place in (whole, broken):
+        place.mkdir()
+        code, text = said("run", deck.write(folder / "job.k"), "-o", place)
+        assert code == NORMAL, text
+    return whole, broken
+
+
+def contacts(dump: Path) -> int:
+    """Contact nodes that press when a restart file was written."""
+    with h5py.File(dump) as file:
+        return int(file["state/impactor_1"][12])
+
+
+def column(folder: Path, table: str, name: str) -> Array:
+    """A column of a history of the job in a folder."""
+    return Results(folder, "job").table(table)[name]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_restart_gives_the_same_bits(case: str, tmp_path: Path) -> None:
+    """Wherever the run goes on, in mid-contact too, all files are those of the run in one piece.
+
+    So they are on another number of threads.
+    """
+    whole, broken = both(CASES[case](), tmp_path)
+    (tmp_path / "job.k").unlink()
+    dumps = sorted(broken.glob("job.dump??"))
+    assert any(contacts(dump) > 0 for dump in dumps)
+    lossy = case in ("metal", "failing interfaces", "failing plies")
+    assert lossy == any(column(whole, "energy", "dissipated") > 0.0)
+    for threads, dump in ((1, dumps[-1]), (2, dumps[2]), (1, dumps[0])):
+        code, text = said("restart", dump, f"ncpu={threads}")
+        assert code == NORMAL, text
+        assert unlike(whole, broken) == []
+    assert "goes on from" in (broken / "job.out").read_text()
+
+
+def test_last_restart_files_are_the_same(tmp_path: Path) -> None:
+    """All of the state is the same at the end, not only what is shown of it."""
+    whole, broken = both(impact(1), tmp_path)
+    last = sorted(whole.glob("job.dump??"))[-1].name
+    code, text = said("restart", broken / "job.dump01")
+    assert code == NORMAL, text
+    with h5py.File(whole / last) as one, h5py.File(broken / last) as other:
+        assert one["state"].keys() == other["state"].keys()
+        for name, values in one["state"].items():
+            assert np.array_equal(values[()], other["state"][name][()]), name
+
+
+def test_running_file_replaces_the_one_before(tmp_path: Path) -> None:
+    """RUNRSF leaves as many files as it says, and each of them goes on."""
+    deck = impact(1)
+    deck.add("DATABASE_BINARY_RUNRSF", (CYCLES, 2))
+    whole = tmp_path / "whole"
+    whole.mkdir()
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", whole)
+    assert code == NORMAL, text
+    before = {path.name: path.read_bytes() for path in whole.glob("*.csv")}
+    assert sorted(path.name for path in whole.glob("job.runrsf*")) == ["job.runrsf1", "job.runrsf2"]
+    for number in (1, 2):
+        code, text = said(f"r={whole / f'job.runrsf{number}'}")
+        assert code == NORMAL, text
+        assert before == {path.name: path.read_bytes() for path in whole.glob("*.csv")}
+
+
+def test_parameters_and_include_files_are_in_the_restart_file(tmp_path: Path) -> None:
+    """A restart needs nothing but the restart file and the results."""
+    (tmp_path / "end.k").write_text("*KEYWORD\n*DATABASE_BINARY_D3DUMP\n40\n*END\n")
+    text = impact(1).text().replace("-8000.0", "&speed")
+    head = "*KEYWORD\n*PARAMETER\nR speed,-1.0\n*INCLUDE\nend.k\n"
+    deck = tmp_path / "job.k"
+    deck.write_text(text.replace("*KEYWORD\n", head, 1))
+    folders = [tmp_path / "whole", tmp_path / "broken"]
+    for folder in folders:
+        folder.mkdir()
+        code, text = said("run", deck, "-o", folder, "-p", "speed=-8e3")
+        assert code == NORMAL, text
+    for path in (deck, tmp_path / "end.k"):
+        path.unlink()
+    code, text = said("restart", folders[1] / "job.dump02")
+    assert code == NORMAL, text
+    assert unlike(*folders) == []
+
+
+def test_deck_moves_the_end(tmp_path: Path) -> None:
+    """A later end gives what the run would have given that had it from the start."""
+    folders = [tmp_path / "whole", tmp_path / "broken"]
+    for folder, end in zip(folders, (4.0e-5, 3.0e-5), strict=True):
+        folder.mkdir()
+        deck = impact(1, end=end)
+        deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+        code, text = said("run", deck.write(tmp_path / "job.k"), "-o", folder)
+        assert code == NORMAL, text
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n4.0e-5,\n*END\n")
+    code, text = said("restart", folders[1] / "job.dump02", small)
+    assert code == NORMAL, text
+    assert unlike(*folders) == []
+
+
+def test_deck_changes_supports_and_loads(tmp_path: Path) -> None:
+    """From the restart on, other points are held and other loads act; the books still close.
+
+    A node in the middle of the plate is caught in its motion and stays where it is; the edges are
+    free then, and a line of them is loaded.
+    """
+    deck = impact(1)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    before = column(tmp_path, "energy", "total")
+    middle = 13 * 6 + 7
+    small = tmp_path / "small.k"
+    small.write_text(
+        f"*KEYWORD\n*SET_NODE_LIST\n50\n{middle},\n*BOUNDARY_SPC_SET\n50,0,1,1,1\n"
+        "*SET_NODE_LIST\n51\n1,14,27\n*LOAD_FACE_LINE\n51,1,3,0,0.5\n*END\n"
+    )
+    code, text = said("restart", tmp_path / "job.dump02", small, "-j", "other", "-o", tmp_path)
+    assert code == NORMAL, text
+    results = Results(tmp_path, "other")
+    energy, nodes = results.table("energy"), results.table("nodes")
+    height = nodes[f"n{middle} top uz"]
+    assert energy["cycle"][0] == 2 * CYCLES
+    assert height[0] < -1.0e-3
+    assert np.ptp(height) <= DIGITS * abs(height[0])
+    assert np.abs(energy["error"]).max() < 100.0 * DIGITS
+    assert np.array_equal(before, column(tmp_path, "energy", "total"))
+
+
+def test_restart_refuses(tmp_path: Path) -> None:
+    """What a restart cannot change or find is named, and nothing is written."""
+    deck = impact(1, end=1.0e-5)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    dump = tmp_path / "job.dump01"
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*MAT_ELASTIC\n7,1.0,1.0,0.3\n*END\n")
+    for words, expected, fragment in [
+        ([dump, small], INPUT, "small.k:2: *MAT_ELASTIC: a restart cannot change this"),
+        ([dump, "nowhere.k"], INPUT, "the file 'nowhere.k' cannot be read"),
+        ([dump, "-p", "speed=1"], USAGE, "-p belongs to run"),
+        ([], USAGE, "restart needs a restart file"),
+        ([tmp_path / "job.k"], INPUT, "job.k is no restart file"),
+        ([tmp_path / "job.vtkhdf"], INPUT, "but no restart file of plydyn"),
+    ]:
+        code, text = said("restart", *words)
+        assert (code, fragment in text) == (expected, True), text
+    table = (tmp_path / "job.energy.csv").read_bytes()
+    (tmp_path / "job.energy.csv").write_bytes(table[: len(table) // 4])
+    code, text = said("restart", dump)
+    assert code == OUTPUT, text
+    assert "cannot go on with" in text
+    assert (tmp_path / "job.energy.csv").read_bytes() == table[: len(table) // 4]

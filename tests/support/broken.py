@@ -1,0 +1,120 @@
+"""Runs that are broken off and go on, and what must be the same as in one piece."""
+
+from __future__ import annotations
+
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from decks import Bond, Deck, Ply, Sphere, ramp
+from elasticity import CARBON
+from meshes import regular
+from runs import SOLVER
+
+SIDE, PLY, RADIUS = 20.0, 0.5, 6.0
+END, CYCLES = 3.0e-5, 40
+ANGLES = (0.0, 90.0, 0.0)
+
+
+def said(*words: object) -> tuple[int, str]:
+    """Exit code of the program, and all that it printed."""
+    done = subprocess.run([SOLVER, *words], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def outputs(deck: Deck, nodes: Sequence[int]) -> None:
+    """Ask for every kind of results, at intervals that the steps do not meet."""
+    deck.histories(nodes, 1.1e-6)
+    deck.profile(1, 9.0, 9.0, 4.3e-6)
+    deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)
+
+
+def impact(
+    method: int = 1,
+    joint: str = "tied",
+    end: float = END,
+    *,
+    implicit: bool = False,
+    failing: bool = False,
+) -> Deck:
+    """A ball on a cross-ply plate; it touches at once. What can fail does so soon."""
+    mesh = regular(SIDE, SIDE, 6, 6, 9)
+    deck = Deck("impact to be broken off", end)
+    deck.add("CONTROL_LAYERWISE", (1, 0.05, int(implicit)))
+    deck.add("DAMPING_GLOBAL", (0, 100.0))
+    deck.mesh(mesh)
+    if failing:
+        weak_plies(deck)
+    else:
+        deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES], 1)
+    if joint == "springs":
+        deck.interfaces(1.0e5, 5.0e4)
+    if joint == "cohesive":
+        deck.cohesive(Bond((1.0e5, 5.0e4), (10.0, 15.0), (0.05, 0.1), 1.0, friction=0.3))
+    deck.hold(mesh.boundary(), "z")
+    centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 1.5 * PLY + 0.01)
+    deck.sphere(Sphere(RADIUS, 5.0e-6, centre, (1.0e2, 0.0, -8.0e3), method=method))
+    outputs(deck, [mesh.at(0.5 * SIDE, 0.5 * SIDE)])
+    return deck
+
+
+def weak_plies(deck: Deck) -> None:
+    """The same plies, with damage of fibres and matrix."""
+    head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
+    strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
+    deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness)
+    plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
+    deck.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *plies)
+    deck.add("SECTION_LAYERWISE", (1, 0, 1))
+
+
+def metal() -> Deck:
+    """A plate of metal that is struck so hard that it yields, and whose edge is pulled."""
+    mesh = regular(SIDE, SIDE, 4, 4, 4)
+    deck = Deck("metal to be broken off", END)
+    deck.control()
+    deck.mesh(mesh)
+    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
+    deck.add("PART_COMPOSITE_LONG", "metal", (1, 0), (1, 1.0, 0.0, 0, 1))
+    deck.add("SECTION_LAYERWISE", (1, 0, 2))
+    deck.hold(mesh.where(x=0.0), "xyz")
+    deck.move(mesh.where(x=SIDE), 1, deck.curve(ramp(END)), 0.1)
+    deck.add("LOAD_FACE_PRESSURE", (0, 1, deck.curve(ramp(0.5 * END)), 5.0))
+    deck.sphere(Sphere(RADIUS, 5.0e-6, (10.0, 10.0, RADIUS + 0.51), (0.0, 0.0, -2.0e4)))
+    outputs(deck, [mesh.at(10.0, 10.0)])
+    return deck
+
+
+def unlike(whole: Path, broken: Path) -> list[str]:
+    """Files of two folders that differ: tables in any byte, fields in any value."""
+    names = sorted(path.name for path in whole.glob("*.csv"))
+    assert names == sorted(path.name for path in broken.glob("*.csv"))
+    assert names
+    wrong = [name for name in names if (whole / name).read_bytes() != (broken / name).read_bytes()]
+    for path in sorted(whole.glob("*.vtkhdf")):
+        with h5py.File(path) as one, h5py.File(broken / path.name) as other:
+            wrong += [f"{path.name}/{name}" for name in _unlike_datasets(one, other)]
+    return wrong
+
+
+def _unlike_datasets(one: h5py.File, other: h5py.File) -> list[str]:
+    """Datasets of two files that differ."""
+    datasets: dict[str, np.ndarray] = {}
+
+    def take(name: str, item: object) -> None:
+        if isinstance(item, h5py.Dataset):
+            datasets[name] = item[()]
+
+    one.visititems(take)
+    found = [name for name, value in datasets.items() if not _same(value, other[name][()])]
+    if one["VTKHDF/Steps"].attrs["NSteps"] != other["VTKHDF/Steps"].attrs["NSteps"]:
+        found.append("NSteps")
+    return found
+
+
+def _same(one: np.ndarray, other: np.ndarray) -> bool:
+    """Same shape and values; what is not a number is the same as itself."""
+    return one.shape == other.shape and np.array_equal(one, other, equal_nan=True)

@@ -1,0 +1,71 @@
+!> Files: renamed, cut, removed, and brought to the disk.
+program test_base_files
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_files, only : cut_file, remove_file, rename_file, secure_file
+   use testing, only : begin, check, finish
+   implicit none
+
+   character(*), parameter :: one = "test_base_files_1", other = "test_base_files_2"
+
+   call names()
+   call lengths()
+   call finish()
+
+contains
+
+   !> Names
+   subroutine names()
+      logical :: exists, good
+
+      call begin("rename_file")
+      call write_text(one, "new")
+      call write_text(other, "older")
+      call rename_file(one, other, good)
+      inquire (file=one, exist=exists)
+      call check(good .and. .not. exists, "the old name is gone")
+      call check(bytes(other) == 3, "the file takes the place of another one")
+      call rename_file(one, other, good)
+      call check(.not. good, "a file that is not there has none")
+      call check(bytes(other), 3, "a file that is not there replaces none")
+      call remove_file(other)
+      inquire (file=other, exist=exists)
+      call check(.not. exists, "a file is removed")
+   end subroutine names
+
+   !> Lengths
+   subroutine lengths()
+      logical :: good
+
+      call begin("cut_file")
+      call write_text(one, "0123456789")
+      call secure_file(one, good)
+      call check(good, "a file comes to the disk")
+      call cut_file(one, 4_int64, good)
+      call check(good, "a file is cut")
+      call check(bytes(one), 4, "where it is told")
+      call remove_file(one)
+      call cut_file(one, 4_int64, good)
+      call check(.not. good, "a file that is not there cannot be cut")
+      call secure_file(one, good)
+      call check(.not. good, "nor brought to the disk")
+   end subroutine lengths
+
+   !> Write a file of some bytes
+   subroutine write_text(path, text)
+      character(*), intent(in) :: path, text
+
+      integer :: unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace")
+      write (unit) text
+      close (unit)
+   end subroutine write_text
+
+   !> Length of a file
+   integer function bytes(path)
+      character(*), intent(in) :: path
+
+      inquire (file=path, size=bytes)
+   end function bytes
+
+end program test_base_files

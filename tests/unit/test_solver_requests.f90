@@ -1,0 +1,51 @@
+!> Words to a running job.
+program test_solver_requests
+   use plydyn_base_files, only : remove_file
+   use plydyn_base_precision, only : wp
+   use plydyn_solver_requests, only : requests_type, take_requests
+   use testing, only : begin, check, finish
+   implicit none
+
+   character(*), parameter :: path = "test_solver_requests.ctl"
+   type(requests_type) :: requests
+   logical :: exists, found
+
+   call begin("take_requests")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(.not. found, "no file, no request")
+   call write_lines("Dump|  plot|status|flush|end-time 2.5|")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(found .and. requests%dump .and. requests%plot .and. requests%status &
+      & .and. requests%flush .and. .not. requests%stop, "all words of a file")
+   call check(requests%end_time, 2.5_wp, 0.0_wp, "with the number behind one")
+   inquire (file=path, exist=exists)
+   call check(.not. exists, "the file is set aside")
+   call write_lines("sw1")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(requests%stop, "the words of LS-DYNA; a line that does not end")
+   call write_lines("please stop||end-time|end-time 0.5|end-time nan|stop now|")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(requests%end_time < 0.0_wp, "an end that is over, or no number, is none")
+   call check(index(requests%answer, "'please stop' not understood") > 0, "nonsense is told")
+   call check(index(requests%answer, "at time 1.00000") > 0, "so is why an end is refused")
+   call check(requests%stop .and. index(requests%answer, "behind the first word") > 0, &
+      & "a word with more behind it is taken, and that is told")
+   call remove_file(path//".read")
+   call finish()
+
+contains
+
+   !> Write a file whose lines are parted by bars
+   subroutine write_lines(text)
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace")
+      do i = 1, len(text)
+         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+   end subroutine write_lines
+
+end program test_solver_requests
