@@ -37,6 +37,9 @@ module plydyn_law_damage_onset
    !> Least strain of a mode at onset, as a share of that in uniaxial stress. Poisson's effect can
    !> bring the stress of a mode to its strength with little strain of it, or none
    real(wp), parameter :: least_share = 0.1_wp
+   !> Compression across the fibres up to this share of the shear stress counts as tension: in pure
+   !> shear round-off must not choose between two toughnesses
+   real(wp), parameter :: idle_push = 1.0e-3_wp
    !> Least ratio of the strains when the stress drops at once
    real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
 
@@ -119,10 +122,10 @@ contains
             by_shear = shear(l, 1)*shear(l, 2)
             in_t = self%matrix_toughness(l, t)
             in_c = self%matrix_toughness(l, c)
-            toughness = work*merge(in_t, in_c, s >= 0.0_wp) + tiny(toughness)
+            toughness = work*merge(in_t, in_c, s >= -idle_push*shear(l, 1)) + tiny(toughness)
             in_t = self%shear_toughness(l, t)
             in_c = self%shear_toughness(l, c)
-            toughness = toughness + by_shear*merge(in_t, in_c, s >= 0.0_wp)
+            toughness = toughness + by_shear*merge(in_t, in_c, s >= -idle_push*shear(l, 1))
             work = work + by_shear
             excess(l, 2) = max(criterion - 1.0_wp, ratio(l)*length(l, 2)*work**2 - toughness)
          end do
@@ -172,7 +175,7 @@ contains
       real(wp) :: by_shear, least, scale, size, toughness, work
       integer :: sense
 
-      sense = merge(in_tension, in_compression, stress >= 0.0_wp)
+      sense = merge(in_tension, in_compression, stress >= -idle_push*shear(1))
       least = self%least(lane, 2)*abs(stress)
       work = max(stress*strain, least*abs(stress))
       by_shear = shear(1)*shear(2)
@@ -180,7 +183,7 @@ contains
       toughness = (work*self%matrix_toughness(lane, sense) &
          & + by_shear*self%shear_toughness(lane, sense))/((work + by_shear)*length)
       work = work + by_shear
-      scale = matrix_scale(self, lane, sense, stress, shear(1))
+      scale = matrix_scale(self, lane, stress, shear(1))
       scale = min(scale, 1.0_wp/sqrt(max(self%ratio(lane)*work/toughness, tiny(work))))
       size = scale*sqrt(max(abs(strain), least)**2 + shear(2)**2)
       ! equivalent stress: work of the mode over its strain
@@ -189,13 +192,15 @@ contains
    end subroutine begin_matrix
 
    !> Factor that brings stress across and shear onto the surface of onset
-   pure real(wp) function matrix_scale(self, lane, sense, stress, shear) result(scale)
+   pure real(wp) function matrix_scale(self, lane, stress, shear) result(scale)
       type(onset_type), intent(in) :: self
-      integer, intent(in) :: lane, sense
+      integer, intent(in) :: lane
       real(wp), intent(in) :: stress, shear
 
       real(wp) :: linear, square
+      integer :: sense
 
+      sense = merge(in_tension, in_compression, stress >= 0.0_wp)
       square = self%matrix(lane, sense)*stress**2 + self%shear(lane)*shear**2
       linear = merge(0.0_wp, self%linear(lane)*stress, sense == in_tension)
       scale = 2.0_wp/(linear + sqrt(linear**2 + 4.0_wp*square))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from damage import DamagedPly
 from elasticity import Array, Material
 from meshes import Mesh
 
@@ -218,7 +219,10 @@ class Deck:
             self._materials.append(material)
             m, number = material, len(self._materials)
             first = (number, m.density, *m.young, *m.poisson)
-            self.add("MAT_PLY_ELASTIC", first, m.shear)
+            if isinstance(m, DamagedPly):
+                self.add("MAT_PLY_CODAM2", *m.cards(number))
+            else:
+                self.add("MAT_PLY_ELASTIC", first, m.shear)
         return self._materials.index(material) + 1
 
 

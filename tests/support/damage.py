@@ -1,0 +1,52 @@
+"""Plies that are damaged, as *MAT_PLY_CODAM2 has them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from elasticity import Material
+
+
+@dataclass(frozen=True)
+class DamagedPly(Material):
+    """A ply with strengths and toughnesses, each in tension and in compression."""
+
+    fibre_strength: tuple[float, float]
+    matrix_strength: tuple[float, float]
+    shear_strength: float
+    fibre_toughness: tuple[float, float]
+    matrix_toughness: tuple[float, float]
+    cross_strength: float = 0.0
+    shear_toughness: float = 0.0
+    band: float = 0.0  # width of the crack band; 0 by the rule
+    largest: float = 0.0  # damage; 0 for the default of the keyword
+    curve: tuple[float, ...] = (0,)  # card of the shear curve
+    switches: tuple[float, ...] = (0,)  # card of the switches
+
+    def cards(self, number: int) -> list[tuple[float, ...]]:
+        """Cards of the material with this number."""
+        strengths = (*self.fibre_strength, *self.matrix_strength)
+        toughnesses = (*self.fibre_toughness, *self.matrix_toughness)
+        return [
+            (number, self.density, *self.young, *self.poisson),
+            self.shear,
+            (*strengths, self.shear_strength, self.cross_strength),
+            (*toughnesses, self.band, self.largest, self.shear_toughness),
+            self.curve,
+            self.switches,
+        ]
+
+
+# The paper's Table 5, in mm, s, t: HTS40/977-2, shear along a line
+HTS40 = DamagedPly(
+    density=1.6e-9,
+    young=(153.0e3, 10.3e3, 10.3e3),
+    poisson=(0.3, 0.3, 0.4),
+    shear=(6.0e3, 6.0e3, 3.7e3),
+    fibre_strength=(2537.0, 1580.0),
+    matrix_strength=(82.0, 236.0),
+    shear_strength=90.0,
+    fibre_toughness=(91.6, 79.9),
+    matrix_toughness=(0.22, 1.1),
+    cross_strength=40.0,
+)
