@@ -95,10 +95,10 @@ class Deck:
         if damping > 0.0:
             self.add("DAMPING_GLOBAL", (0, damping))
 
-    def mesh(self, mesh: Mesh, part: int = 1) -> None:
-        """Nodes and quads, all in one part."""
+    def mesh(self, mesh: Mesh, parts: Sequence[int] = (1,)) -> None:
+        """Nodes and quads, all in one part or each in its own."""
         self.add("NODE", *[(i + 1, x, y, 0.0) for i, (x, y) in enumerate(mesh.points)])
-        quads = [(i + 1, part, *(quad + 1)) for i, quad in enumerate(mesh.quads)]
+        quads = [(i + 1, parts[i % len(parts)], *(quad + 1)) for i, quad in enumerate(mesh.quads)]
         if mesh.quads.shape[1] == 4:
             self.add("ELEMENT_SHELL", *quads)
         else:
@@ -112,16 +112,17 @@ class Deck:
         sublayers: int = 1,
         lobatto: bool = False,
         orders: Sequence[int] = (),
+        part: int = 1,
     ) -> None:
-        """Part 1: its stack and its expansion, of one order or one for each ply."""
+        """A part: its stack and its expansion, of one order or one for each ply."""
         cards = [
             (self._material(ply.material), ply.thickness, ply.angle, 0, k + 1)
             for k, ply in enumerate(plies)
         ]
-        self.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *cards)
+        self.add("PART_COMPOSITE_LONG", "laminate", (part, 0), *cards)
         choice = [(1, len(plies), order, sublayers)] if sublayers > 1 else []
         choice += [(k + 1, k + 1, own, sublayers) for k, own in enumerate(orders)]
-        self.add("SECTION_LAYERWISE", (1, 0, order, int(lobatto)), *choice)
+        self.add("SECTION_LAYERWISE", (part, 0, order, int(lobatto)), *choice)
 
     def interfaces(self, normal: float = 0.0, shear: float = 0.0) -> None:
         """Springs between all plies of part 1; without stiffness, nothing between them."""

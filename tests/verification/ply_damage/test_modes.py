@@ -99,7 +99,9 @@ def test_mode(mode: str, scale: float, rule: int, tmp_path: Path) -> None:
     ply = replace(HTS40, switches=(rule,))
     results = led(mode, ply, size, band, tmp_path)
     profile = results.table("profile_1")
-    stress = sense * profile["s12" if mode == "shear" else "s11" if MODES[mode][0] == 0.0 else "s22"]
+    stress = (
+        sense * profile["s12" if mode == "shear" else "s11" if MODES[mode][0] == 0.0 else "s22"]
+    )
     strain = np.abs(profile["gxy" if mode == "shear" else "exx"])
     rise = 1.05 * 2.0 * toughness / (band * strength) / 400.0
     # the largest stress of the lines written, within what one of them may miss on either side
@@ -140,7 +142,7 @@ def test_wide_band(mode: str, tmp_path: Path) -> None:
 
     The strength is sqrt(2 E G / (1.05 band)) (Bazant and Oh, 1983).
     """
-    _, modulus, strength, toughness, sense = MODES[mode]
+    _, modulus, strength, toughness, _ = MODES[mode]
     longest = 2.0 * modulus * toughness / strength**2
     size = (2.0 * longest, 2.0 * longest)
     results = led(mode, HTS40, size, 2.0 * longest, tmp_path)
