@@ -98,11 +98,16 @@ def make_deck(tools: Tools, job: Job, folder: Path) -> Path:
 
 
 def run_job(
-    tools: Tools, job: Job, folder: Path, tick: Tick = lambda _: None, core: int | None = None
+    tools: Tools,
+    job: Job,
+    folder: Path,
+    tick: Tick = lambda _: None,
+    core: int | None = None,
+    threads: int = 1,
 ) -> Effort:
     """Make the deck of a job and run it, on one core if its number is given."""
     deck = make_deck(tools, job, folder)
-    words = [tools.solver, "run", deck, "-j", job.name, "-o", folder]
+    words = [tools.solver, "run", deck, "-j", job.name, "-o", folder, f"ncpu={threads}"]
     if core is not None and shutil.which("taskset"):
         words = ["taskset", "-c", str(core), *words]
     start = time.perf_counter()

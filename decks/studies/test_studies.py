@@ -7,7 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from plydyn_post.results import Results, open_results
+from plydyn_pre.recipe import load_recipe
 
+from studies.choices import BASE, CHOICES, choices_text, job_of, pick
+from studies.damage import MODELS, Answer, answers_text, mesh_words, read_answer
+from studies.damage_times import Timing, times_text
 from studies.differences import force_difference, ply_means, section, velocity_difference
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
@@ -72,3 +76,71 @@ def test_effort_is_read_off_a_listing(tmp_path):
     listing.write_text("cut")
     with pytest.raises(StudyError, match="no line like"):
         read_effort(listing, 1.0, 1.0)
+
+
+def _answer(peak: float, projected: float) -> Answer:
+    taken = {"delamination": 900.0, "matrix damage": 100.0}
+    return Answer(peak, 1e-3, 1900.0, 3e-3, 3.0, 2000.0, projected, 3 * projected, taken, 1e-12)
+
+
+def test_an_answer_is_read_off_the_histories_of_a_run(tmp_path):
+    # the force rises to 4 kN and falls back over 2 ms; delamination begins at 2 kN
+    time = np.linspace(0.0, 3e-3, 3001)
+    force = 4000.0 * np.maximum(0.0, 1.0 - np.abs(time - 1e-3) / 1e-3)
+    pairs = zip(time, force, strict=True)
+    rows = [f"{t:.6e},{f:.9e},{-1e3 * t:.6e},-1,{1e6 * t:.6e}\n" for t, f in pairs]
+    head = "time [s],force [N],displacement [mm],velocity [mm/s],absorbed [mJ]\n"
+    (tmp_path / "job.impactor_1.csv").write_text(head + "".join(rows))
+    head = "time [s],error [-],delamination [mJ],matrix damage [mJ]\n"
+    (tmp_path / "job.energy.csv").write_text(head + "0,0,0,0\n3e-3,1e-9,900,100\n")
+    head = "time [s],interface 1 area [mm2],interface 2 area [mm2],sum [mm2],projected area [mm2]\n"
+    (tmp_path / "job.delamination.csv").write_text(
+        head + "0,0,0,0,0\n5e-4,1,0,1,1\n1e-3,60,40,100,70\n"
+    )
+    answer = read_answer(open_results(tmp_path / "job"))
+    # the mean of a peak over 20 microseconds lies a quarter of their slope below it
+    assert answer.peak == pytest.approx(4000.0 - 4e6 * 5e-6, rel=1e-6)
+    assert answer.peak_time == pytest.approx(1e-3)
+    assert answer.threshold == pytest.approx(2000.0, rel=1e-3)
+    assert answer.duration == pytest.approx(2e-3, rel=1e-2)
+    assert (answer.projected, answer.total) == (70.0, 100.0)
+    assert answer.taken == {"delamination": 900.0, "matrix damage": 100.0}
+    assert answer.absorbed == pytest.approx(2000.0, rel=1e-2)
+    (row,) = answers_text([("one", answer)]).splitlines()[2:]
+    assert row.startswith("| one | 3980 | 1.00 | 2000 |")
+
+
+def test_choices_are_told_against_the_recipes_as_they_are():
+    other = next(choice for choice in CHOICES if choice.name == "eta_low")
+    text = choices_text([(BASE, _answer(4000.0, 200.0)), (other, _answer(3800.0, 250.0))])
+    assert "| exponent of mixed modes | 1.45 | 3800 | -5 % | 250 | +25 % | 750 | 1.00 |" in text
+    assert [choice.name for choice in pick("hashin, large")] == ["base", "hashin", "large"]
+    assert len(pick("")) == 1 + len(CHOICES)
+
+
+@pytest.mark.parametrize("choice", [BASE, *CHOICES], ids=lambda choice: choice.name)
+def test_every_choice_is_a_recipe(choice):
+    job = job_of(choice, "q192_le1", ())
+    study = load_recipe(job.recipe, job.overrides)
+    assert (choice is BASE) == (study == load_recipe(job.recipe))
+
+
+@pytest.mark.parametrize("model", MODELS, ids=lambda model: model.recipe)
+def test_the_models_are_those_of_their_labels(model):
+    job = model.job()
+    study = load_recipe(job.recipe)
+    assert mesh_words(job.recipe, ()).startswith(f"{model.quads} Q9, ")
+    assert study.laminate.order == model.order
+    assert model.label in study.title
+
+
+def test_times_stand_beside_those_of_the_paper():
+    efforts = (Effort(3723.0, 3700.0, 3600.0, 500_000, 57_672), Effort(2000.0, 3800.0, 1, 1, 1))
+    text = times_text([Timing(MODELS[2], efforts, 8.6e-9, 4000.0)], (1, 2), "plydyn")
+    row = text.splitlines()[2]
+    assert "| 192 Q9/LE2 | 57,672 | 500,000 | 8.60 | 1:02:03 | 0:33:20 | 1:01:40 |" in row
+    assert row.endswith("| 8:46:22 |")
+    assert "Other work" not in text
+    busy = (Effort(4000.0, 3700.0, 3600.0, 500_000, 57_672), efforts[1])
+    text = times_text([Timing(MODELS[2], busy, 8.6e-9, 4000.0)], (1, 2), "plydyn")
+    assert "Other work ran meanwhile" in text

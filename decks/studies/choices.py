@@ -1,0 +1,99 @@
+"""What the paper leaves open of the damage impact, and other answers to each question."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from studies.damage import RECIPES, Answer
+from studies.jobs import Job
+from studies.markdown import table
+
+PLY, BOND = "materials.hts40_9772", "materials.interface"
+
+
+@dataclass(frozen=True)
+class Choice:
+    """An answer to an open question that is not the one of the recipes."""
+
+    name: str
+    question: str
+    answer: str
+    overrides: tuple[str, ...]
+
+
+#: The recipes as they are
+BASE = Choice("base", "all as in the recipes", "", ())
+CHOICES = (
+    Choice("width_band", "width of the crack band", "13/18 of the quad",
+           (f"{PLY}.width_rule=band",)),
+    Choice("width_root", "", "root of the area of the Gauss point",
+           (f"{PLY}.width_rule=root_point",)),
+    Choice("snap_drop", "band too wide for the toughness", "stress drops at the strength",
+           (f"{PLY}.snap_back=drop",)),
+    Choice("hashin", "matrix in compression", "Hashin 1980, S23 = 40 MPa",
+           (f"{PLY}.matrix_compression=hashin", f"{PLY}.ST=40.0")),
+    Choice("closure", "cracks in compression", "close, with damage of their own",
+           (f"{PLY}.closure=true",)),
+    Choice("plateau", "crushed fibres", "keep 0.2 of their strength", (f"{PLY}.plateau=0.2",)),
+    Choice("linear_shear", "shear until the matrix cracks", "linear", (f"{PLY}.shear=linear",)),
+    Choice("shear_toughness", "toughness of matrix in shear", "0.79 kJ/m2", (f"{PLY}.G2S=0.79",)),
+    Choice("across", "shear across the thickness", "not weakened by damage",
+           (f"{PLY}.weakens_across=false",)),
+    Choice("residual", "stiffness that remains", "0.1 %", (f"{PLY}.largest_damage=0.999",)),
+    Choice("nodes", "quadrature of the interfaces", "nodes", (f"{BOND}.quadrature=nodes",)),
+    Choice("eta_low", "exponent of mixed modes", "1.45", (f"{BOND}.exponent=1.45",)),
+    Choice("eta_high", "", "2.284", (f"{BOND}.exponent=2.284",)),
+    Choice("whole", "closing of failed faces", "full stiffness", (f"{BOND}.closing=whole",)),
+    Choice("fit", "strengths of the interfaces", "lowered to fit the mesh",
+           (f"{BOND}.fit=strengths",)),
+    Choice("large", "kinematics", "total Lagrangian", ("control.kinematics=total_lagrangian",)),
+    Choice("core_10", "side of the core", "10 mm", ("mesh.core=10",)),
+    Choice("core_22", "", "22 mm", ("mesh.core=22",)),
+    Choice("points", "contact", "points of the plate", ("contact.method=points_on_plate",)),
+)  # fmt: skip
+
+
+def pick(names: str) -> list[Choice]:
+    """The base and the choices with some names, separated by commas; all without."""
+    wanted = {name.strip() for name in names.split(",") if name.strip()}
+    return [BASE, *(choice for choice in CHOICES if not wanted or choice.name in wanted)]
+
+
+def job_of(choice: Choice, recipe: str, overrides: Sequence[str]) -> Job:
+    """The job of a choice on a model."""
+    replaced = (*overrides, *choice.overrides)
+    return Job(f"{recipe}_{choice.name}", RECIPES / f"{recipe}.toml", replaced)
+
+
+def choices_text(found: Sequence[tuple[Choice, Answer]]) -> str:
+    """How far each choice moves the peak force and the delaminated area."""
+    base = next(answer for choice, answer in found if choice is BASE)
+    headings = (
+        "open question", "other answer", "peak force [N]", "change", "projected area [mm2]",
+        "change", "all interfaces [mm2]", "dissipated [J]", "displacement [mm]",
+    )  # fmt: skip
+    rows, question = [], ""
+    for choice, answer in found:
+        question = choice.question or question
+        rows.append(
+            [
+                question,
+                choice.answer or "–",
+                f"{answer.peak:.0f}",
+                _change(answer.peak, base.peak),
+                f"{answer.projected:.0f}",
+                _change(answer.projected, base.projected),
+                f"{answer.total:.0f}",
+                f"{sum(answer.taken.values()) / 1e3:.2f}",
+                f"{answer.displacement:.2f}",
+            ]
+        )
+    return table(headings, rows)
+
+
+def _change(value: float, base: float) -> str:
+    """A change as a share, with its sign."""
+    if base in (value, 0.0):
+        return "–"
+    return f"{100.0 * (value / base - 1.0):+.0f} %"

@@ -1,0 +1,169 @@
+"""Commands of study.py about the damage impact."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from plydyn_post.results import Results, open_results
+
+from studies import choices as open_choices
+from studies import damage, damage_times
+from studies.commands import (
+    DEFAULT,
+    Again,
+    Folder,
+    Into,
+    Overrides,
+    Parallel,
+    Solver,
+    app,
+    list_files,
+    progress,
+    run_all,
+    tell,
+)
+from studies.damage import MODELS, Model, answers_text, model_of, read_answer
+from studies.damage_figures import draw_forces, draw_refinement
+from studies.jobs import Job, StudyError, find_tools
+from studies.markdown import insert
+
+Tests = Annotated[
+    list[Path] | None, typer.Option("--test", help="CSV of a test to lay over the forces.")
+]
+Recipe = Annotated[str, typer.Option("--model", help="Recipe that the others differ from.")]
+
+
+@app.command()
+def figure11(
+    output: Folder = DEFAULT / "damage",
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    tests: Tests = None,
+    again: Again = False,
+) -> None:
+    """Meshes of the damage impact: 132, 192 and 260 Q9 with LE2 over each other."""
+    models = [model for model in MODELS if model.order == 2]
+    _compare(models, "figure11", (output, into, plydyn, parallel, overrides, again), tests)
+
+
+@app.command()
+def figure12(
+    output: Folder = DEFAULT / "damage",
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    tests: Tests = None,
+    again: Again = False,
+) -> None:
+    """Orders of the damage impact: 192 Q9 with LE1, LE2 and LE3 over each other."""
+    models = [model for model in MODELS if model.quads == 192]
+    _compare(models, "figure12", (output, into, plydyn, parallel, overrides, again), tests)
+
+
+_Common = tuple[Path, Path | None, Path | None, int, list[str] | None, bool]
+
+
+def _compare(models: Sequence[Model], name: str, common: _Common, tests: list[Path] | None) -> None:
+    """Run models, lay their forces over each other, and tell their answers."""
+    output, into, plydyn, parallel, overrides, again = common
+    jobs = [model.job(overrides or ()) for model in models]
+    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found = [(model.label, open_results(output / model.recipe)) for model in models]
+    text = answers_text([(label, read_answer(results)) for label, results in found])
+    tell(output / f"{name}.md", [(name.capitalize(), text)])
+    list_files(draw_forces(found, tests or (), output, name))
+    if into:
+        insert(into, name, text)
+
+
+@app.command()
+def table7(
+    output: Folder = DEFAULT / "table7",
+    models: Annotated[str, typer.Option("--models", help="Recipes, separated by commas.")] = "",
+    threads: Annotated[str, typer.Option("--threads", help="Numbers of threads.")] = "1,2",
+    into: Into = None,
+    plydyn: Solver = None,
+    overrides: Overrides = None,
+) -> None:
+    """Steps and times of the models of Table 7; wants a quiet machine."""
+    tools = find_tools(plydyn)
+    chosen = [model_of(name) for name in models.split(",")] if models else list(MODELS)
+    numbers = [int(number) for number in threads.split(",")]
+    with progress() as bar:
+        line = bar.add_task("", total=len(chosen) * len(numbers))
+
+        def tick(name: str, done: float) -> None:
+            bar.update(line, completed=done, description=name)
+
+        found = damage_times.measure(tools, output, chosen, numbers, overrides or (), tick)
+    text = damage_times.times_text(found, numbers, tools.version())
+    tell(output / "table7.md", [("Table 7", text)])
+    if into:
+        insert(into, "table 7", text)
+
+
+@app.command()
+def choices(
+    output: Folder = DEFAULT / "choices",
+    model: Recipe = "q192_le1",
+    only: Annotated[str, typer.Option("--only", help="Names of choices, by commas.")] = "",
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """What each choice that the paper leaves open does to the force and to the areas."""
+    wanted = open_choices.pick(only)
+    jobs = [open_choices.job_of(choice, model, overrides or ()) for choice in wanted]
+    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found = [
+        (choice, read_answer(open_results(output / job.name)))
+        for choice, job in zip(wanted, jobs, strict=True)
+    ]
+    text = open_choices.choices_text(found)
+    tell(output / "choices.md", [("Open choices", text)])
+    if into:
+        insert(into, "choices", text)
+
+
+@app.command()
+def refine(
+    output: Folder = DEFAULT / "refine",
+    model: Recipe = "q192_le1",
+    sizes: Annotated[str, typer.Option("--n", help="Quads along the core.")] = "4,6,8,10,12",
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """Finer and finer meshes, rings in proportion, until force, areas and energies settle."""
+    numbers = sorted(int(number) for number in sizes.split(","))
+    if not numbers or numbers[0] < 2:
+        raise StudyError("--n must name numbers of quads of 2 and more")
+    jobs = [_refined(model, n, overrides or ()) for n in numbers]
+    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found: list[Results] = [open_results(output / job.name) for job in jobs]
+    answers = [read_answer(results) for results in found]
+    names = [damage.mesh_words(job.recipe, job.overrides) for job in jobs]
+    text = answers_text(list(zip(names, answers, strict=True)))
+    tell(output / "refine.md", [("Refinement", text)])
+    steps = [damage.core_size(job.recipe, job.overrides) for job in jobs]
+    list_files([draw_refinement(list(zip(steps, answers, strict=True)), output / "refine.png")])
+    list_files(draw_forces(list(zip(names, found, strict=True)), (), output, "refine_force"))
+    if into:
+        insert(into, "refinement", text)
+
+
+def _refined(model: str, n: int, overrides: Sequence[str]) -> Job:
+    """A model with n x n quads in the core and rings in proportion, four for eight."""
+    rings = max(2, round(n / 2))
+    replaced = (*overrides, f"mesh.n={n}", f"mesh.rings={rings}")
+    return Job(f"{model}_n{n}", damage.RECIPES / f"{model}.toml", replaced)

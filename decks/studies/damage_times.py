@@ -1,0 +1,110 @@
+"""Times of the models of the paper's Table 7 on some threads."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from plydyn_post.results import open_results
+
+from studies.damage import Model, read_answer
+from studies.jobs import Effort, Tools, run_job
+from studies.markdown import table
+from studies.times import NS, UNDISTURBED, processor
+
+
+@dataclass(frozen=True)
+class Timing:
+    """A model and what it took on each number of threads."""
+
+    model: Model
+    efforts: tuple[Effort, ...]
+    step: float  # s, usual length of a step
+    peak: float  # N, 20 µs mean
+
+
+def measure(
+    tools: Tools,
+    folder: Path,
+    models: Sequence[Model],
+    threads: Sequence[int],
+    overrides: Sequence[str],
+    tick: Callable[[str, float], None],
+) -> list[Timing]:
+    """Run all models on each number of threads."""
+    found = []
+    for place, model in enumerate(models):
+        efforts = []
+        for turn, number in enumerate(threads):
+            done = place * len(threads) + turn
+            name = f"{model.label}, {_cores(number)}"
+            follow = partial(_follow, tick, name, done)
+            job = model.job(overrides)
+            efforts.append(run_job(tools, job, folder, follow, threads=number))
+        results = open_results(folder / model.recipe)
+        step = float(np.median(results.energy()["step"]))
+        found.append(Timing(model, tuple(efforts), step, read_answer(results).peak))
+    return found
+
+
+def _follow(tick: Callable[[str, float], None], name: str, done: int, share: float) -> None:
+    """Tell how far all runs are when one is at a share."""
+    tick(name, done + share)
+
+
+def times_text(timings: Sequence[Timing], threads: Sequence[int], version: str) -> str:
+    """The table, and how its numbers came about."""
+    headings = [
+        "model",
+        "DOF",
+        "steps",
+        "step [ns]",
+        *(f"wall time on {_cores(number)}" for number in threads),
+        *(f"processor time, {_cores(number)}" for number in threads),
+        "ns per DOF and step",
+        "peak force [N]",
+        "in the paper, six cores",
+    ]
+    text = table(headings, [_row(timing) for timing in timings])
+    text += f"\nOn {processor()}, output included; times are h:mm:ss. {version}. "
+    text += "The paper's times are those of its authors' desktop computer.\n"
+    if any(_is_disturbed(timing, threads) for timing in timings):
+        text += "\nOther work ran meanwhile: wall times are longer than on a quiet machine.\n"
+    return text
+
+
+def _cores(number: int) -> str:
+    return "one core" if number == 1 else f"{number} cores"
+
+
+def _is_disturbed(timing: Timing, threads: Sequence[int]) -> bool:
+    """Whether a run on one core had less than its share of the processor."""
+    return any(
+        effort.processor < UNDISTURBED * effort.wall
+        for effort, number in zip(timing.efforts, threads, strict=True)
+        if number == 1
+    )
+
+
+def _row(timing: Timing) -> list[str]:
+    first = timing.efforts[0]
+    return [
+        timing.model.label,
+        f"{first.freedoms:,}",
+        f"{first.steps:,}",
+        f"{NS * timing.step:.2f}",
+        *(_clock(effort.wall) for effort in timing.efforts),
+        *(_clock(effort.processor) for effort in timing.efforts),
+        f"{NS * first.processor / (first.steps * first.freedoms):.2f}",
+        f"{timing.peak:.0f}",
+        timing.model.paper,
+    ]
+
+
+def _clock(seconds: float) -> str:
+    """Seconds as h:mm:ss."""
+    whole = round(seconds)
+    return f"{whole // 3600}:{whole % 3600 // 60:02d}:{whole % 60:02d}"
