@@ -20,6 +20,9 @@ module plydyn_contact_nodes
    !> Facets within this share of the radius from the axis give the distance between points
    real(wp), parameter :: zone_share = 0.5_wp
 
+   !> A facet turned farther than 60 degrees from the sphere over it has folded
+   real(wp), parameter :: faced_cosine = 0.5_wp
+
    !> Distance from a side, in local coordinates, that counts as on the fold
    real(wp), parameter :: fold_width = 1.0e-4_wp
 
@@ -247,7 +250,7 @@ contains
          do s = self%ring(r), self%ring(r + 1) - 1
             if (self%wake(s) > near%travel) cycle
             call look(self, surface, near, position, centre + self%position(:, s), s, foot)
-            if (.not. foot%beside .and. foot%gap < 0.0_wp) then
+            if (.not. foot%beside .and. foot%gap < 0.0_wp .and. is_faced(self, foot, s)) then
                call add_row(self, surface, position, centre, foot, s, rows)
             end if
          end do
@@ -289,6 +292,21 @@ contains
       end if
       if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
    end subroutine look
+
+   !> Whether the plate faces the sphere there; where crushed matter has folded over it does not,
+   !> and its normal would pull the sphere in
+   pure logical function is_faced(self, foot, node)
+      !> The nodes
+      type(node_set_type), intent(in) :: self
+      !> Foot of the node
+      type(foot_type), intent(in) :: foot
+      !> Its number
+      integer, intent(in) :: node
+
+      associate (arm => self%position(:, node))
+         is_faced = dot_product(foot%normal, arm) <= -faced_cosine*norm2(arm)
+      end associate
+   end function is_faced
 
    !> Make a row of a node below the surface
    !>

@@ -2,6 +2,7 @@
 program test_contact_nodes
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_contact_constraint, only : constraints_type, new_constraints
    use plydyn_contact_near, only : near_type, new_near
    use plydyn_contact_nodes, only : new_nodes, node_set_type
    use plydyn_contact_surface, only : new_surface, surface_type
@@ -20,6 +21,7 @@ program test_contact_nodes
    call new_surface(surface, facet, flat, 1)
    call check_spacing()
    call check_travel()
+   call check_folded()
    call finish()
 
 contains
@@ -90,6 +92,35 @@ contains
       end do
       call check(rebuilds > 0 .and. rebuilds < 100, "the list is new now and then")
    end subroutine check_travel
+
+   !> A node presses a facet that faces it, and none that has folded over
+   subroutine check_folded()
+      real(wp), parameter :: depth = 0.1_wp
+      type(constraints_type) :: rows
+      type(near_type) :: near
+      type(node_set_type) :: nodes
+      type(error_type), allocatable :: error
+      real(wp) :: centre(3), position(3, points)
+      logical :: rebuilt
+
+      call begin("collect")
+      call new_near(near, surface, radius)
+      call new_constraints(rows, 9)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      centre(:) = [0.1_wp, 0.2_wp, radius - depth]
+      call near%update(surface, flat, centre, rebuilt)
+      call nodes%collect(surface, near, flat, centre, rows)
+      call check(rows%count > 0, "a plate that faces the sphere is pressed")
+      call check(minval(rows%gap(:rows%count)), -depth, 1.0e-12_wp, "as deep as it was moved")
+      position(:, :) = flat
+      position(1, :) = -flat(1, :)
+      centre(3) = radius + depth
+      rows%count = 0
+      call nodes%forget()
+      call near%update(surface, position, centre, rebuilt)
+      call nodes%collect(surface, near, position, centre, rows)
+      call check(rows%count, 0, "a plate turned over is not")
+   end subroutine check_folded
 
    !> Points and facets of a flat plate around the origin, squares of side one
    subroutine make_plate()
