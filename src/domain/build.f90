@@ -4,6 +4,7 @@ module plydyn_domain_build
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_bands, only : check_bands
+   use plydyn_domain_build_inertia, only : build_inertia, couple_surface, largest_step
    use plydyn_domain_chunks, only : new_chunks
    use plydyn_domain_columns, only : new_columns
    use plydyn_domain_domain, only : domain_type, load_type
@@ -11,15 +12,12 @@ module plydyn_domain_build
    use plydyn_domain_layers, only : check_same_structure, new_layers
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, new_pressure_load
    use plydyn_domain_masses, only : add_masses
-   use plydyn_domain_node_classes, only : node_areas
-   use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
    use plydyn_domain_plates, only : new_plate
    use plydyn_domain_step_limit, only : find_step_limit
-   use plydyn_domain_supports, only : held_freedoms, new_prescribed
+   use plydyn_domain_supports, only : face_point, held_freedoms, new_prescribed
    use plydyn_domain_surfaces, only : new_surface
    use plydyn_element_interface, only : history_size, interface_type
    use plydyn_element_plate, only : plate_type, quad_histories
-   use plydyn_model_control, only : all_explicit, total_lagrangian
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
@@ -56,49 +54,12 @@ contains
       call build_supports(model, domain, error)
       if (allocated(error)) return
       call build_loads(model, domain)
-      call build_surfaces(model, domain)
       domain%limit = find_step_limit(model, domain)
       domain%step = largest_step(domain)
-      call build_inertia(domain, error)
+      call build_inertia(model, domain, error)
+      if (allocated(error)) return
+      call build_surfaces(model, domain)
    end subroutine build_domain
-
-   !> The share of the stable step that the deck allows, within its bounds
-   pure real(wp) function largest_step(domain) result(step)
-      type(domain_type), intent(in) :: domain
-
-      associate (control => domain%control)
-         step = control%step_factor*domain%limit%step
-         if (control%largest_step > 0.0_wp) step = min(step, control%largest_step)
-         if (control%step_curve > 0) step = min(step, maxval(domain%curves(control%step_curve)%y))
-      end associate
-   end function largest_step
-
-   !> Inertia that locally implicit operators add, for the largest step
-   subroutine build_inertia(domain, error)
-      type(domain_type), intent(inout) :: domain
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: moved(domain%columns%freedoms)
-      real(wp) :: stiffness(3, size(domain%layers%joint))
-      integer :: m
-
-      allocate (domain%moved_links%place(2, 0), domain%moved_links%inertia(0))
-      if (domain%control%scheme == all_explicit) return
-      stiffness(:, :) = joint_stiffness(domain%interfaces, size(stiffness, 2), &
-         & domain%control%kinematics == total_lagrangian)
-      if (maxval(stiffness) <= 0.0_wp) then
-         call fail(error, exit_input, "IMPL of *CONTROL_LAYERWISE makes interfaces implicit, but " &
-            & //"no ply is joined by one that has a stiffness: leave IMPL at 0")
-         return
-      end if
-      domain%pairs = new_pair_inertia(domain%columns, domain%mass, &
-         & sum(node_areas(domain%plates, domain%position), 2), stiffness, domain%step)
-      moved(:) = .false.
-      do m = 1, size(domain%motions)
-         moved(domain%motions(m)%freedom) = .true.
-      end do
-      domain%moved_links = domain%pairs%links_between(domain%columns, moved)
-   end subroutine build_inertia
 
    !> A bound on the step that is not positive would never let time pass
    subroutine check_step_curve(model, error)
@@ -290,6 +251,8 @@ contains
       do i = 1, size(model%contacts)
          domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers, &
             & domain%columns, domain%inverse_mass, held)
+         call couple_surface(domain, face_point(domain%layers, model%contacts(i)%face), &
+            & domain%surfaces(i))
       end do
    end subroutine build_surfaces
 

@@ -1,6 +1,7 @@
 !> The domain: the model as flat arrays, immutable once built.
 module plydyn_domain_domain
    use plydyn_base_precision, only : wp
+   use plydyn_domain_column_inertia, only : column_inertia_type
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_layers, only : layers_type
    use plydyn_domain_links, only : links_type
@@ -40,6 +41,11 @@ module plydyn_domain_domain
       real(wp), allocatable :: position(:, :)
       !> Inverse mass, zero in directions that are held, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
+      !> Node below each point
+      integer, allocatable :: node(:)
+      !> Motions of the rows of the column for that of the point; see `followers`. Only where
+      !> columns share their inertia
+      real(wp), allocatable :: follow(:, :, :)
       !> Points of each facet in the order of the deck, (4 or 9, facets)
       integer, allocatable :: facet(:, :)
    end type surface_type
@@ -52,6 +58,8 @@ module plydyn_domain_domain
       integer :: quad = 0, ply = 0
       !> Largest eigenvalue of the plies and that of the interfaces, 1/time squared
       real(wp) :: ply_rate = 0.0_wp, interface_rate = 0.0_wp
+      !> Bound of the quad with the former, if its thickness were implicit
+      real(wp) :: plane_rate = 0.0_wp
       !> What is left of the latter where interfaces are implicit; all of it where not
       real(wp) :: interface_rest = 0.0_wp
       !> Stable step of each quad, its weakest ply; (quads of the mesh)
@@ -120,8 +128,12 @@ module plydyn_domain_domain
       real(wp) :: step = 0.0_wp
       !> Inertia across interfaces; not active where their springs are explicit
       type(pair_inertia_type) :: pairs
-      !> What of it lies between prescribed points
+      !> Inertia through the thickness and across interfaces; not active where that is explicit
+      type(column_inertia_type) :: thickness
+      !> What of both lies between prescribed points
       type(links_type) :: moved_links
+      !> What lies between held points, as places in `held`, and free ones
+      type(links_type) :: held_links
    end type domain_type
 
 end module plydyn_domain_domain

@@ -8,7 +8,7 @@ module plydyn_domain_step_limit
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
-   use plydyn_model_control, only : all_explicit
+   use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -42,7 +42,36 @@ contains
       limit%ply = ply(worst)
       limit%quad_step = 2.0_wp/sqrt(rate)
       limit%quad_ply = ply
+      limit%plane_rate = plane_rate(model, domain, worst)
    end function find_step_limit
+
+   !> Largest eigenvalue that one quad would have if the thickness of its plies were implicit
+   real(wp) function plane_rate(model, domain, quad) result(rate)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      !> Index in the mesh
+      integer, intent(in) :: quad
+
+      integer :: e, f, p
+      real(wp), allocatable :: lambda(:, :, :)
+
+      rate = 0.0_wp
+      p = model%mesh%quad_part(quad)
+      associate (plate => domain%plates(p))
+         e = findloc(plate%quad, quad, 1)
+         do f = 1, size(plate%batches)
+            associate (layer_of => domain%columns%families(f)%layer)
+               allocate (lambda(size(layer_of, 1), size(layer_of, 2), 1))
+               call largest_eigenvalues(plate%batches(f), surface_density(model, p, &
+                  & new_layers(model%parts(p)), layer_of), plate%side, &
+                  & reshape(domain%position(1:2, plate%node(:, e)), [2, plate%side**2, 1]), &
+                  & 4.0_wp*implicit_share, lambda)
+               rate = max(rate, maxval(lambda))
+            end associate
+            deallocate (lambda)
+         end do
+      end associate
+   end function plane_rate
 
    !> Largest eigenvalue of each quad and the ply that has it
    subroutine add_layer_rates(model, domain, rate, ply)
@@ -67,7 +96,9 @@ contains
                associate (layer_of => domain%columns%families(f)%layer)
                   allocate (lambda(size(layer_of, 1), size(layer_of, 2), quads))
                   call largest_eigenvalues(plate%batches(f), &
-                     & surface_density(model, p, layers, layer_of), plate%side, corner, lambda)
+                     & surface_density(model, p, layers, layer_of), plate%side, corner, &
+                     & merge(4.0_wp*implicit_share, 0.0_wp, &
+                     & domain%control%scheme == implicit_thickness), lambda)
                   do e = 1, quads
                      place(:) = maxloc(lambda(:, :, e))
                      layer = layer_of(place(1), place(2))

@@ -40,6 +40,7 @@ contains
       point(:) = face_point(layers, contact%face)
       allocate (self%freedom(3, count(in_part)), self%position(3, count(in_part)))
       allocate (self%inverse_mass(3, count(in_part)))
+      self%node = pack([(i, i=1, size(in_part))], in_part)
       number(:) = 0
       i = 0
       do node = 1, size(in_part)

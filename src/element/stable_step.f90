@@ -8,6 +8,7 @@ module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate, only : add_elastic_forces, layer_batch_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
+   use plydyn_element_thickness, only : layer_springs, level_table
    implicit none
    private
 
@@ -28,6 +29,8 @@ module plydyn_element_stable_step
    !> Iterations, and the share by which a bound is raised until it is proved
    integer, parameter :: iterations = 40
    real(wp), parameter :: first_margin = 1.002_wp, next_margin = 1.01_wp
+   !> Share of the bound below which no smaller one is looked for
+   real(wp), parameter :: least_share = 1.0e-6_wp
    !> Shapes that are remembered, and the relative difference below which two are the same
    integer, parameter :: remembered = 64
    real(wp), parameter :: same_shape = 1.0e-9_wp
@@ -35,7 +38,7 @@ module plydyn_element_stable_step
 contains
 
    !> Bound of each layer of a batch over some quads
-   subroutine largest_eigenvalues(batch, surface_density, side, corner, lambda)
+   subroutine largest_eigenvalues(batch, surface_density, side, corner, outweighed, lambda)
       !> The layers
       type(layer_batch_type), intent(in) :: batch
       !> Mass per area of each layer, (lanes, blocks); 0 in lanes without a layer
@@ -44,6 +47,8 @@ contains
       integer, intent(in) :: side
       !> Positions of the nodes of each quad in tensor order, (2, side**2, quads)
       real(wp), intent(in) :: corner(:, :, :)
+      !> Share of the stiffness through the thickness that added inertia outweighs, 0 for none
+      real(wp), intent(in) :: outweighed
       !> Bound of each layer, 1/time squared, (lanes, blocks, quads); 0 in lanes without a layer
       real(wp), intent(out) :: lambda(:, :, :)
 
@@ -59,7 +64,8 @@ contains
                cycle quads
             end if
          end do
-         call solve_quad(batch, surface_density, side, corner(:, :, q), metric, lambda(:, :, q))
+         call solve_quad(batch, surface_density, side, corner(:, :, q), metric, outweighed, &
+            & lambda(:, :, q))
          s = 1 + mod(known, remembered)
          known = known + 1
          shape_metric(:, :, s) = metric
@@ -76,13 +82,13 @@ contains
    end function is_same
 
    !> Bounds of all layers over one quad
-   subroutine solve_quad(batch, surface_density, side, corner, metric, lambda)
+   subroutine solve_quad(batch, surface_density, side, corner, metric, outweighed, lambda)
       type(layer_batch_type), intent(in) :: batch
-      real(wp), intent(in) :: surface_density(:, :), corner(:, :), metric(:, :)
+      real(wp), intent(in) :: surface_density(:, :), corner(:, :), metric(:, :), outweighed
       integer, intent(in) :: side
       real(wp), intent(out) :: lambda(:, :)
 
-      real(wp), allocatable :: k(:, :, :, :), root(:)
+      real(wp), allocatable :: k(:, :, :, :), rest(:, :), root(:), scales(:)
       integer :: b, l, twin(2)
 
       k = dense_stiffness(batch, side, metric)
@@ -95,8 +101,16 @@ contains
             if (any(twin /= [l, b])) then
                lambda(l, b) = lambda(twin(1), twin(2))
             else
-               call scale(k(:, :, l, b), root*sqrt(surface_density(l, b)))
+               scales = root*sqrt(surface_density(l, b))
+               if (outweighed > 0.0_wp) then
+                  rest = k(:, :, l, b)
+                  call relieve(rest, quad_node_area(side, corner), outweighed &
+                     & *layer_springs(batch, l, b), level_table(batch%expansion))
+                  call scale(rest, scales)
+               end if
+               call scale(k(:, :, l, b), scales)
                lambda(l, b) = certified_bound(k(:, :, l, b), power_iteration(k(:, :, l, b)))
+               if (outweighed > 0.0_wp) lambda(l, b) = least_bound(rest, lambda(l, b))
             end if
          end do
       end do
@@ -154,6 +168,62 @@ contains
       end do
    end function dense_stiffness
 
+   !> Take springs through the thickness, at the nodes, out of a stiffness
+   pure subroutine relieve(k, area, spring, table)
+      !> Stiffness; freedoms run over levels, directions, nodes
+      real(wp), intent(inout) :: k(:, :)
+      !> Area of each node; springs per area along x, y, z; what they do between levels
+      real(wp), intent(in) :: area(:), spring(3), table(:, :)
+      integer :: c, first, n
+
+      do n = 1, size(area)
+         do c = 1, 3
+            first = size(table, 1)*(c - 1 + 3*(n - 1))
+            associate (own => k(first + 1:first + size(table, 1), first + 1:first + size(table, 1)))
+               own(:, :) = own - area(n)*spring(c)*table
+            end associate
+         end do
+      end do
+   end subroutine relieve
+
+   !> A bound on all eigenvalues of a matrix without sign, from one that is known, by halving the
+   !> space between proof and failure
+   real(wp) function least_bound(matrix, known) result(bound)
+      !> Symmetric
+      real(wp), intent(in) :: matrix(:, :)
+      !> A bound
+      real(wp), intent(in) :: known
+
+      real(wp) :: low, middle
+
+      bound = known
+      low = 0.0_wp
+      do while (bound > first_margin*low .and. bound > least_share*known)
+         middle = merge(0.5_wp*bound, sqrt(low*bound), low <= 0.0_wp)
+         if (is_bound(matrix, middle)) then
+            bound = middle
+         else
+            low = middle
+         end if
+      end do
+   end function least_bound
+
+   !> Whether the Cholesky factor of bound - matrix exists
+   logical function is_bound(matrix, bound)
+      real(wp), intent(in) :: matrix(:, :), bound
+
+      real(wp), allocatable :: factor(:, :)
+      integer :: i, info, n
+
+      n = size(matrix, 1)
+      factor = -matrix
+      do i = 1, n
+         factor(i, i) = factor(i, i) + bound
+      end do
+      call dpotrf("U", n, factor, n, info)
+      is_bound = info == 0
+   end function is_bound
+
    !> Mass of each freedom of a layer of unit mass per area
    function node_mass(batch, side, corner) result(mass)
       type(layer_batch_type), intent(in) :: batch
@@ -210,18 +280,8 @@ contains
       !> An eigenvalue, the largest if all went well
       real(wp), intent(in) :: estimate
 
-      real(wp), allocatable :: factor(:, :)
-      integer :: i, info, n
-
-      n = size(matrix, 1)
       bound = first_margin*estimate
-      do
-         factor = -matrix
-         do i = 1, n
-            factor(i, i) = factor(i, i) + bound
-         end do
-         call dpotrf("U", n, factor, n, info)
-         if (info == 0) exit
+      do while (.not. is_bound(matrix, bound))
          bound = next_margin*bound
       end do
    end function certified_bound

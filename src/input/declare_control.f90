@@ -155,12 +155,15 @@ contains
          & "the run stops when the energy balance is off by more than this share", &
          & default=0.05_wp, above=0.0_wp)
       call keyword%add_integer("IMPL", "0 central differences throughout, 1 interfaces locally " &
-         & //"implicit: their springs no longer bound the step", default=0, allowed=[0, 1])
+         & //"implicit: their springs no longer bound the step, 2 interfaces and thickness: nor " &
+         & //"does the thickness of plies", default=0, allowed=[0, 1, 2])
       call keyword%add_real("DTMAX", "time", "largest step; 0 for none", default=0.0_wp, &
          & least=0.0_wp)
       keyword%remark = "With IMPL the step may be several times larger, and inertia is added to " &
-         & //"the opening of interfaces in proportion to the square of the step; the listing " &
-         & //"tells how much. DTMAX keeps it small. See the theory, Locally implicit operators."
+         & //"the opening of interfaces, with 2 also to stretch and shear through the thickness, " &
+         & //"in proportion to the square of the step; the listing tells how much. DTMAX keeps " &
+         & //"it small. IMPL 2 does not go with *BOUNDARY_FACE_MOTION. See the theory, Locally " &
+         & //"implicit operators."
    end function control_layerwise
 
    !> Damping in proportion to mass

@@ -3,7 +3,7 @@ module plydyn_output_step_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_control, only : all_explicit
+   use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
    use plydyn_output_table, only : table_type, write_section
    implicit none
@@ -13,6 +13,8 @@ module plydyn_output_step_listing
 
    !> Quads named in the table of smallest steps
    integer, parameter :: smallest_shown = 20
+   !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
+   real(wp), parameter :: plane_share = 0.5_wp
 
 contains
 
@@ -31,14 +33,13 @@ contains
       call write_section(unit, "Stable step")
       associate (limit => domain%limit)
          write (unit, "(a,es12.5,a)") "stable step                  ", limit%step, time
-         if (limit%interface_rest > limit%ply_rate) then
-            write (unit, "(a)") "governed by                   the springs of interfaces"
-         else
-            write (unit, "(3a)") "governed by                   ", "quad "//text(limit%quad), &
-               & ", ply "//text(limit%ply)
-         end if
+         write (unit, "(a)") "governed by                   "//governor(domain)
          write (unit, "(a,es12.5,a)") "plies alone                  ", &
             & 2.0_wp/sqrt(limit%ply_rate), time
+         if (domain%control%scheme /= implicit_thickness) then
+            write (unit, "(a,es12.5,a)") "thickness implicit, about    ", &
+               & 2.0_wp/sqrt(limit%plane_rate), time
+         end if
          if (limit%interface_rate > 0.0_wp) then
             write (unit, "(a,es12.5,2a)") "interfaces alone             ", &
                & 2.0_wp/sqrt(limit%interface_rate), time, &
@@ -54,6 +55,23 @@ contains
       call write_smallest(unit, model, domain)
    end subroutine write_step
 
+   !> What governs the step
+   function governor(domain) result(words)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      associate (limit => domain%limit)
+         words = "quad "//text(limit%quad)//", ply "//text(limit%ply)//", "
+         if (limit%interface_rest > limit%ply_rate) then
+            words = "the springs of interfaces"
+         else if (limit%plane_rate < plane_share*limit%ply_rate) then
+            words = words//"its thickness"
+         else
+            words = words//"its size in the plane"
+         end if
+      end associate
+   end function governor
+
    !> How much inertia the implicit operators add
    subroutine write_added(unit, model, domain)
       integer, intent(in) :: unit
@@ -64,7 +82,7 @@ contains
       real(wp) :: lightest
       integer :: k
 
-      if (.not. domain%pairs%active) return
+      if (domain%control%scheme == all_explicit) return
       units = " "//trim(model%control%units%mass)//"/"//trim(model%control%units%length)//"2"
       lightest = huge(1.0_wp)
       associate (layers => domain%layers, ply => model%parts(1)%plies)
@@ -73,11 +91,38 @@ contains
                & *ply(layers%ply(k))%thickness)
          end do
       end associate
-      write (unit, "(a,es12.5,2a,es12.5)") "inertia added to opening     ", &
-         & maxval(domain%pairs%inertia(3, :)), units, " at most; the lightest ply has", lightest
-      write (unit, "(a,es12.5,2a)") "inertia added to sliding     ", &
-         & maxval(domain%pairs%inertia(1:2, :)), units, " at most"
+      write (unit, "(a,es12.5,2a)") "mass of the lightest ply     ", lightest, units
+      if (size(domain%pairs%inertia) > 0) then
+         write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to interfaces  ", &
+            & maxval(domain%pairs%inertia(3, :)), " (opening),", &
+            & maxval(domain%pairs%inertia(1:2, :)), " (sliding)", units
+      end if
+      if (domain%thickness%active) then
+         write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to plies       ", &
+            & largest_stretch(domain, 3), " (stretch),", largest_stretch(domain, 1), " (shear)", &
+            & units
+      end if
    end subroutine write_added
+
+   !> Largest inertia per area that resists the relative motion of both faces of a layer, linear
+   !> between them
+   pure real(wp) function largest_stretch(domain, direction) result(largest)
+      type(domain_type), intent(in) :: domain
+      !> 1 for x and y, 3 for z
+      integer, intent(in) :: direction
+      integer :: f, p
+
+      largest = 0.0_wp
+      do f = 1, size(domain%thickness%stretches)
+         associate (stretch => domain%thickness%stretches(f), &
+            & z => domain%plates(1)%batches(f)%expansion%node)
+            largest = max(largest, maxval(sum(reshape([(0.25_wp*(z(stretch%level(2, p)) &
+               & - z(stretch%level(1, p)))**2*stretch%inertia(:, p, direction, 1), &
+               & p=1, size(stretch%level, 2))], [size(stretch%inertia, 1), &
+               & size(stretch%level, 2)]), 2)))
+         end associate
+      end do
+   end function largest_stretch
 
    !> Table of the quads with the smallest steps
    subroutine write_smallest(unit, model, domain)

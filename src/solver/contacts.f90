@@ -7,6 +7,7 @@ module plydyn_solver_contacts
       & contact_setup_type, new_contact
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : points_on_plate
+   use plydyn_solver_column_inertia, only : pull_column
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -168,15 +169,17 @@ contains
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(surface, self%correction, state)
+         call push_plate(domain, surface, self%correction, state)
          call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
             & state, domain%contacts(i)%impactor)
       end associate
    end subroutine enforce_pair
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
-   !> before and after it, of which that before is the velocity at the full step
-   pure subroutine push_plate(surface, correction, state)
+   !> before and after it, of which that before is the velocity at the full step. What shares its
+   !> inertia with the points follows
+   pure subroutine push_plate(domain, surface, correction, state)
+      type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       real(wp), intent(in) :: correction(:, :)
       type(state_type), intent(inout) :: state
@@ -188,7 +191,7 @@ contains
       work = 0.0_wp
       do k = 1, size(correction, 2)
          do c = 1, 3
-            if (surface%inverse_mass(c, k) <= 0.0_wp) cycle
+            if (surface%inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
                & u => state%displacement(surface%freedom(c, k)), &
                & a => state%acceleration(surface%freedom(c, k)))
@@ -199,6 +202,10 @@ contains
                v = v + jump
                u = u + correction(c, k)
             end associate
+            if (domain%thickness%active) then
+               call pull_column(domain%thickness, domain%columns, surface, k, c, &
+                  & correction(c, k), state)
+            end if
          end do
       end do
       state%internal_power = state%internal_power - power

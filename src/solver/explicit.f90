@@ -10,7 +10,7 @@ module plydyn_solver_explicit
    use plydyn_solver_forces, only : add_loads, find_internal_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_motion, only : accelerate, advance
-   use plydyn_solver_supports, only : hold_supports, move_supports
+   use plydyn_solver_supports, only : hold_supports, move_supports, resist_columns
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -92,6 +92,7 @@ contains
          call hold_supports(domain, state%time, force, state%support_force)
          call accelerate(domain, state%step_before, state%velocity, force, state%block_sums, &
             & state%sums)
+         call resist_columns(domain, force, state%support_force)
       end associate
    end subroutine find_accelerations
 

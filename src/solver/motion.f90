@@ -2,7 +2,8 @@
 module plydyn_solver_motion
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_pair_inertia, only : couple_pairs
+   use plydyn_solver_column_inertia, only : couple_column
+   use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
    use plydyn_state_state, only : state_type, sums_type
    implicit none
    private
@@ -83,9 +84,7 @@ contains
       do b = 1, node_blocks(domain)
          do n = 1 + block_nodes*(b - 1), min(block_nodes*b, domain%columns%nodes)
             call accelerate_column(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
-            if (.not. domain%pairs%active) cycle
-            call couple_pairs(domain%pairs, domain%columns, n, 0.5_wp*step, velocity, force, &
-               & block_sums(b))
+            call couple(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
          end do
       end do
       !$omp end do
@@ -117,6 +116,26 @@ contains
          end associate
       end do
    end subroutine accelerate_column
+
+   !> Inertia that the points of a column share, where the scheme adds any
+   pure subroutine couple(domain, node, half_step, velocity, acceleration, sums)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: node
+      real(wp), intent(in) :: half_step
+      real(wp), intent(in), contiguous :: velocity(:)
+      real(wp), intent(inout), contiguous :: acceleration(:)
+      type(sums_type), intent(inout) :: sums
+
+      if (domain%thickness%active) then
+         call couple_column(domain%thickness, domain%columns, domain%mass, node, half_step, &
+            & velocity, acceleration, sums)
+         call add_pair_energy(domain%pairs, domain%columns, node, half_step, velocity, &
+            & acceleration, sums)
+      else if (domain%pairs%active) then
+         call couple_pairs(domain%pairs, domain%columns, node, half_step, velocity, &
+            & acceleration, sums)
+      end if
+   end subroutine couple
 
    !> Give both points of every tied face between lanes side by side the sum of their forces
    pure subroutine share_forces(width, levels, tied, force)

@@ -7,7 +7,7 @@ module plydyn_solver_pair_inertia
    implicit none
    private
 
-   public :: couple_pairs
+   public :: add_pair_energy, couple_pairs
 
 contains
 
@@ -127,5 +127,57 @@ contains
       sums%twice_kinetic = sums%twice_kinetic - half_step*square
       sums%twice_added = sums%twice_added + added
    end subroutine add_sums
+
+   !> Kinetic energy of the pairs above a node whose accelerations are coupled already
+   pure subroutine add_pair_energy(pairs, columns, node, half_step, velocity, acceleration, sums)
+      !> The pairs
+      type(pair_inertia_type), intent(in) :: pairs
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The node
+      integer, intent(in) :: node
+      !> Half of the step just made
+      real(wp), intent(in) :: half_step
+      !> Velocity of all points, half a step before; their acceleration
+      real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
+      !> Sums over all points
+      type(sums_type), intent(inout) :: sums
+
+      real(wp) :: twice
+      integer :: f, first, k
+
+      twice = 0.0_wp
+      do f = 1, size(columns%families)
+         first = columns%start(f, node)
+         call add_family(pairs%tables(f)%inertia, columns%families(f)%order + 1, &
+            & size(pairs%tables(f)%inertia, 1), half_step, velocity(first:), &
+            & acceleration(first:), twice)
+      end do
+      do k = 1, size(pairs%far_inertia)
+         associate (low => pairs%far(1, k, node), high => pairs%far(2, k, node))
+            twice = twice + pairs%far_inertia(k)*(velocity(high) - velocity(low) &
+               & + half_step*(acceleration(high) - acceleration(low)))**2
+         end associate
+      end do
+      sums%twice_added = sums%twice_added + pairs%area(node)*twice
+   end subroutine add_pair_energy
+
+   !> The share of pairs side by side
+   pure subroutine add_family(inertia, levels, width, half_step, v, a, twice)
+      integer, intent(in) :: levels, width
+      real(wp), intent(in) :: inertia(width, 3), half_step, v(width*levels, 3), a(width*levels, 3)
+      real(wp), intent(inout) :: twice
+
+      integer :: c, l, top
+
+      top = width*(levels - 1)
+      do c = 1, 3
+         !$omp simd reduction(+:twice)
+         do l = 1, width - 1
+            twice = twice + inertia(l, c)*(v(l + 1, c) - v(top + l, c) &
+               & + half_step*(a(l + 1, c) - a(top + l, c)))**2
+         end do
+      end do
+   end subroutine add_family
 
 end module plydyn_solver_pair_inertia

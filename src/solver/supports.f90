@@ -7,7 +7,7 @@ module plydyn_solver_supports
    implicit none
    private
 
-   public :: hold_supports, move_supports, support_points, support_power
+   public :: hold_supports, move_supports, resist_columns, support_points, support_power
 
 contains
 
@@ -52,6 +52,25 @@ contains
          end associate
       end do
    end subroutine hold_supports
+
+   !> Add what held points feel of the inertia that they share with free ones of their columns
+   pure subroutine resist_columns(domain, acceleration, support_force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Of all points
+      real(wp), intent(in) :: acceleration(:)
+      !> Force that held points would feel free
+      real(wp), intent(inout) :: support_force(:)
+      integer :: k
+
+      associate (links => domain%held_links)
+         do k = 1, size(links%inertia)
+            associate (held => links%place(1, k), free => links%place(2, k))
+               support_force(held) = support_force(held) + links%inertia(k)*acceleration(free)
+            end associate
+         end do
+      end associate
+   end subroutine resist_columns
 
    !> Whether a motion acts at some time
    pure logical function is_active(motion, time)

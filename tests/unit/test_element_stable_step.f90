@@ -5,6 +5,8 @@ program test_element_stable_step
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_stable_step, only : certified_bound, power_iteration
+   use plydyn_model_control, only : all_explicit, implicit_thickness
+   use plydyn_model_model, only : model_type
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate, node_blocks
    use plydyn_state_state, only : sums_type
@@ -42,7 +44,8 @@ program test_element_stable_step
 
    do side = 2, 3
       do order = 1, 2
-         call test_mesh(side, order)
+         call test_mesh(side, order, all_explicit)
+         call test_mesh(side, order, implicit_thickness)
       end do
    end do
    call finish()
@@ -50,17 +53,22 @@ program test_element_stable_step
 contains
 
    !> The bound lies above the largest eigenvalue of the mesh, and close to it
-   subroutine test_mesh(side, order)
-      integer, intent(in) :: side, order
+   subroutine test_mesh(side, order, scheme)
+      integer, intent(in) :: side, order, scheme
 
       type(domain_type) :: domain
       type(error_type), allocatable :: error
+      type(model_type) :: model
       real(wp) :: exact
 
       call begin("stable step")
-      call build_domain(rectangle_model(rectangle_mesh(side, 2, 1, 2.0_wp, 1.0_wp, 0.05_wp), &
-         & [0.0_wp, 60.0_wp], 0.25_wp, [order, order]), domain, error)
+      model = rectangle_model(rectangle_mesh(side, 2, 1, 2.0_wp, 1.0_wp, 0.05_wp), &
+         & [0.0_wp, 60.0_wp], 0.25_wp, [order, order])
+      model%control%scheme = scheme
+      model%control%step_factor = 1.0_wp
+      call build_domain(model, domain, error)
       call check(.not. allocated(error), "the domain is built")
+      ! with the inertia that is added for this step
       exact = 2.0_wp/sqrt(largest_eigenvalue(domain))
       call check(domain%limit%step <= exact, "is not above that of the mesh")
       call check(domain%limit%step >= 0.8_wp*exact, "nor far below: elements bound their mesh")

@@ -4,7 +4,7 @@ program test_solver_explicit
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_control, only : all_explicit, implicit_thickness, total_lagrangian
    use plydyn_model_impactor, only : contact_type, impactor_type, nodes_on_impactor, &
       & points_on_plate
    use plydyn_model_model, only : model_type
@@ -24,17 +24,19 @@ program test_solver_explicit
 
    real(wp), parameter :: mass = 2.0e-5_wp, speed = 2000.0_wp
 
-   call test_impact(nodes_on_impactor, 2)
-   call test_impact(points_on_plate, 2)
-   call test_impact(points_on_plate, 1)
+   call test_impact(nodes_on_impactor, 2, all_explicit)
+   call test_impact(points_on_plate, 2, all_explicit)
+   call test_impact(points_on_plate, 1, all_explicit)
+   call test_impact(nodes_on_impactor, 2, implicit_thickness)
+   call test_impact(points_on_plate, 1, implicit_thickness)
    call test_unstable()
    call finish()
 
 contains
 
    !> A sphere hits a free plate and leaves it again
-   subroutine test_impact(method, order)
-      integer, intent(in) :: method, order
+   subroutine test_impact(method, order, scheme)
+      integer, intent(in) :: method, order, scheme
 
       type(error_type), allocatable :: error
       type(model_type) :: model
@@ -42,6 +44,7 @@ contains
 
       call begin("impact")
       model = impact_model(method, order)
+      model%control%scheme = scheme
       call run_model(model, state, error)
       call check(.not. allocated(error), "runs to its end")
       associate (e => state%energies)

@@ -9,7 +9,7 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.study import Control, Study
 
 _KINEMATICS = {"linear": 0, "total_lagrangian": 1}
-_SCHEMES = {"explicit": 0, "implicit_interfaces": 1}
+_SCHEMES = {"explicit": 0, "implicit_interfaces": 1, "implicit_thickness": 2}
 _INTERVALS = {
     "energy_interval": "DATABASE_GLSTAT",
     "impactor_interval": "DATABASE_IMPACTOR",

@@ -37,7 +37,7 @@ class Control:
 
     end_time: float
     kinematics: Literal["linear", "total_lagrangian"] = "total_lagrangian"
-    scheme: Literal["explicit", "implicit_interfaces"] = "explicit"
+    scheme: Literal["explicit", "implicit_interfaces", "implicit_thickness"] = "explicit"
     largest_step: float = 0.0  # time; 0 for none
     step_factor: float = 0.9  # share of the stable step that is taken
     first_step: float = 0.0  # time; 0 for the stable one

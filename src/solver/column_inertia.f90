@@ -1,0 +1,180 @@
+!> Inertia through the thickness at work: accelerations of free points to those of coupled columns.
+module plydyn_solver_column_inertia
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_column_inertia, only : column_inertia_type, together
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_domain, only : surface_type
+   use plydyn_state_state, only : state_type, sums_type
+   implicit none
+   private
+
+   public :: couple_column, pull_column
+
+contains
+
+   !> Couple the column above a node, and bring the sums over all points up to date
+   pure subroutine couple_column(self, columns, mass, node, half_step, velocity, acceleration, sums)
+      !> The columns
+      type(column_inertia_type), intent(in) :: self
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of all points
+      real(wp), intent(in), contiguous :: mass(:)
+      !> The node
+      integer, intent(in) :: node
+      !> Half of the step just made
+      real(wp), intent(in) :: half_step
+      !> Velocity of all points, half a step before
+      real(wp), intent(in), contiguous :: velocity(:)
+      !> Force over mass of all points in, their acceleration out
+      real(wp), intent(inout), contiguous :: acceleration(:)
+      !> Sums over all points
+      type(sums_type), intent(inout) :: sums
+
+      real(wp) :: free(size(self%response, 2), 3)
+      integer :: d, f, first, place
+
+      free(size(self%row) + 1:, :) = 0.0_wp
+      do d = 1, size(self%row)
+         f = self%family(d)
+         place = columns%start(f, node) + self%row(d) - self%before(f) - 1
+         free(d, :) = acceleration(place:place + 2*self%rows(f):self%rows(f))
+      end do
+      do f = 1, size(columns%families)
+         first = columns%start(f, node)
+         call respond(self, f, node, half_step, free, mass((first - 1)/3 + 1:), &
+            & velocity(first:), acceleration(first:), sums)
+         call add_stretches(self, f, node, half_step, &
+               & self%rows(f)/(columns%families(f)%order + 1), &
+            & velocity(first:), acceleration(first:), sums)
+      end do
+   end subroutine couple_column
+
+   !> Response of the rows of a family, eight at a time
+   pure subroutine respond(self, f, node, half_step, free, mass, v, a, sums)
+      type(column_inertia_type), intent(in) :: self
+      integer, intent(in) :: f, node
+      real(wp), intent(in) :: half_step, free(:, :)
+      real(wp), intent(in) :: mass(self%rows(f)), v(self%rows(f), 3)
+      real(wp), intent(inout) :: a(self%rows(f), 3)
+      type(sums_type), intent(inout) :: sums
+
+      real(wp) :: changes(lanes, 3), new(lanes)
+      integer :: c, k, r
+
+      do c = 1, 3
+         changes(:, :) = 0.0_wp
+         do r = 1, self%rows(f), lanes
+            k = (self%before(f) + r - 1)/lanes + 1
+            call multiply(size(self%response, 2), self%response(:, :, k, self%kind(c, node)), &
+               & free(:, c), new)
+            call replace(half_step, mass(r), v(r, c), new, a(r, c), changes)
+         end do
+         sums%momentum(c) = sums%momentum(c) + half_step*sum(changes(:, 1))
+         sums%twice_kinetic = sums%twice_kinetic + half_step*sum(changes(:, 2))
+         sums%pull = sums%pull + sum(changes(:, 3))
+      end do
+   end subroutine respond
+
+   !> Product of eight rows of a response, four columns at a time
+   pure subroutine multiply(freedoms, response, free, new)
+      integer, intent(in) :: freedoms
+      real(wp), intent(in) :: response(lanes, freedoms), free(freedoms)
+      real(wp), intent(out) :: new(lanes)
+
+      integer :: j, l
+
+      new(:) = 0.0_wp
+      do j = 1, freedoms, together
+         !$omp simd
+         do l = 1, lanes
+            ! two sums that do not wait for each other
+            new(l) = new(l) + ((response(l, j)*free(j) + response(l, j + 1)*free(j + 1)) &
+               & + (response(l, j + 2)*free(j + 2) + response(l, j + 3)*free(j + 3)))
+         end do
+      end do
+   end subroutine multiply
+
+   !> Put new accelerations in the place of those of free points
+   pure subroutine replace(half_step, mass, v, new, a, changes)
+      real(wp), intent(in) :: half_step, mass(lanes), v(lanes), new(lanes)
+      real(wp), intent(inout) :: a(lanes)
+      !> What that changes in the sums: force, its power twice, its product with the acceleration
+      real(wp), intent(inout) :: changes(lanes, 3)
+
+      real(wp) :: force
+      integer :: l
+
+      !$omp simd private(force)
+      do l = 1, lanes
+         force = mass(l)*(new(l) - a(l))
+         changes(l, 1) = changes(l, 1) + force
+         changes(l, 2) = changes(l, 2) + force*(2.0_wp*v(l) + half_step*(new(l) + a(l)))
+         changes(l, 3) = changes(l, 3) + force*a(l)
+         a(l) = new(l)
+      end do
+   end subroutine replace
+
+   !> Kinetic energy of the inertia inside the layers of a family
+   pure subroutine add_stretches(self, f, node, half_step, width, v, a, sums)
+      type(column_inertia_type), intent(in) :: self
+      integer, intent(in) :: f, node, width
+      real(wp), intent(in) :: half_step, v(width, *), a(width, *)
+      type(sums_type), intent(inout) :: sums
+
+      real(wp) :: square(lanes)
+      integer :: c, k, l, levels, p, s, t
+
+      square(:) = 0.0_wp
+      levels = self%rows(f)/width
+      associate (stretch => self%stretches(f), class => self%class(node))
+         do c = 1, 3
+            do p = 1, size(stretch%level, 2)
+               s = stretch%level(1, p) + levels*(c - 1)
+               t = stretch%level(2, p) + levels*(c - 1)
+               do k = 0, width - lanes, lanes
+                  !$omp simd
+                  do l = 1, lanes
+                     square(l) = square(l) + stretch%inertia(k + l, p, c, class)*(v(k + l, t) &
+                        & - v(k + l, s) + half_step*(a(k + l, t) - a(k + l, s)))**2
+                  end do
+               end do
+            end do
+         end do
+      end associate
+      sums%twice_added = sums%twice_added + self%area(node)*sum(square)
+   end subroutine add_stretches
+
+   !> Let the columns under the points of a face follow what contact makes these jump
+   pure subroutine pull_column(self, columns, surface, point, direction, correction, state)
+      !> The columns
+      type(column_inertia_type), intent(in) :: self
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The face
+      type(surface_type), intent(in) :: surface
+      !> Point of the face, and 1, 2, 3 for x, y, z
+      integer, intent(in) :: point, direction
+      !> Displacement that contact adds to the point; it has it already
+      real(wp), intent(in) :: correction
+      !> Displacement and velocity
+      type(state_type), intent(inout) :: state
+
+      integer :: f, first, k, l, node
+
+      node = surface%node(point)
+      do f = 1, size(columns%families)
+         first = columns%start(f, node) + self%rows(f)*(direction - 1)
+         do k = 1, self%rows(f)/lanes
+            do l = 1, lanes
+               associate (share => surface%follow(l, k + self%before(f)/lanes, &
+                  & self%kind(direction, node)), place => first + l - 1 + lanes*(k - 1))
+                  state%displacement(place) = state%displacement(place) + share*correction
+                  state%velocity(place) = state%velocity(place) + share*correction/state%step
+               end associate
+            end do
+         end do
+      end do
+   end subroutine pull_column
+
+end module plydyn_solver_column_inertia
