@@ -3,6 +3,7 @@
     .venv/bin/python decks/study.py times --into decks/README.md
     .venv/bin/python decks/study.py profiles
     .venv/bin/python decks/study.py converge
+    .venv/bin/python decks/study.py schemes --into manual/theory.md
     .venv/bin/python decks/study.py figure11
     .venv/bin/python decks/study.py figure12
     .venv/bin/python decks/study.py table7
@@ -23,7 +24,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, open_results
 from plydyn_pre.errors import PreError
 
-from studies import damage_commands, ladder, stress, times
+from studies import damage_commands, ladder, schemes, stress, times
 from studies.commands import (
     DEFAULT,
     Again,
@@ -120,6 +121,29 @@ def converge(
     ]
     tell(output / "converge.md", sections)
     list_files(draw_ladder(found, wanted, output))
+    if into:
+        for heading, text in sections:
+            insert(into, heading.lower(), text)
+
+
+@app.command("schemes")
+def schemes_command(
+    output: Folder = DEFAULT / "schemes",
+    models: Annotated[str, typer.Option("--models", help="Models, by commas.")] = "le1,le2,le3",
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    again: Again = False,
+) -> None:
+    """Locally implicit schemes against the explicit one, elastic and with damage."""
+    elastic, damaged = schemes.elastic_cases(models.split(",")), schemes.damage_cases()
+    jobs = [case.job for case in (*elastic, *damaged)]
+    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    sections = [
+        ("Elastic schemes", schemes.elastic_text(elastic, output)),
+        ("Damage schemes", schemes.damage_text(damaged, output)),
+    ]
+    tell(output / "schemes.md", sections)
     if into:
         for heading, text in sections:
             insert(into, heading.lower(), text)
