@@ -15,7 +15,7 @@ module plydyn_domain_column_inertia
    public :: number_rows
 
    !> Freedoms that a response takes at a time
-   integer, parameter, public :: together = 4
+   integer, parameter, public :: together = 2
 
    !> Inertia between the levels of the layers of a family
    type, public :: stretch_type

@@ -31,21 +31,24 @@ contains
       !> Sums over all points
       type(sums_type), intent(inout) :: sums
 
-      real(wp) :: free(size(self%response, 2), 3)
-      integer :: d, f, first, place
+      real(wp) :: free(3, size(self%response, 2))
+      integer :: d, f, first, place, starts(size(self%rows))
 
-      free(size(self%row) + 1:, :) = 0.0_wp
+      free(:, :) = 0.0_wp
+      starts(:) = columns%start([(f, f=1, size(starts))], node) - self%before - 1
       do d = 1, size(self%row)
          f = self%family(d)
-         place = columns%start(f, node) + self%row(d) - self%before(f) - 1
-         free(d, :) = acceleration(place:place + 2*self%rows(f):self%rows(f))
+         place = starts(f) + self%row(d)
+         free(1, d) = acceleration(place)
+         free(2, d) = acceleration(place + self%rows(f))
+         free(3, d) = acceleration(place + 2*self%rows(f))
       end do
-      do f = 1, size(columns%families)
-         first = columns%start(f, node)
+      do f = 1, size(starts)
+         first = starts(f) + self%before(f) + 1
          call respond(self, f, node, half_step, free, mass((first - 1)/3 + 1:), &
             & velocity(first:), acceleration(first:), sums)
          call add_stretches(self, f, node, half_step, &
-               & self%rows(f)/(columns%families(f)%order + 1), &
+            & self%rows(f)/(columns%families(f)%order + 1), &
             & velocity(first:), acceleration(first:), sums)
       end do
    end subroutine couple_column
@@ -59,40 +62,51 @@ contains
       real(wp), intent(inout) :: a(self%rows(f), 3)
       type(sums_type), intent(inout) :: sums
 
-      real(wp) :: changes(lanes, 3), new(lanes)
+      real(wp) :: changes(lanes, 3, 3), new(lanes, 3)
       integer :: c, k, r
 
-      do c = 1, 3
-         changes(:, :) = 0.0_wp
-         do r = 1, self%rows(f), lanes
-            k = (self%before(f) + r - 1)/lanes + 1
-            call multiply(size(self%response, 2), self%response(:, :, k, self%kind(c, node)), &
-               & free(:, c), new)
-            call replace(half_step, mass(r), v(r, c), new, a(r, c), changes)
+      changes(:, :, :) = 0.0_wp
+      do r = 1, self%rows(f), lanes
+         k = (self%before(f) + r - 1)/lanes + 1
+         call multiply(size(free, 2), self%response(:, :, k, self%kind(1, node)), &
+            & self%response(:, :, k, self%kind(2, node)), &
+            & self%response(:, :, k, self%kind(3, node)), free, new)
+         do c = 1, 3
+            call replace(half_step, mass(r), v(r, c), new(:, c), a(r, c), changes(:, :, c))
          end do
-         sums%momentum(c) = sums%momentum(c) + half_step*sum(changes(:, 1))
-         sums%twice_kinetic = sums%twice_kinetic + half_step*sum(changes(:, 2))
-         sums%pull = sums%pull + sum(changes(:, 3))
       end do
+      do c = 1, 3
+         sums%momentum(c) = sums%momentum(c) + half_step*sum(changes(:, 1, c))
+      end do
+      sums%twice_kinetic = sums%twice_kinetic + half_step*sum(changes(:, 2, :))
+      sums%pull = sums%pull + sum(changes(:, 3, :))
    end subroutine respond
 
-   !> Product of eight rows of a response, four columns at a time
-   pure subroutine multiply(freedoms, response, free, new)
+   !> Products of eight rows of a response with accelerations along x, y, z; sums that do not wait
+   !> for each other
+   pure subroutine multiply(freedoms, along_x, along_y, along_z, free, new)
       integer, intent(in) :: freedoms
-      real(wp), intent(in) :: response(lanes, freedoms), free(freedoms)
-      real(wp), intent(out) :: new(lanes)
+      real(wp), intent(in) :: along_x(lanes, freedoms), along_y(lanes, freedoms)
+      real(wp), intent(in) :: along_z(lanes, freedoms), free(3, freedoms)
+      real(wp), intent(out) :: new(lanes, 3)
 
+      real(wp), dimension(lanes) :: x, y, z
       integer :: j, l
 
-      new(:) = 0.0_wp
+      x(:) = 0.0_wp
+      y(:) = 0.0_wp
+      z(:) = 0.0_wp
       do j = 1, freedoms, together
          !$omp simd
          do l = 1, lanes
-            ! two sums that do not wait for each other
-            new(l) = new(l) + ((response(l, j)*free(j) + response(l, j + 1)*free(j + 1)) &
-               & + (response(l, j + 2)*free(j + 2) + response(l, j + 3)*free(j + 3)))
+            x(l) = x(l) + (along_x(l, j)*free(1, j) + along_x(l, j + 1)*free(1, j + 1))
+            y(l) = y(l) + (along_y(l, j)*free(2, j) + along_y(l, j + 1)*free(2, j + 1))
+            z(l) = z(l) + (along_z(l, j)*free(3, j) + along_z(l, j + 1)*free(3, j + 1))
          end do
       end do
+      new(:, 1) = x
+      new(:, 2) = y
+      new(:, 3) = z
    end subroutine multiply
 
    !> Put new accelerations in the place of those of free points

@@ -11,7 +11,8 @@ module plydyn_solver_pair_inertia
 
 contains
 
-   !> Couple the pairs above a node, and bring the sums over all points up to date
+   !> Couple the pairs above a node, and bring the sums over all points up to date, in which the
+   !> points alone are already
    pure subroutine couple_pairs(pairs, columns, node, half_step, velocity, acceleration, sums)
       !> The pairs
       type(pair_inertia_type), intent(in) :: pairs
@@ -48,29 +49,38 @@ contains
       real(wp), intent(inout) :: a(width*levels, 3)
       type(sums_type), intent(inout) :: sums
 
-      real(wp), dimension(lanes) :: gap, inertia, speed, taken
-      integer :: c, k, l, last, top
+      real(wp), dimension(lanes) :: added, pull, square
+      real(wp) :: gap, high, left, low, speed
+      integer :: c, k, l, top
 
-      associate (table => pairs%tables(f), class => pairs%class(node), area => pairs%area(node))
+      added(:) = 0.0_wp
+      pull(:) = 0.0_wp
+      square(:) = 0.0_wp
+      top = width*(levels - 1)
+      associate (table => pairs%tables(f), class => pairs%class(node))
          do c = 1, 3
             do k = 0, width - lanes, lanes
-               top = k + width*(levels - 1)
-               last = min(lanes, width - 1 - k)
-               gap(:) = 0.0_wp
-               speed(:) = 0.0_wp
-               gap(:last) = a(k + 2:k + 1 + last, c) - a(top + 1:top + last, c)
-               speed(:last) = v(k + 2:k + 1 + last, c) - v(top + 1:top + last, c)
-               do l = 1, last
-                  a(top + l, c) = a(top + l, c) + table%below(k + l, c, class)*gap(l)
-                  a(k + l + 1, c) = a(k + l + 1, c) - table%above(k + l, c, class)*gap(l)
+               !$omp simd private(gap, high, left, low, speed)
+               do l = 1, lanes
+                  low = a(top + k + l, c)
+                  high = a(k + l + 1, c)
+                  gap = high - low
+                  speed = v(k + l + 1, c) - v(top + k + l, c)
+                  ! the last lane, in no pair, meets the next level here and leaves it: first
+                  a(k + l + 1, c) = high - table%above(k + l, c, class)*gap
+                  a(top + k + l, c) = low + table%below(k + l, c, class)*gap
+                  left = gap - (table%below(k + l, c, class) + table%above(k + l, c, class))*gap
+                  pull(l) = pull(l) + table%inertia(k + l, c)*gap*left
+                  square(l) = square(l) &
+                     & + table%inertia(k + l, c)*left*(2.0_wp*speed + half_step*(gap + left))
+                  added(l) = added(l) + table%inertia(k + l, c)*(speed + half_step*left)**2
                end do
-               inertia(:) = area*table%inertia(k + 1:k + lanes, c)
-               taken(:) = (table%below(k + 1:k + lanes, c, class) &
-                  & + table%above(k + 1:k + lanes, c, class))*gap
-               call add_sums(lanes, inertia, gap, taken, speed, half_step, sums)
             end do
          end do
       end associate
+      sums%pull = sums%pull - pairs%area(node)*sum(pull)
+      sums%twice_kinetic = sums%twice_kinetic - pairs%area(node)*half_step*sum(square)
+      sums%twice_added = sums%twice_added + pairs%area(node)*sum(added)
    end subroutine couple_family
 
    !> Pairs whose points lie anywhere
@@ -81,52 +91,25 @@ contains
       real(wp), intent(inout) :: a(:)
       type(sums_type), intent(inout) :: sums
 
-      real(wp) :: gap(1), speed(1)
+      real(wp) :: gap, inertia, left, speed
       integer :: k
 
       do k = 1, size(pairs%far_inertia)
          associate (low => pairs%far(1, k, node), high => pairs%far(2, k, node), &
             & share => pairs%far_share(:, k, pairs%class(node)))
-            gap(:) = a(high) - a(low)
-            speed(:) = v(high) - v(low)
-            a(low) = a(low) + share(1)*gap(1)
-            a(high) = a(high) - share(2)*gap(1)
-            call add_sums(1, [pairs%area(node)*pairs%far_inertia(k)], gap, sum(share)*gap, speed, &
-               & half_step, sums)
+            inertia = pairs%area(node)*pairs%far_inertia(k)
+            gap = a(high) - a(low)
+            speed = v(high) - v(low)
+            a(low) = a(low) + share(1)*gap
+            a(high) = a(high) - share(2)*gap
+            left = gap - sum(share)*gap
+            sums%pull = sums%pull - inertia*gap*left
+            sums%twice_kinetic = sums%twice_kinetic &
+               & - half_step*inertia*left*(2.0_wp*speed + half_step*(gap + left))
+            sums%twice_added = sums%twice_added + inertia*(speed + half_step*left)**2
          end associate
       end do
    end subroutine couple_far
-
-   !> What coupling changes in the sums: the points alone were in them already
-   pure subroutine add_sums(n, inertia, gap, taken, speed, half_step, sums)
-      !> Pairs
-      integer, intent(in) :: n
-      !> Inertia of the relative motion
-      real(wp), intent(in) :: inertia(n)
-      !> Relative acceleration of the free points, and what coupling takes from it
-      real(wp), intent(in) :: gap(n), taken(n)
-      !> Relative velocity half a step before
-      real(wp), intent(in) :: speed(n)
-      real(wp), intent(in) :: half_step
-      type(sums_type), intent(inout) :: sums
-
-      real(wp) :: left, pull, square, added
-      integer :: l
-
-      pull = 0.0_wp
-      square = 0.0_wp
-      added = 0.0_wp
-      !$omp simd private(left) reduction(+:pull, square, added)
-      do l = 1, n
-         left = gap(l) - taken(l)
-         pull = pull + inertia(l)*gap(l)*left
-         square = square + inertia(l)*left*(2.0_wp*speed(l) + half_step*(gap(l) + left))
-         added = added + inertia(l)*(speed(l) + half_step*left)**2
-      end do
-      sums%pull = sums%pull - pull
-      sums%twice_kinetic = sums%twice_kinetic - half_step*square
-      sums%twice_added = sums%twice_added + added
-   end subroutine add_sums
 
    !> Kinetic energy of the pairs above a node whose accelerations are coupled already
    pure subroutine add_pair_energy(pairs, columns, node, half_step, velocity, acceleration, sums)
