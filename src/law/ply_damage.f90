@@ -15,6 +15,7 @@ module plydyn_law_ply_damage
       & fibre_onset, find_remains, give_own, histories_closing, histories_open, matrix_damage, &
       & matrix_energy, matrix_finish, matrix_length, matrix_onset, shear_energy, shear_peak, &
       & shear_set, swap_closed, take_own, to_compression
+   use plydyn_law_ply_quiet, only : quiet_type
    use plydyn_law_secant, only : secant_type
    use plydyn_law_shear_curve, only : shear_lanes_type
    implicit none
@@ -33,8 +34,8 @@ module plydyn_law_ply_damage
       real(wp) :: residual(lanes) = 1.0_wp
       !> 1 where damage weakens G13 and G23, else 0
       real(wp) :: across(lanes) = 0.0_wp
-      !> 1 in lanes that the law owns, else 0; whether it owns all
-      real(wp) :: own(lanes) = 0.0_wp
+      !> Lanes that the law owns; whether it owns all
+      type(quiet_type) :: quiet
       logical :: whole = .false.
       !> 1 in lanes where tension and compression have damage of their own; whether in any
       real(wp) :: closes(lanes) = 0.0_wp
@@ -76,7 +77,7 @@ contains
       type(ply_constants_type), intent(in) :: constants
 
       self%owns(lane) = .true.
-      self%own(lane) = 1.0_wp
+      self%quiet%own(lane) = 1.0_wp
       self%whole = all(self%owns)
       call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
       call self%curve%set_lane(lane, constants%shear(1), constants%curve)
@@ -86,6 +87,7 @@ contains
       self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
+      self%quiet%closes = self%any_closes
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
       self%any_intact = any(self%intact > 0.0_wp)
       self%histories = merge(histories_closing, histories_open, self%any_closes)
@@ -140,13 +142,16 @@ contains
       real(wp), intent(inout) :: stress(lanes, 6)
 
       real(wp) :: e(lanes, 6), h(lanes, histories_closing), s(lanes, 6)
+      logical :: quiet
 
+      call self%quiet%stay(self%secant, self%curve, self%onset, strain, history, stress, quiet)
+      if (quiet) return
       if (self%whole) then
          call advance(self, strain, history, stress)
       else
-         call take_own(self%own, self%histories, strain, history, e, h)
+         call take_own(self%quiet%own, self%histories, strain, history, e, h)
          call advance(self, e, h, s)
-         call give_own(self%own, self%histories, h, s, history, stress)
+         call give_own(self%quiet%own, self%histories, h, s, history, stress)
       end if
    end subroutine update
 
@@ -160,32 +165,19 @@ contains
 
       type(step_type) :: now
       real(wp) :: share(lanes, 2)
-      logical :: begins, intact
+      logical :: begins
 
       call advance_shear(self, e(:, 4), h, now)
       if (self%any_closes) call put_acting_first(self, e, h, now%sense)
-      intact = is_intact(self, h)
-      if (intact) then
-         call self%secant%intact_stress(e(:, 1:3), s(:, 1:3))
-      else
-         call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
-         call soften(self, e, h, now, now%share, s(:, 1:3))
-      end if
-
+      call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
+      call soften(self, e, h, now, now%share, s(:, 1:3))
       call begin_damage(self, e, s(:, 1:3), h, now, begins)
       if (begins) then
-         if (intact) now%before(:, :) = 1.0_wp
-         if (intact) now%share(:, :) = 1.0_wp
          call soften(self, e, h, now, share, s(:, 1:3))
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
-
-      if (intact .and. .not. begins) then
-         call add_intact(self, e, now, h, s)
-      else
-         call add_energies(self, e, now, s(:, 1:2), h)
-         call add_damaged(self, e, now, s)
-      end if
+      call add_energies(self, e, now, s(:, 1:2), h)
+      call add_damaged(self, e, now, s)
       if (self%any_closes) call swap_closed(self%closes, now%sense, h)
    end subroutine advance
 
@@ -199,11 +191,13 @@ contains
 
       real(wp) :: cracked(lanes), size(lanes)
       integer :: l
+      logical :: grows
 
       size(:) = abs(strain)
       cracked(:) = h(:, matrix_finish)
       if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
-      call self%curve%advance(size, cracked, h(:, shear_peak), h(:, shear_set), now%work)
+      cracked(:) = merge(1.0_wp, 0.0_wp, cracked > 0.0_wp)
+      call self%curve%advance(size, cracked, h(:, shear_peak), h(:, shear_set), now%work, grows)
       associate (modulus => self%secant%shear, shear => now%shear)
          !$omp simd
          do l = 1, lanes
@@ -234,25 +228,6 @@ contains
       sense(:, :) = stress(:, 1:2)
       call swap_closed(self%closes, sense, h)
    end subroutine put_acting_first
-
-   !> Whether no lane has damage, nor has it begun
-   pure logical function is_intact(self, h)
-      class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: h(lanes, self%histories)
-
-      real(wp) :: most
-      integer :: l
-
-      most = 0.0_wp
-      !$omp simd reduction(max:most)
-      do l = 1, lanes
-         most = max(most, h(l, fibre_damage), h(l, fibre_finish), h(l, matrix_damage), &
-            & h(l, matrix_finish))
-      end do
-      if (self%any_closes) most = max(most, maxval(h(:, fibre_damage + to_compression)), &
-         & maxval(h(:, matrix_damage + to_compression)))
-      is_intact = most <= 0.0_wp
-   end function is_intact
 
    !> Let damage grow that has begun, and find the normal stresses on what remains
    pure subroutine soften(self, e, h, now, share, stress)
@@ -289,7 +264,7 @@ contains
       !> A mode begins in some lane
       logical, intent(out) :: begins
 
-      real(wp) :: in_plane(2), intact(lanes, 3), most, trial(lanes, 2)
+      real(wp) :: in_plane(2), intact(lanes, 3), length, most, trial(lanes, 2)
       integer :: l
 
       trial(:, :) = stress(:, 1:2)
@@ -297,8 +272,8 @@ contains
          call self%secant%intact_stress(e(:, 1:3), intact)
          trial(:, :) = merge(intact(:, 1:2), trial, spread(self%intact > 0.0_wp, 2, 2))
       end if
-      call self%onset%find_onset(trial, e(:, 1:2), now%shear, h(:, fibre_length:matrix_length), &
-         & now%excess)
+      call self%onset%find_onset(trial, e(:, 1:2), now%shear, &
+         & abs(h(:, fibre_length:matrix_length)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)
@@ -313,35 +288,21 @@ contains
 
       ! once in the life of a mode at a point
       do l = 1, lanes
-         if (now%excess(l, 1) >= 0.0_wp) call self%onset%begin_fibre(l, trial(l, 1), e(l, 1), &
-            & h(l, fibre_length), h(l, fibre_onset), h(l, fibre_finish))
-         in_plane(:) = now%shear(l, :)
-         if (now%excess(l, 2) >= 0.0_wp) call self%onset%begin_matrix(l, trial(l, 2), e(l, 2), &
-            & in_plane, h(l, matrix_length), h(l, matrix_onset), h(l, matrix_finish))
+         if (now%excess(l, 1) >= 0.0_wp) then
+            length = abs(h(l, fibre_length))
+            call self%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
+               & h(l, fibre_finish))
+            h(l, fibre_length) = -length
+         end if
+         if (now%excess(l, 2) >= 0.0_wp) then
+            length = abs(h(l, matrix_length))
+            in_plane(:) = now%shear(l, :)
+            call self%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
+               & h(l, matrix_onset), h(l, matrix_finish))
+            h(l, matrix_length) = -length
+         end if
       end do
    end subroutine begin_damage
-
-   !> Stress and energy of intact lanes, to the normal stresses
-   pure subroutine add_intact(self, e, now, h, s)
-      class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 6)
-      type(step_type), intent(in) :: now
-      real(wp), intent(inout) :: h(lanes, self%histories), s(lanes, 6)
-
-      integer :: l, last
-
-      last = self%histories
-      associate (modulus => self%secant%shear, shear => now%shear, work => now%work)
-         !$omp simd
-         do l = 1, lanes
-            s(l, 4) = sign(shear(l, 1), e(l, 4))
-            s(l, 5) = modulus(l, 2)*e(l, 5)
-            s(l, 6) = modulus(l, 3)*e(l, 6)
-            h(l, shear_energy) = h(l, shear_energy) + work(l)
-            h(l, last) = h(l, shear_energy)
-         end do
-      end associate
-   end subroutine add_intact
 
    !> Stress of damaged lanes, from the normal stresses on what remains
    pure subroutine add_damaged(self, e, now, s)

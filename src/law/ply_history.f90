@@ -12,10 +12,11 @@ module plydyn_law_ply_history
       & matrix_damage = 4, matrix_onset = 5, matrix_finish = 6
    !> Largest shear strain up to the onset of matrix damage, and shear strain that stays
    integer, parameter, public :: shear_peak = 7, shear_set = 8
+   !> Widths of the crack band for fibres and for matrix, negative once there is damage, or has
+   !> begun to be: all that a step without damage must look at stands side by side
+   integer, parameter, public :: fibre_length = 9, matrix_length = 10
    !> Energies dissipated per volume by fibres, by matrix and by the shear that stays
-   integer, parameter, public :: fibre_energy = 9, matrix_energy = 10, shear_energy = 11
-   !> Widths of the crack band for fibres and for matrix
-   integer, parameter, public :: fibre_length = 12, matrix_length = 13
+   integer, parameter, public :: fibre_energy = 11, matrix_energy = 12, shear_energy = 13
    !> Where cracks close, the first six are of tension; those of compression are so much further on
    integer, parameter, public :: to_compression = 13
 

@@ -34,6 +34,9 @@ module plydyn_law_shear_curve
       private
       !> Shape of each lane
       integer :: shape(lanes) = shape_line
+      !> Whether any lane has a curve that is no line, and 1 in those that do, else 0
+      logical, public :: bends = .false.
+      real(wp) :: curved(lanes) = 0.0_wp
       !> Whether any lane has a shape, by shape
       logical :: has(shape_exponential:shape_power) = .false.
       !> Modulus at the origin, and its inverse
@@ -190,6 +193,8 @@ contains
       self%compliance(lane) = 1.0_wp/modulus
       if (curve%shape == shape_line) return
       self%has(curve%shape) = .true.
+      self%bends = .true.
+      self%curved(lane) = 1.0_wp
       select case (curve%shape)
       case (shape_exponential)
          self%asymptote(lane) = curve%asymptote
@@ -234,11 +239,11 @@ contains
    end subroutine set_table
 
    !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
-   pure subroutine advance(self, strain, frozen, peak, set, work)
+   pure subroutine advance(self, strain, frozen, peak, set, work, grows)
       class(shear_lanes_type), intent(in) :: self
       !> Size of the shear strain
       real(wp), intent(in) :: strain(lanes)
-      !> Larger than 0 where the matrix has cracked: nothing changes there
+      !> 1 where the matrix has cracked, else 0: nothing changes there, nor along a line
       real(wp), intent(in) :: frozen(lanes)
       !> Largest size of the shear strain so far
       real(wp), intent(inout) :: peak(lanes)
@@ -246,6 +251,8 @@ contains
       real(wp), intent(inout) :: set(lanes)
       !> Work per volume spent on what stays
       real(wp), intent(out) :: work(lanes)
+      !> Whether any strain is larger than it has been
+      logical, intent(out) :: grows
 
       real(wp) :: grown(lanes), stress(lanes), growth, kept, most
       integer :: l
@@ -254,10 +261,11 @@ contains
       !$omp simd reduction(max:most)
       do l = 1, lanes
          work(l) = 0.0_wp
-         grown(l) = merge(peak(l), max(peak(l), strain(l)), frozen(l) > 0.0_wp)
+         grown(l) = merge(max(peak(l), strain(l)), peak(l), frozen(l) < self%curved(l))
          most = max(most, grown(l) - peak(l))
       end do
-      if (.not. most > 0.0_wp) return
+      grows = most > 0.0_wp
+      if (.not. grows) return
 
       call self%curve_stress(grown, set, stress)
       associate (modulus => self%modulus, compliance => self%compliance)

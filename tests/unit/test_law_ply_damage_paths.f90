@@ -5,8 +5,8 @@ program test_law_ply_damage_paths
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, histories_closing, &
-      & histories_open, matrix_damage, matrix_energy, matrix_finish, matrix_onset, shear_energy, &
-      & shear_peak, shear_set, to_compression
+      & histories_open, matrix_damage, matrix_energy, matrix_finish, matrix_length, matrix_onset, &
+      & shear_energy, shear_peak, shear_set, to_compression
    use plydyn_law_shear_curve, only : new_power_curve, new_table_curve
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
@@ -132,6 +132,7 @@ contains
       call begin("given damage")
       point = new_point(paper_ply(), narrow)
       point%history(matrix_damage) = 0.5_wp
+      point%history(matrix_length) = -point%history(matrix_length)
       call point%pull(2, 0.007_wp, 0.0_wp)
       call check(point%stress(2), 0.5_wp*10.3e3_wp*0.007_wp, 1.0e-9_wp, "softens the ply")
       call check(point%dissipated(), 0.0_wp, 0.0_wp, "has dissipated nothing")

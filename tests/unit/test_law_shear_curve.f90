@@ -136,13 +136,14 @@ contains
    !> Nothing changes once the matrix has cracked
    subroutine test_frozen()
       real(wp) :: frozen(lanes), strain(lanes)
+      logical :: grows
 
       call begin("frozen")
       call rest()
       strain(:) = 0.02_wp
       frozen(:) = 0.0_wp
       frozen(exponential) = 1.0_wp
-      call law%advance(strain, frozen, peak, set, lost)
+      call law%advance(strain, frozen, peak, set, lost, grows)
       call check(peak(exponential) + set(exponential) + lost(exponential), 0.0_wp, 0.0_wp, &
          & "a cracked lane keeps its history")
       call check(set(table), 0.02_wp - 70.0_wp/modulus, 1.0e-15_wp, "the others go on")
@@ -191,10 +192,11 @@ contains
       integer, intent(in) :: lane
 
       real(wp) :: none(lanes), size(lanes)
+      logical :: grows
 
       none(:) = 0.0_wp
       size(:) = abs(strain)
-      call law%advance(size, none, peak, set, lost)
+      call law%advance(size, none, peak, set, lost, grows)
       stress = sign(merge(power_modulus, modulus, lane == power) &
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after

@@ -1,0 +1,120 @@
+!> Steps without damage: stress of the intact ply, little history; all else is left alone.
+program test_law_ply_quiet
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_onset, only : onset_type
+   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_ply_history, only : fibre_length, histories_open, matrix_length, shear_energy, &
+      & shear_peak, shear_set
+   use plydyn_law_ply_quiet, only : quiet_type
+   use plydyn_law_secant, only : secant_type
+   use plydyn_law_shear_curve, only : shear_lanes_type
+   use ply_point, only : paper_ply
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> A strain without shear in the plane, far below all strengths
+   real(wp), parameter :: small(6) = [1.0e-3_wp, -2.0e-3_wp, 5.0e-4_wp, 0.0_wp, 1.0e-3_wp, &
+      & -2.0e-3_wp]
+   !> A lane that another law owns
+   integer, parameter :: foreign = 3
+   type(quiet_type) :: quiet
+   type(secant_type) :: secant
+   type(shear_lanes_type) :: curve
+   type(onset_type) :: onset
+   real(wp) :: history(lanes, histories_open), stress(lanes, 6)
+   logical :: stays
+
+   call test_intact()
+   call test_curve()
+   call test_loud()
+   call finish()
+
+contains
+
+   !> Hooke's law in own lanes, nothing else changes
+   subroutine test_intact()
+      real(wp) :: c(6, 6)
+      type(ply_constants_type) :: ply
+
+      call begin("intact")
+      ply = paper_ply()
+      c(:, :) = ply_stiffness(ply%young, ply%poisson, ply%shear)
+      call rest(.false.)
+      call move(small)
+      call check(stays, "is quiet")
+      call check(stress(1, :), matmul(c, small), 1.0e-9_wp, "stress of Hooke's law")
+      call check(stress(foreign, :), spread(7.0_wp, 1, 6), 0.0_wp, "not in lanes of other laws")
+      call check(maxval(abs(history(:, :fibre_length - 1))), 0.0_wp, 0.0_wp, "no history")
+   end subroutine test_intact
+
+   !> Shear that grows leaves its history
+   subroutine test_curve()
+      real(wp), parameter :: sheared(6) = [0.0_wp, 0.0_wp, 0.0_wp, -0.01_wp, 0.0_wp, 0.0_wp]
+      real(wp) :: tau
+
+      call begin("curve")
+      call rest(.true.)
+      call move(sheared)
+      tau = -stress(1, 4)
+      call check(stays .and. tau > 40.0_wp .and. tau < 45.0_wp, "follows the curve")
+      call check(history(1, shear_peak), 0.01_wp, 0.0_wp, "largest strain")
+      call check(history(1, shear_set), 0.01_wp - tau/6000.0_wp, 1.0e-15_wp, "what stays")
+      call check(history(1, shear_energy) > 0.0_wp, "work spent")
+      call check(history(1, histories_open), history(1, shear_energy), 0.0_wp, "also in the sum")
+      call check(history(foreign, shear_peak), 0.0_wp, 0.0_wp, "not in lanes of other laws")
+      call move(0.5_wp*sheared)
+      call check(history(1, shear_peak), 0.01_wp, 0.0_wp, "unloading changes nothing")
+   end subroutine test_curve
+
+   !> Damage that begins or has begun is left to others
+   subroutine test_loud()
+      real(wp), parameter :: large(6) = [0.02_wp, 0.0_wp, 0.0_wp, 0.02_wp, 0.0_wp, 0.0_wp]
+
+      call begin("not quiet")
+      call rest(.true.)
+      call move(large)
+      call check(.not. stays, "beyond the strength of fibres")
+      call check(stress(1, 1), 7.0_wp, 0.0_wp, "stress untouched")
+      call check(maxval(abs(history(:, :fibre_length - 1))), 0.0_wp, 0.0_wp, "history too")
+      history(5, matrix_length) = -history(5, matrix_length)
+      call move(small)
+      call check(.not. stays, "a lane is damaged")
+      call rest(.true.)
+      history(foreign, matrix_length) = -1.0_wp
+      call move(small)
+      call check(stays, "what other laws remember does not count")
+   end subroutine test_loud
+
+   !> A step
+   subroutine move(strain)
+      real(wp), intent(in) :: strain(6)
+
+      stress(:, :) = 7.0_wp
+      call quiet%stay(secant, curve, onset, spread(strain, 1, lanes), history, stress, stays)
+   end subroutine move
+
+   !> All lanes but one have the ply of the paper
+   subroutine rest(curved)
+      logical, intent(in) :: curved
+
+      type(ply_constants_type) :: ply
+      integer :: l
+
+      ply = paper_ply()
+      if (curved) ply = paper_ply(curved=.true.)
+      curve = shear_lanes_type()
+      do l = 1, lanes
+         if (l == foreign) cycle
+         quiet%own(l) = 1.0_wp
+         call secant%set_lane(l, ply%young, ply%poisson, ply%shear)
+         call curve%set_lane(l, ply%shear(1), ply%curve)
+         call onset%set_lane(l, ply)
+      end do
+      history(:, :) = 0.0_wp
+      history(:, fibre_length) = 1.0_wp
+      history(:, matrix_length) = 0.1_wp
+      history(foreign, fibre_length:matrix_length) = 0.0_wp
+   end subroutine rest
+
+end program test_law_ply_quiet
