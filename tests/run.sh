@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell unit output deck debug_deck preprocessor postprocessor verification
+# Parts: lint shell unit output deck debug_deck faults preprocessor postprocessor verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -38,6 +38,10 @@ run_deck() {
 
 run_debug_deck() {
   PLYDYN=$PWD/build/debug/plydyn pytest_of tests/deck
+}
+
+run_faults() {
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/faults
 }
 
 run_preprocessor() {

@@ -1,0 +1,148 @@
+"""Whatever happens to a run, nothing is lost but the time since its last restart file."""
+
+from __future__ import annotations
+
+import os
+import random
+import shutil
+import signal
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from broken import impact, said, unlike
+from decks import Deck
+from runs import SOLVER
+
+NORMAL, INPUT, FAILED, OUTPUT = 0, 2, 3, 5
+KILLS, SEED = 20, 5
+MEGABYTE = 2**20
+
+
+def long_deck(cycles: int, end: float = 1.5e-4) -> Deck:
+    """An impact with a restart file now and then, always the same one."""
+    deck = impact(1, "cohesive", end=end)
+    deck.add("DATABASE_BINARY_RUNRSF", (cycles,))
+    return deck
+
+
+def run_whole(deck: Path, folder: Path) -> Path:
+    """A run that nothing happens to."""
+    folder.mkdir()
+    code, text = said("run", deck, "-o", folder)
+    assert code == NORMAL, text
+    return folder
+
+
+def test_kill_at_any_moment(tmp_path: Path) -> None:
+    """Twenty times in a row the process is killed, whatever it does, and goes on from its file.
+
+    Sometimes before the first restart file: then it begins anew. A file in the making is no file.
+    """
+    deck = long_deck(10).write(tmp_path / "job.k")
+    whole, broken = run_whole(deck, tmp_path / "whole"), tmp_path / "broken"
+    broken.mkdir()
+    dump = broken / "job.runrsf"
+    moments = random.Random(SEED)
+    killed = restarted = 0
+    while killed < KILLS:
+        words = ["restart", dump] if dump.exists() else ["run", deck, "-o", broken]
+        run = subprocess.Popen([SOLVER, *words], stdout=subprocess.DEVNULL)
+        time.sleep(moments.uniform(0.0, 0.3))
+        run.send_signal(signal.SIGKILL)
+        code = run.wait()
+        assert code in (NORMAL, -signal.SIGKILL)
+        killed += code != NORMAL
+        restarted += words[0] == "restart"
+        if code == NORMAL:
+            assert unlike(whole, broken) == []
+            dump.unlink()
+    words = ["restart", dump] if dump.exists() else ["run", deck, "-o", broken]
+    code, text = said(*words)
+    assert code == NORMAL, text
+    assert restarted > 0
+    assert unlike(whole, broken) == []
+
+
+@pytest.fixture
+def small_disk(tmp_path: Path) -> Iterator[Path]:
+    """A disk with room for some restart files, but not for all results."""
+    if os.geteuid() != 0:
+        pytest.skip("only root can make a small disk")
+    folder = tmp_path / "disk"
+    folder.mkdir()
+    mount = ["mount", "-t", "tmpfs", "-o", f"size={2 * MEGABYTE}", "tmpfs", folder]
+    done = subprocess.run(mount, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        pytest.skip(f"this machine lets nobody make a small disk: {done.stderr.strip()}")
+    yield folder
+    subprocess.run(["umount", folder], check=True)
+
+
+def test_disk_is_full(small_disk: Path, tmp_path: Path) -> None:
+    """The run ends with a message and a good restart file; with more room it goes on."""
+    deck = long_deck(20, 6.0e-5).write(tmp_path / "job.k")
+    whole = run_whole(deck, tmp_path / "whole")
+    code, text = said("run", deck, "-o", small_disk)
+    assert code == OUTPUT, text
+    assert "disk must have room" in text
+    assert not (small_disk / "job.runrsf.part").exists()
+    larger = ["mount", "-o", f"remount,size={64 * MEGABYTE}", small_disk]
+    subprocess.run(larger, check=True)
+    code, text = said("restart", small_disk / "job.runrsf")
+    assert code == NORMAL, text
+    assert unlike(whole, small_disk) == []
+
+
+@pytest.fixture(scope="module")
+def stopped(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Results with a restart file."""
+    folder = tmp_path_factory.mktemp("stopped")
+    return run_whole(long_deck(20, 1.0e-5).write(folder / "job.k"), folder / "job")
+
+
+@pytest.mark.parametrize("share", [0.0, 0.05, 0.5, 0.95])
+def test_restart_file_is_cut(share: float, stopped: Path, tmp_path: Path) -> None:
+    """A file that was copied in part is refused, and the results are left alone."""
+    folder = tmp_path / "job"
+    shutil.copytree(stopped, folder)
+    content = (stopped / "job.runrsf").read_bytes()
+    (folder / "job.runrsf").write_bytes(content[: int(share * len(content))])
+    code, text = said("restart", folder / "job.runrsf")
+    assert code == INPUT, text
+    assert "is no restart file, or not a whole one" in text
+    assert unlike(stopped, folder) == []
+
+
+def test_restart_file_is_of_another_model(stopped: Path, tmp_path: Path) -> None:
+    """A file whose arrays are not those of its deck is refused by the name of the array."""
+    folder = tmp_path / "job"
+    shutil.copytree(stopped, folder)
+    with h5py.File(folder / "job.runrsf", "r+") as file:
+        history = file["state/history"][()]
+        del file["state/history"]
+        file["state/history"] = history[:-1]
+    code, text = said("restart", folder / "job.runrsf")
+    assert code == INPUT, text
+    assert "does not hold the history of the model" in text
+    assert unlike(stopped, folder) == []
+
+
+def test_not_a_number_is_found(stopped: Path, tmp_path: Path) -> None:
+    """A state with a number that is none ends at once, and no restart file is made of it."""
+    folder = tmp_path / "job"
+    shutil.copytree(stopped, folder)
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n2.0e-5,\n*END\n")
+    with h5py.File(folder / "job.runrsf", "r+") as file:
+        file["state/displacement"][len(file["state/displacement"]) // 2] = np.nan
+    before = (folder / "job.runrsf").read_bytes()
+    code, text = said("restart", folder / "job.runrsf", small)
+    assert code == FAILED, text
+    assert "the motion is no longer finite at cycle" in text
+    assert (folder / "job.runrsf").read_bytes() == before
