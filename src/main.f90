@@ -3,6 +3,7 @@ program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use plydyn_base_error, only : error_type, exit_normal
    use plydyn_base_precision, only : wp
+   use plydyn_base_signals, only : catch_signals
    use plydyn_command, only : command_type, read_command, usage
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -130,6 +131,8 @@ contains
       job%places = new_places(job%path)
       job%archive%parameters = command%parameters
       if (command%action /= "restart") allocate (job%archive%bundles(0))
+      ! from now on, though nothing can be kept before the first step
+      if (command%action /= "check") call catch_signals()
    end subroutine begin_job
 
    !> Let the results of a restart go to files of their own, which begin there

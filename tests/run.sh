@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell unit output deck debug_deck faults preprocessor postprocessor verification
+# Parts: lint shell unit output deck debug_deck faults hpc preprocessor postprocessor verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -21,7 +21,7 @@ run_lint() {
 }
 
 run_shell() {
-  git ls-files -z '*.sh' .ci/run | xargs -0 shellcheck
+  git ls-files -z '*.sh' '*.slurm' .ci/run decks/hpc/plydyn-batch | xargs -0 shellcheck
 }
 
 run_unit() {
@@ -42,6 +42,10 @@ run_debug_deck() {
 
 run_faults() {
   PLYDYN=$PWD/build/release/plydyn pytest_of tests/faults
+}
+
+run_hpc() {
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/hpc
 }
 
 run_preprocessor() {

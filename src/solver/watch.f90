@@ -3,7 +3,7 @@ module plydyn_solver_watch
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_stopped, fail
    use plydyn_base_precision, only : wp
-   use plydyn_base_signals, only : catch_signals, caught_signal
+   use plydyn_base_signals, only : caught_signal
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : request_type
@@ -56,7 +56,6 @@ contains
       self%most_seconds = most_seconds
       call system_clock(self%started)
       self%looked = self%started
-      call catch_signals()
    end subroutine start
 
    !> After a step: write the restart files that are due, and do what is asked for

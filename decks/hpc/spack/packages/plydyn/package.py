@@ -1,0 +1,21 @@
+"""Spack's recipe of plydyn, to be built from a clone: see manual/hpc.md."""
+
+from spack.package import CMakePackage, depends_on, license, version
+
+
+class Plydyn(CMakePackage):
+    """Explicit finite elements for impact on composite laminates, layer by layer."""
+
+    license("Apache-2.0")
+    version("0.1.0")
+
+    depends_on("c", type="build")
+    depends_on("fortran", type="build")
+    depends_on("cmake@3.25:", type="build")
+    depends_on("hdf5@1.10:+fortran")
+    depends_on("lapack")
+
+    def cmake_args(self) -> list[str]:
+        """The instruction set of the nodes, in gcc's spelling of Spack's name."""
+        machine = str(self.spec.target).replace("_", "-")
+        return [self.define("PLYDYN_MACHINE", machine)]

@@ -1,0 +1,162 @@
+"""The installed tree runs from any folder, and batch scripts carry a run to its end."""
+
+from __future__ import annotations
+
+import ast
+import os
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from broken import impact, unlike
+from runs import ROOT, SOLVER, run_deck
+
+RECIPES = ROOT / "decks" / "hpc"
+STOPPED = 4
+END = 1.5e-4
+
+
+@pytest.fixture(scope="module")
+def tree(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An installed tree, moved after the installation."""
+    first = tmp_path_factory.mktemp("first") / "tree"
+    command = ["cmake", "--install", SOLVER.parent, "--prefix", first]
+    subprocess.run(command, check=True, capture_output=True)
+    moved = tmp_path_factory.mktemp("moved") / "plydyn"
+    shutil.move(first, moved)
+    return moved
+
+
+def environment(tree: Path, **more: str) -> dict[str, str]:
+    """What the module file of the tree makes of the environment."""
+    module = next((tree / "share" / "modulefiles" / "plydyn").iterdir())
+    script = f"""
+        proc module-whatis {{words}} {{}}
+        proc conflict {{name}} {{}}
+        proc setenv {{name value}} {{ puts "$name=$value" }}
+        proc prepend-path {{name value}} {{ puts "$name=$value:$::env($name)" }}
+        set ModulesCurrentModulefile {{{module}}}
+        source {{{module}}}
+    """
+    done = subprocess.run(["tclsh"], input=script, capture_output=True, text=True, check=True)
+    assert done.stderr == ""
+    changed = dict(line.split("=", 1) for line in done.stdout.splitlines())
+    return {**os.environ, **changed, **more}
+
+
+@pytest.mark.skipif(shutil.which("tclsh") is None, reason="module files need tclsh to be read")
+def test_module_file_leads_to_the_tree(tree: Path) -> None:
+    """The program is found by its name, says its version, and the manual lies beside it."""
+    found = environment(tree)
+    assert found["PLYDYN_ROOT"] == str(tree)
+    said = subprocess.run(["plydyn", "--version"], env=found, capture_output=True, text=True)
+    assert said.stdout.startswith(f"plydyn {next(tree.glob('share/modulefiles/plydyn/*')).name}")
+    for path in ("doc/plydyn/manual/running.md", "doc/plydyn/LICENSE", "plydyn/hpc/job.slurm"):
+        assert (tree / "share" / path).is_file()
+
+
+def fake_slurm(folder: Path) -> Path:
+    """Commands of SLURM: srun sends the signal of the limit, scontrol notes what it is told."""
+    folder.mkdir()
+    scripts = {
+        "module": "exit 0",
+        "srun": "while [[ $1 == --* ]]; do shift; done\n"
+        'exec timeout --preserve-status -s USR1 "$LIMIT" "$@"',
+        "scontrol": 'echo "$@" >>"$NOTES"',
+    }
+    for name, text in scripts.items():
+        path = folder / name
+        path.write_text(f"#!/usr/bin/env bash\n{text}\n")
+        path.chmod(0o755)
+    return folder
+
+
+@pytest.mark.parametrize("script", ["job.slurm", "array.slurm"])
+def test_job_comes_back_until_it_is_done(script: str, tree: Path, tmp_path: Path) -> None:
+    """A run that needs several time limits ends as one that has all the time."""
+    text = impact(1, end=END).text().replace("-8000.0", "-&velocity")
+    text = text.replace("*KEYWORD\n", "*KEYWORD\n*PARAMETER\nR velocity,8000.0\n", 1)
+    deck = tmp_path / "plate.k"
+    deck.write_text(text)
+    slurm = fake_slurm(tmp_path / "slurm")
+    array = script == "array.slurm"
+    job = "plate_velocity_3000" if array else "plate"
+    whole = tmp_path / "whole"
+    whole.mkdir()
+    begun = time.monotonic()
+    if array:
+        deck_of_task = tmp_path / "task.k"
+        deck_of_task.write_text(text.replace("velocity,8000.0", "velocity,3000.0"))
+        run_deck(deck_of_task, whole, job)
+    else:
+        run_deck(deck, whole, job)
+    limit = max(0.3, 0.4 * (time.monotonic() - begun))
+    slurm_says = {"SLURM_JOB_ID": "7", "SLURM_ARRAY_TASK_ID": "2"}
+    found = environment(tree, LIMIT=str(limit), NOTES=str(tmp_path / "notes"), **slurm_says)
+    found["PATH"] = f"{slurm}:{found['PATH']}"
+    command = ["bash", tree / "share" / "plydyn" / "hpc" / script, deck]
+    starts = 0
+    while True:
+        done = subprocess.run(command, env=found, cwd=tmp_path, capture_output=True, text=True)
+        starts += 1
+        if done.returncode == 0:
+            break
+        assert done.returncode == STOPPED, done.stdout + done.stderr
+        assert (tmp_path / "notes").read_text().splitlines() == ["requeue 7"] * starts
+    assert starts > 1
+    assert unlike(whole, tmp_path / "results" / job) == []
+
+
+def test_word_in_the_file_keeps_the_job_out_of_the_queue(tree: Path, tmp_path: Path) -> None:
+    """Who stops a job by JOB.ctl wants it to stay stopped; a signal of a shell is passed on."""
+    deck = impact(1, end=1.0e-3).write(tmp_path / "plate.k")
+    slurm = fake_slurm(tmp_path / "slurm")
+    found = environment(tree, LIMIT="600", NOTES=str(tmp_path / "notes"))
+    found["PATH"] = f"{slurm}:{found['PATH']}"
+    for by_signal in (False, True):
+        found["SLURM_JOB_ID"] = "" if by_signal else "7"
+        command = ["plydyn-batch", deck, "plate", tmp_path / "results"]
+        run = subprocess.Popen(command, env=found, stdout=subprocess.DEVNULL)
+        listing = tmp_path / "results" / "plate.out"
+        size = listing.stat().st_size if listing.exists() else 0
+        while not listing.exists() or listing.stat().st_size <= size:
+            assert run.poll() is None
+            time.sleep(0.02)
+        time.sleep(0.2)
+        if by_signal:
+            run.terminate()
+        else:
+            (tmp_path / "results" / "plate.ctl").write_text("stop\n")
+        assert run.wait() == STOPPED
+    assert not (tmp_path / "notes").exists()
+    assert "stopped by SIGTERM" in (tmp_path / "results" / "plate.out").read_text()
+
+
+def test_recipes_can_be_read() -> None:
+    """Python's grammar holds for the recipes of Spack and EasyBuild; the container knows its parts.
+
+    All of them name the version of the project.
+    """
+    project = (ROOT / "CMakeLists.txt").read_text()
+    version = re.search(r"project\(plydyn VERSION ([\d.]+)", project)
+    assert version is not None
+    spack = (RECIPES / "spack" / "packages" / "plydyn" / "package.py").read_text()
+    easybuild = RECIPES / f"plydyn-{version[1]}-foss-2023b.eb"
+    for text in (spack, easybuild.read_text()):
+        ast.parse(text)
+        assert version[1] in text
+    nodes = [
+        node for node in ast.walk(ast.parse(easybuild.read_text())) if isinstance(node, ast.Name)
+    ]
+    assert {node.id for node in nodes if isinstance(node.ctx, ast.Load)} == {"SOURCE_TAR_GZ"}
+    container = (RECIPES / "plydyn.def").read_text()
+    sections = set(re.findall(r"^%(\w+)", container, re.MULTILINE))
+    assert sections == {"files", "post", "environment", "runscript", "test", "labels", "help"}
+    assert f"Version {version[1]}" in container
+    packages = (ROOT / "decks" / "system-packages.txt").read_text()
+    needed = {"gfortran", "cmake", "ninja-build", "git", "libhdf5-dev", "liblapack-dev"}
+    assert all(name in container and name in packages for name in needed)
