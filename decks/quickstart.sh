@@ -5,9 +5,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
-recipe=decks/elastic_impact/le2.toml
-results=results/elastic_impact
-job=le2
+recipe=decks/damage_impact/coarse.toml
+results=results/damage_impact
+job=coarse
+threads=$(($(nproc) < 2 ? 1 : 2))
 
 install_system_packages build
 make_venv build
@@ -17,7 +18,7 @@ mkdir -p "$results"
 say "making $results/$job.k from $recipe"
 .venv/bin/plydyn-pre deck "$recipe" -o "$results/$job.k"
 say "running it"
-build/release/plydyn run "$results/$job.k" -j "$job" -o "$results"
+build/release/plydyn run "$results/$job.k" -j "$job" -o "$results" "ncpu=$threads"
 say "drawing the report"
 .venv/bin/plydyn-post report "$results/$job.vtkhdf"
 

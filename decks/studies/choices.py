@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from plydyn_pre.recipe import load_recipe
+
 from studies.damage import RECIPES, Answer
 from studies.jobs import Job
 from studies.markdown import table
@@ -25,12 +27,16 @@ class Choice:
 #: The recipes as they are
 BASE = Choice("base", "all as in the recipes", "", ())
 CHOICES = (
+    Choice("linear", "kinematics", "linear strain", ("control.kinematics=linear",)),
+    Choice("large", "kinematics", "total Lagrangian", ("control.kinematics=total_lagrangian",)),
     Choice("width_band", "width of the crack band", "13/18 of the quad",
            (f"{PLY}.width_rule=band",)),
-    Choice("width_root", "", "root of the area of the Gauss point",
+    Choice("width_root", "width of the crack band", "root of the area of the Gauss point",
            (f"{PLY}.width_rule=root_point",)),
-    Choice("snap_drop", "band too wide for the toughness", "stress drops at the strength",
-           (f"{PLY}.snap_back=drop",)),
+    Choice("snap_reduce", "band too wide for the toughness", "strength is reduced",
+           (f"{PLY}.snap_back=reduce",)),
+    Choice("across", "shear across the thickness", "weakened by damage, 1 % remains",
+           (f"{PLY}.weakens_across=true", f"{PLY}.largest_damage=0.99")),
     Choice("hashin", "matrix in compression", "Hashin 1980, S23 = 40 MPa",
            (f"{PLY}.matrix_compression=hashin", f"{PLY}.ST=40.0")),
     Choice("closure", "cracks in compression", "close, with damage of their own",
@@ -38,26 +44,30 @@ CHOICES = (
     Choice("plateau", "crushed fibres", "keep 0.2 of their strength", (f"{PLY}.plateau=0.2",)),
     Choice("linear_shear", "shear until the matrix cracks", "linear", (f"{PLY}.shear=linear",)),
     Choice("shear_toughness", "toughness of matrix in shear", "0.79 kJ/m2", (f"{PLY}.G2S=0.79",)),
-    Choice("across", "shear across the thickness", "not weakened by damage",
-           (f"{PLY}.weakens_across=false",)),
-    Choice("residual", "stiffness that remains", "0.1 %", (f"{PLY}.largest_damage=0.999",)),
     Choice("nodes", "quadrature of the interfaces", "nodes", (f"{BOND}.quadrature=nodes",)),
     Choice("eta_low", "exponent of mixed modes", "1.45", (f"{BOND}.exponent=1.45",)),
-    Choice("eta_high", "", "2.284", (f"{BOND}.exponent=2.284",)),
+    Choice("eta_high", "exponent of mixed modes", "2.284", (f"{BOND}.exponent=2.284",)),
     Choice("whole", "closing of failed faces", "full stiffness", (f"{BOND}.closing=whole",)),
     Choice("fit", "strengths of the interfaces", "lowered to fit the mesh",
            (f"{BOND}.fit=strengths",)),
-    Choice("large", "kinematics", "total Lagrangian", ("control.kinematics=total_lagrangian",)),
     Choice("core_10", "side of the core", "10 mm", ("mesh.core=10",)),
-    Choice("core_22", "", "22 mm", ("mesh.core=22",)),
+    Choice("core_22", "side of the core", "22 mm", ("mesh.core=22",)),
     Choice("points", "contact", "points of the plate", ("contact.method=points_on_plate",)),
 )  # fmt: skip
 
 
-def pick(names: str) -> list[Choice]:
-    """The base and the choices with some names, separated by commas; all without."""
+def pick(names: str, recipe: str, overrides: Sequence[str] = ()) -> list[Choice]:
+    """The base and the choices with some names, separated by commas; all without.
+
+    A choice that a recipe has made already is left out.
+    """
     wanted = {name.strip() for name in names.split(",") if name.strip()}
-    return [BASE, *(choice for choice in CHOICES if not wanted or choice.name in wanted)]
+    path = RECIPES / f"{recipe}.toml"
+    base = load_recipe(path, overrides)
+    others = [choice for choice in CHOICES if not wanted or choice.name in wanted]
+    return [BASE] + [
+        choice for choice in others if load_recipe(path, (*overrides, *choice.overrides)) != base
+    ]
 
 
 def job_of(choice: Choice, recipe: str, overrides: Sequence[str]) -> Job:
@@ -73,12 +83,11 @@ def choices_text(found: Sequence[tuple[Choice, Answer]]) -> str:
         "open question", "other answer", "peak force [N]", "change", "projected area [mm2]",
         "change", "all interfaces [mm2]", "dissipated [J]", "displacement [mm]",
     )  # fmt: skip
-    rows, question = [], ""
+    rows = []
     for choice, answer in found:
-        question = choice.question or question
         rows.append(
             [
-                question,
+                choice.question,
                 choice.answer or "–",
                 f"{answer.peak:.0f}",
                 _change(answer.peak, base.peak),

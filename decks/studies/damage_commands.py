@@ -120,7 +120,7 @@ def choices(
     again: Again = False,
 ) -> None:
     """What each choice that the paper leaves open does to the force and to the areas."""
-    wanted = open_choices.pick(only)
+    wanted = open_choices.pick(only, model, overrides or ())
     jobs = [open_choices.job_of(choice, model, overrides or ()) for choice in wanted]
     run_all(find_tools(plydyn), jobs, output, parallel, again)
     found = [

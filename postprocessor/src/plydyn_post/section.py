@@ -39,9 +39,10 @@ APART = "#0050a8"
 class Cut:
     """Plies along a line, from the bottom up."""
 
-    along: np.ndarray  # (places,) distance from the point of impact
+    along: np.ndarray  # (places,) distance from the point of impact at time zero
     places: np.ndarray  # (places, 2) in the plane
-    heights: list[np.ndarray]  # (places, levels) deformed, one for each ply
+    far: list[np.ndarray]  # (places, levels) the distance now, one for each ply
+    heights: list[np.ndarray]  # (places, levels) now
     values: list[np.ndarray]  # (places, levels)
 
 
@@ -92,14 +93,26 @@ def _cut(stack: Stack, middle: np.ndarray, angle: float, mechanism: str) -> Cut:
     found = find(stack.places, places)
     inside = found.quad >= 0
     found = Found(found.quad[inside], found.weights[inside])
-    heights, values = [], []
+    cut = Cut(along[inside], places[inside], [], [], [])
     for ply in stack.plies:
-        height = np.asarray(stack.grid.points)[..., 2][ply.nodes].astype(float)
-        if "displacement" in stack.grid.point_data:
-            height = height + stack.values(ply, "displacement")[..., 2]
-        heights.append(_sampled(height, ply, found))
-        values.append(np.clip(_sampled(stack.values(ply, mechanism), ply, found), 0.0, 1.0))
-    return Cut(along[inside], places[inside], heights, values)
+        moved = _moved(stack, ply)
+        across = _sampled(moved[..., :2] @ way, ply, found)
+        cut.far.append(cut.along[:, None] + across)
+        cut.heights.append(_sampled(moved[..., 2] + _height(stack, ply), ply, found))
+        cut.values.append(np.clip(_sampled(stack.values(ply, mechanism), ply, found), 0.0, 1.0))
+    return cut
+
+
+def _height(stack: Stack, ply: PlyCells) -> np.ndarray:
+    """Height of the nodes of a ply at time zero."""
+    return np.asarray(stack.grid.points)[..., 2][ply.nodes].astype(float)
+
+
+def _moved(stack: Stack, ply: PlyCells) -> np.ndarray:
+    """Displacement of the nodes of a ply, nothing where the file has none."""
+    if "displacement" in stack.grid.point_data:
+        return stack.values(ply, "displacement")
+    return np.zeros((*ply.nodes.shape, 3))
 
 
 def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
@@ -122,16 +135,13 @@ def _half(cut: Cut, whole: bool) -> float:
 def _draw(axes: Axes, cut: Cut, half: float, header: Header) -> None:
     """Plies with their faces."""
     length = readable(header.units.get("length", ""), half)
-    x = cut.along * length.factor
     seen = np.abs(cut.along) <= 1.05 * half
-    for height, values in zip(cut.heights, cut.values, strict=True):
-        z = height[seen] * length.factor
-        axes.pcolormesh(
-            np.broadcast_to(x[seen][:, None], z.shape), z, values[seen],
-            shading="gouraud", cmap=DAMAGE_MAP, vmin=0.0, vmax=1.0, rasterized=True,
-        )  # fmt: skip
-        for face in (z[:, 0], z[:, -1]):
-            axes.plot(x[seen], face, color=QUIET, linewidth=0.5)
+    look = {"shading": "gouraud", "cmap": DAMAGE_MAP, "vmin": 0.0, "vmax": 1.0}
+    for far, height, values in zip(cut.far, cut.heights, cut.values, strict=True):
+        x, z = far[seen] * length.factor, height[seen] * length.factor
+        axes.pcolormesh(x, z, values[seen], rasterized=True, **look)
+        for face in (0, -1):
+            axes.plot(x[:, face], z[:, face], color=QUIET, linewidth=0.5)
     low = min(float(height[seen].min()) for height in cut.heights) * length.factor
     high = max(float(height[seen].max()) for height in cut.heights) * length.factor
     free = 0.08 * (high - low)
@@ -150,9 +160,9 @@ def _draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> No
         found = find(one.places, cut.places)
         damage = np.einsum("pab,pab->p", found.weights, one.damage[found.quad])
         apart = (damage >= DELAMINATED) & (found.quad >= 0)
-        below, above = cut.heights[one.number - 1], cut.heights[one.number]
-        for face in (below[:, -1], above[:, 0]):
-            ends = np.column_stack([cut.along, face]) * length.factor
+        for ply, face in ((one.number - 1, -1), (one.number, 0)):
+            x, z = cut.far[ply][:, face], cut.heights[ply][:, face]
+            ends = np.column_stack([x, z]) * length.factor
             pieces = np.stack([ends[:-1], ends[1:]], axis=1)[apart[:-1] & apart[1:]]
             axes.add_collection(LineCollection(pieces, colors=APART, linewidths=1.1, zorder=3))
     axes.axvline(0.0, color=INK, linewidth=0.4, linestyle=(0, (4, 4)), zorder=0.5)
