@@ -6,16 +6,20 @@ module plydyn_domain_build
    use plydyn_domain_bands, only : check_bands
    use plydyn_domain_build_inertia, only : build_inertia, couple_surface, largest_step
    use plydyn_domain_chunks, only : new_chunks
-   use plydyn_domain_columns, only : new_columns
+   use plydyn_domain_brick_chunks, only : new_brick_chunks
+   use plydyn_domain_brick_step, only : find_brick_limit
+   use plydyn_domain_bricks, only : add_brick_masses, new_bricks
+   use plydyn_domain_columns, only : new_columns, new_solid_columns
    use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_interfaces, only : new_interfaces
    use plydyn_domain_layers, only : check_same_structure, new_layers
-   use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, new_pressure_load
+   use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
+      & new_pressure_load, new_segment_load
    use plydyn_domain_masses, only : add_masses
    use plydyn_domain_plates, only : new_plate
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_domain_supports, only : face_point, held_freedoms, new_prescribed
-   use plydyn_domain_surfaces, only : new_surface
+   use plydyn_domain_surfaces, only : new_brick_surface, new_surface
    use plydyn_element_interface, only : history_size, interface_type
    use plydyn_element_plate, only : plate_type, quad_histories
    use plydyn_model_layup, only : faces_tied
@@ -40,26 +44,69 @@ contains
       domain%curves = model%curves
       domain%node_id = model%mesh%node_id
       domain%position = model%mesh%position
-      call check_same_structure(model%parts, error)
-      if (allocated(error)) return
-      domain%layers = new_layers(model%parts(1))
-      domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
       call check_step_curve(model, error)
       if (allocated(error)) return
-      call build_plates(model, domain, error)
-      if (allocated(error)) return
-      call check_bands(model, domain, error)
-      if (allocated(error)) return
-      call build_joints(model, domain)
+      if (size(model%mesh%brick_id) > 0) then
+         call build_bricks(model, domain)
+      else
+         call build_laminates(model, domain, error)
+         if (allocated(error)) return
+      end if
       call build_supports(model, domain, error)
       if (allocated(error)) return
       call build_loads(model, domain)
-      domain%limit = find_step_limit(model, domain)
+      if (size(domain%bricks) > 0) then
+         domain%limit = find_brick_limit(model, domain)
+      else
+         domain%limit = find_step_limit(model, domain)
+      end if
       domain%step = largest_step(domain)
       call build_inertia(model, domain, error)
       if (allocated(error)) return
       call build_surfaces(model, domain)
    end subroutine build_domain
+
+   !> Plates, and what joins their layers
+   subroutine build_laminates(model, domain, error)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_same_structure(model%parts, error)
+      if (allocated(error)) return
+      domain%layers = new_layers(model%parts(1))
+      domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
+      allocate (domain%bricks(0))
+      call build_plates(model, domain, error)
+      if (allocated(error)) return
+      call check_bands(model, domain, error)
+      if (allocated(error)) return
+      call build_joints(model, domain)
+   end subroutine build_laminates
+
+   !> Bricks and the masses of their nodes
+   subroutine build_bricks(model, domain)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+      integer :: p
+
+      domain%layers = new_layers(model%parts(1))
+      domain%columns = new_solid_columns(size(model%mesh%node_id))
+      allocate (domain%plates(0), domain%interfaces(0), domain%ties(0), domain%far_ties(2, 0))
+      allocate (domain%bricks(size(model%parts)), domain%mass(domain%columns%masses))
+      domain%mass(:) = 0.0_wp
+      do p = 1, size(model%parts)
+         domain%bricks(p) = new_bricks(model, p, domain%columns)
+         associate (bricks => domain%bricks(p))
+            bricks%first_history = domain%histories + 1
+            domain%histories = domain%histories &
+               & + lanes*bricks%histories*bricks%points*size(bricks%shape)
+         end associate
+         call add_brick_masses(model, p, domain%columns, domain%mass)
+      end do
+      call invert_masses(domain)
+      call new_brick_chunks(domain)
+   end subroutine build_bricks
 
    !> A bound on the step that is not positive would never let time pass
    subroutine check_step_curve(model, error)
@@ -91,13 +138,20 @@ contains
             & domain%mass, error)
          if (allocated(error)) return
       end do
+      call invert_masses(domain)
+   end subroutine build_plates
+
+   !> Inverse of the masses, zero where there is no point
+   pure subroutine invert_masses(domain)
+      type(domain_type), intent(inout) :: domain
+
       allocate (domain%inverse_mass(domain%columns%masses))
       where (domain%mass > 0.0_wp)
          domain%inverse_mass(:) = 1.0_wp/domain%mass
       else where
          domain%inverse_mass(:) = 0.0_wp
       end where
-   end subroutine build_plates
+   end subroutine invert_masses
 
    !> Let the histories of a plate follow those before it
    pure subroutine place_histories(plate, histories)
@@ -211,7 +265,8 @@ contains
       integer :: i, k
 
       allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
-         & + size(model%pressures) + size(model%body_loads)))
+         & + size(model%pressures) + size(model%segment_loads) &
+         & + size(model%body_loads)))
       k = 0
       associate (layers => domain%layers, columns => domain%columns)
          do i = 1, size(model%point_loads)
@@ -225,6 +280,10 @@ contains
          do i = 1, size(model%pressures)
             k = k + 1
             domain%loads(k) = new_pressure_load(model%pressures(i), model%mesh, layers, columns)
+         end do
+         do i = 1, size(model%segment_loads)
+            k = k + 1
+            domain%loads(k) = new_segment_load(model%segment_loads(i), model%mesh, columns)
          end do
          do i = 1, size(model%body_loads)
             k = k + 1
@@ -249,10 +308,15 @@ contains
       domain%contacts = model%contacts
       allocate (domain%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
-         domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers, &
-            & domain%columns, domain%inverse_mass, held)
-         call couple_surface(domain, face_point(domain%layers, model%contacts(i)%face), &
-            & domain%surfaces(i))
+         if (size(domain%bricks) > 0) then
+            domain%surfaces(i) = new_brick_surface(model%contacts(i), model%mesh, domain%columns, &
+               & domain%inverse_mass, held)
+         else
+            domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers, &
+               & domain%columns, domain%inverse_mass, held)
+            call couple_surface(domain, face_point(domain%layers, model%contacts(i)%face), &
+               & domain%surfaces(i))
+         end if
       end do
    end subroutine build_surfaces
 

@@ -68,7 +68,10 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
-      if (domain%control%scheme == implicit_interfaces .and. size(domain%interfaces) == 0) then
+      if (size(domain%bricks) > 0) then
+         call fail(error, exit_input, "IMPL of *CONTROL_LAYERWISE does not go with bricks: leave " &
+            & //"it at 0")
+      else if (domain%control%scheme == implicit_interfaces .and. size(domain%interfaces) == 0) then
          call fail(error, exit_input, "IMPL 1 of *CONTROL_LAYERWISE makes interfaces implicit, " &
             & //"but no plies are joined by one: leave IMPL at 0")
       else if (domain%control%scheme == implicit_thickness &

@@ -6,6 +6,9 @@
 !> its part of a column is stored as (lanes, blocks, levels, 3), the layers side by side, the
 !> families one after the other.
 !>
+!> Bricks have no plane and no layers: each of their nodes is one point, and a column holds as
+!> many of them as there are lanes, side by side: (lanes, 3).
+!>
 !> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_chunks`).
 !> The first chunk adds to the node's own column, the others to columns of their own behind all.
 module plydyn_domain_columns
@@ -13,7 +16,7 @@ module plydyn_domain_columns
    implicit none
    private
 
-   public :: new_columns
+   public :: new_columns, new_solid_columns
 
    !> Layers of one order
    type, public :: family_type
@@ -33,8 +36,12 @@ module plydyn_domain_columns
 
    !> All columns; every node has the same
    type, public :: columns_type
-      !> Nodes of the plane
+      !> Nodes of the plane, or of all bricks
       integer :: nodes = 0
+      !> Nodes in a column, 1 above a plane
+      integer :: abreast = 1
+      !> Columns
+      integer :: count = 0
       !> Length of a column in the arrays of motion; a third of it in those of masses
       integer :: height = 0
       !> Length of the arrays of motion and of masses
@@ -66,6 +73,7 @@ contains
       integer :: f, i, k, p
 
       self%nodes = nodes
+      self%count = nodes
       self%height = 0
       allocate (self%home(3, size(order)))
       allocate (self%families(count([(any(order == p), p=1, maxval(order))])))
@@ -96,6 +104,28 @@ contains
       self%forces = self%freedoms
    end function new_columns
 
+   !> Arrange the nodes of bricks
+   pure function new_solid_columns(nodes) result(self)
+      !> How many there are
+      integer, intent(in) :: nodes
+      type(columns_type) :: self
+
+      self%nodes = nodes
+      self%abreast = lanes
+      self%count = (nodes + lanes - 1)/lanes
+      self%height = 3*lanes
+      self%home = reshape([1, 1, 1], [3, 1])
+      allocate (self%families(1))
+      self%families(1)%blocks = 1
+      self%families(1)%first = 1
+      self%families(1)%first_mass = 1
+      self%families(1)%layer = reshape([1, spread(0, 1, lanes - 1)], [lanes, 1])
+      self%families(1)%tied_above = spread(0.0_wp, 1, lanes)
+      self%freedoms = self%height*self%count
+      self%masses = self%freedoms/3
+      self%forces = self%freedoms
+   end function new_solid_columns
+
    !> Tie the top of a layer to the bottom of the next; false if they are not side by side
    pure subroutine tie(self, layer, side_by_side)
       class(columns_type), intent(inout) :: self
@@ -111,17 +141,17 @@ contains
          & + lanes*(self%home(2, layer) - 1)) = 1.0_wp
    end subroutine tie
 
-   !> Where the part of a node's column begins that belongs to a family; from there on it is
+   !> Where the part of a column begins that belongs to a family; from there on it is
    !> (lanes, blocks, levels, 3)
-   elemental integer function start(self, family, node)
+   elemental integer function start(self, family, column)
       class(columns_type), intent(in) :: self
       !> Index of the family
       integer, intent(in) :: family
-      !> Node of the plane
-      integer, intent(in) :: node
+      !> The column, that of the node of the same number above a plane
+      integer, intent(in) :: column
 
       associate (f => self%families(family))
-         start = f%first + self%height*(node - 1)
+         start = f%first + self%height*(column - 1)
       end associate
    end function start
 
@@ -136,7 +166,8 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%families(self%home(1, layer)))
-         freedom = self%height*(node - 1) + f%first + (self%home(3, layer) - 1) &
+         freedom = self%height*((node - 1)/self%abreast) + f%first &
+            & + (self%home(3, layer) - 1) + mod(node - 1, self%abreast) &
             & + lanes*((self%home(2, layer) - 1) &
             & + f%blocks*((level - 1) + (f%order + 1)*(direction - 1)))
       end associate
@@ -151,7 +182,8 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%families(self%home(1, layer)))
-         mass_of = self%height/3*(node - 1) + f%first_mass + (self%home(3, layer) - 1) &
+         mass_of = self%height/3*((node - 1)/self%abreast) + f%first_mass &
+            & + (self%home(3, layer) - 1) + mod(node - 1, self%abreast) &
             & + lanes*((self%home(2, layer) - 1) + f%blocks*(level - 1))
       end associate
    end function mass_of

@@ -1,6 +1,7 @@
 !> Energy that has been dissipated, mechanism by mechanism, from the histories of all points.
 module plydyn_domain_dissipation
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_brick_energies, only : brick_dissipation
    use plydyn_domain_delamination, only : interface_losses
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type
@@ -25,6 +26,7 @@ contains
 
       energy(:) = 0.0_wp
       energy(by_delamination:by_friction) = interface_losses(domain, history)
+      if (size(domain%bricks) > 0) energy(:) = energy + brick_dissipation(domain, history)
       do p = 1, size(domain%plates)
          associate (plate => domain%plates(p))
             do b = 1, size(plate%batches)

@@ -6,6 +6,7 @@ module plydyn_domain_domain
    use plydyn_domain_layers, only : layers_type
    use plydyn_domain_links, only : links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
+   use plydyn_element_brick, only : bricks_type
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : control_type
@@ -54,7 +55,8 @@ module plydyn_domain_domain
    type, public :: step_limit_type
       !> Stable step of central differences
       real(wp) :: step = huge(1.0_wp)
-      !> The user's numbers of the quad and the ply with the largest eigenvalue
+      !> The user's numbers of the quad and the ply with the largest eigenvalue, or of the brick
+      !> and its part
       integer :: quad = 0, ply = 0
       !> Largest eigenvalue of the plies and that of the interfaces, 1/time squared
       real(wp) :: ply_rate = 0.0_wp, interface_rate = 0.0_wp
@@ -68,11 +70,12 @@ module plydyn_domain_domain
       integer, allocatable :: quad_ply(:)
    end type step_limit_type
 
-   !> Quads of a part that one thread takes at a time; see `plydyn_domain_chunks`
+   !> Quads, or batches of bricks, of a part that one thread takes at a time; see
+   !> `plydyn_domain_chunks`
    type, public :: chunk_type
-      !> The part's plate
+      !> The part's plate or bricks
       integer :: plate = 0
-      !> First and last quad of that plate
+      !> First and last quad of that plate, or batch of bricks
       integer :: quads(2) = 0
       !> Columns that take its forces and those of no other chunk
       integer, allocatable :: column(:)
@@ -94,11 +97,13 @@ module plydyn_domain_domain
       type(columns_type) :: columns
       !> One plate for each part
       type(plate_type), allocatable :: plates(:)
+      !> Bricks of each part; a domain has plates or bricks
+      type(bricks_type), allocatable :: bricks(:)
       !> History variables of all Gauss points together
       integer :: histories = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
-      !> Chunks of quads of all plates
+      !> Chunks of all quads or bricks
       type(chunk_type), allocatable :: chunks(:)
       !> Nodes where chunks meet: node, and first and last of its columns behind, (3, nodes)
       integer, allocatable :: borders(:, :)

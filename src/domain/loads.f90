@@ -7,13 +7,14 @@ module plydyn_domain_loads
    use plydyn_domain_supports, only : face_point
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
-   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
+      & pressure_type, segment_load_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_support, only : all_planes, top_face
    implicit none
    private
 
-   public :: new_body_load, new_line_load, new_point_load, new_pressure_load
+   public :: new_body_load, new_line_load, new_point_load, new_pressure_load, new_segment_load
 
    !> Corners and mid-side of each side of a quad, in the order of the deck
    integer, parameter :: side_nodes(3, 4) = reshape([1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 1], [3, 4])
@@ -144,6 +145,41 @@ contains
       self%force = load%scale*pack(force, abs(force) > 0.0_wp)
       if (load%face == top_face) self%force = -self%force
    end function new_pressure_load
+
+   !> Pressure on a face of a brick as consistent forces at its nodes
+   pure function new_segment_load(load, mesh, columns) result(self)
+      !> As the deck says
+      type(segment_load_type), intent(in) :: load
+      !> The nodes
+      type(mesh_type), intent(in) :: mesh
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      type(load_type) :: self
+
+      real(wp) :: gauss(2), slope(2, 4), tangent(3, 2), value(4)
+      integer :: c, i, j, node(4)
+
+      node(:) = load%node(tensor_order(2))
+      gauss(:) = gauss_points(2)
+      self%curve = load%curve
+      allocate (self%freedom(0), self%force(0))
+      do c = 1, 3
+         self%freedom = [self%freedom, columns%freedom(1, 1, c, node)]
+      end do
+      self%force = spread(0.0_wp, 1, size(self%freedom))
+      do j = 1, 2
+         do i = 1, 2
+            call plane_table(2, gauss(i), gauss(j), value, slope)
+            tangent(:, :) = matmul(mesh%position(:, node), transpose(slope))
+            do c = 1, 3
+               associate (a => 1 + mod(c, 3), b => 1 + mod(c + 1, 3))
+                  self%force(4*c - 3:4*c) = self%force(4*c - 3:4*c) - load%scale*value &
+                     & *(tangent(a, 1)*tangent(b, 2) - tangent(b, 1)*tangent(a, 2))
+               end associate
+            end do
+         end do
+      end do
+   end function new_segment_load
 
    !> Integral of each shape function over a quad
    pure function area_shares(side, xy) result(share)

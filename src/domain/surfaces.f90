@@ -7,10 +7,11 @@ module plydyn_domain_surfaces
    use plydyn_domain_supports, only : face_point
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_outer_faces, only : faces_of_part
    implicit none
    private
 
-   public :: new_surface
+   public :: new_brick_surface, new_surface
 
 contains
 
@@ -63,5 +64,45 @@ contains
          self%facet(:, i) = number(mesh%quad_node(:, e))
       end do
    end function new_surface
+
+   !> The outer faces of bricks that a contact is on
+   pure function new_brick_surface(contact, mesh, columns, inverse_mass, held) result(self)
+      !> As the deck says
+      type(contact_type), intent(in) :: contact
+      !> Nodes and bricks
+      type(mesh_type), intent(in) :: mesh
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Inverse mass of each point
+      real(wp), intent(in) :: inverse_mass(:)
+      !> Whether each place in the arrays of motion is held or moves as told
+      logical, intent(in) :: held(:)
+      type(surface_type) :: self
+
+      integer :: c, f, i, number(size(mesh%node_id))
+      integer, allocatable :: faces(:, :), node(:)
+      logical :: met(size(mesh%node_id))
+
+      faces = faces_of_part(mesh, contact%part, contact%face)
+      met(:) = .false.
+      do f = 1, size(faces, 2)
+         met(faces(:, f)) = .true.
+      end do
+      node = pack([(i, i=1, size(met))], met)
+      self%node = node
+      number(:) = 0
+      number(node) = [(i, i=1, size(node))]
+      self%position = mesh%position(:, node)
+      allocate (self%freedom(3, size(node)), self%inverse_mass(3, size(node)))
+      do c = 1, 3
+         self%freedom(c, :) = columns%freedom(1, 1, c, node)
+         self%inverse_mass(c, :) = merge(0.0_wp, inverse_mass(columns%mass_of(1, 1, node)), &
+            & held(self%freedom(c, :)))
+      end do
+      allocate (self%facet(4, size(faces, 2)))
+      do f = 1, size(faces, 2)
+         self%facet(:, f) = number(faces(:, f))
+      end do
+   end function new_brick_surface
 
 end module plydyn_domain_surfaces

@@ -9,6 +9,7 @@ module plydyn_input_catalogue
    use plydyn_deck_declaration, only : name_length
    use plydyn_deck_report, only : place_type, report_type
    use plydyn_input_register, only : register_type
+   use plydyn_model_layup, only : brick_section_type
    implicit none
    private
 
@@ -17,8 +18,9 @@ module plydyn_input_catalogue
    !> Kinds of things that have a number
    integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
       & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
-      & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14
-   integer, parameter :: kinds = 14
+      & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14, &
+      & a_solid_section = 15, an_hourglass = 16, a_brick = 17
+   integer, parameter :: kinds = 17
 
    !> Some nodes or quads
    type, public :: members_type
@@ -52,6 +54,10 @@ module plydyn_input_catalogue
       type(box_type), allocatable :: boxes(:)
       !> Tables, in the order of definition
       type(table_type), allocatable :: tables(:)
+      !> Points of bricks by their sections, and hourglass controls
+      type(brick_section_type), allocatable :: solid_sections(:), hourglasses(:)
+      !> Hourglass control of parts that name none
+      type(brick_section_type) :: usual_hourglass
       !> All nodes and elements could be read: what is said about their shape can be trusted
       logical :: mesh_is_sound = .true.
       !> Lines of stored decks: what they define need not be used, as a restart may have replaced
@@ -87,17 +93,20 @@ contains
       call name_kind(a_curve, "curve", "*DEFINE_CURVE")
       call name_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
       call name_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
-      call name_kind(a_part, "part", "*PART_COMPOSITE")
+      call name_kind(a_part, "part", "*PART_COMPOSITE or *PART")
       call name_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
       call name_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
       call name_kind(a_profile, "profile", "*DATABASE_PROFILE")
       call name_kind(a_table, "table", "*DEFINE_TABLE or *DEFINE_TABLE_2D")
+      call name_kind(a_brick, "brick", "*ELEMENT_SOLID")
+      call name_kind(a_solid_section, "solid section", "*SECTION_SOLID")
+      call name_kind(an_hourglass, "hourglass control", "*HOURGLASS")
       call name_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
       do i = 1, kinds
          call catalogue%registers(i)%sort()
       end do
       allocate (catalogue%node_sets(0), catalogue%quad_sets(0), catalogue%boxes(0))
-      allocate (catalogue%tables(0))
+      allocate (catalogue%tables(0), catalogue%solid_sections(0), catalogue%hourglasses(0))
 
    contains
 

@@ -3,11 +3,12 @@ module plydyn_input_check_model
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : place_type
-   use plydyn_input_catalogue, only : a_box, a_contact, a_curve, a_material, a_node, a_node_set, &
-      & a_part, a_profile, a_quad, a_quad_set, a_section, a_table, an_impactor, &
-      & an_interface_material, catalogue_type
+   use plydyn_input_catalogue, only : a_box, a_brick, a_contact, a_curve, a_material, a_node, &
+      & a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, a_solid_section, a_table, &
+      & an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_impact, only : check_impact
    use plydyn_input_check_mesh, only : check_mesh
+   use plydyn_input_check_solid, only : check_bricks
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layup, only : faces_tied, part_type
    use plydyn_model_model, only : model_type
@@ -19,7 +20,7 @@ module plydyn_input_check_model
    !> Kinds whose numbers must not repeat
    integer, parameter :: unique(*) = [a_node, a_quad, a_node_set, a_quad_set, a_box, a_curve, &
       & a_material, an_interface_material, a_part, an_impactor, a_contact, a_profile, a_section, &
-      & a_table]
+      & a_table, a_brick, a_solid_section, an_hourglass]
 
 contains
 
@@ -37,7 +38,11 @@ contains
       end do
       call check_shared_numbers(catalogue)
       call check_presence(model, catalogue)
-      if (catalogue%mesh_is_sound) call check_mesh(model%mesh, catalogue)
+      if (catalogue%mesh_is_sound .and. size(model%mesh%brick_id) > 0) then
+         call check_bricks(model%mesh, catalogue)
+      else if (catalogue%mesh_is_sound) then
+         call check_mesh(model%mesh, catalogue)
+      end if
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_impact(model, catalogue)
@@ -85,9 +90,9 @@ contains
       if (size(model%mesh%node_id) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no nodes", "*NODE")
       end if
-      if (size(model%mesh%quad_id) == 0) then
+      if (size(model%mesh%quad_id) + size(model%mesh%brick_id) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no elements", &
-            & "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
+            & "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID")
       end if
       if (size(model%parts) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no part", "*PART_COMPOSITE")
@@ -111,6 +116,8 @@ contains
       call catalogue%check_unused(a_quad_set, "a keyword that uses the set, or no set")
       call catalogue%check_unused(a_box, "*SET_NODE_GENERAL that uses the box, or no box")
       call catalogue%check_unused(a_curve, "a keyword that uses the curve, or no curve")
+      call catalogue%check_unused(a_solid_section, "*PART that uses the section, or no section")
+      call catalogue%check_unused(an_hourglass, "*PART that uses the control, or no control")
       call catalogue%check_unused(a_table, "a material that uses the table, or no table")
       call catalogue%check_unused(a_material, "a ply of the material, or no material")
       call catalogue%check_unused(an_interface_material, &
@@ -128,11 +135,12 @@ contains
 
       if (catalogue%report%has_errors()) return
       do i = 1, size(model%parts)
-         if (any(model%mesh%quad_part == i)) cycle
+         if (any(model%mesh%quad_part == i) .or. any(model%mesh%brick_part == i)) cycle
          place%line = catalogue%registers(a_part)%line(i)
          call catalogue%report%refuse(place, "part "//text(model%parts(i)%id)//" has no elements", &
             & "elements with this part, or no part")
       end do
+      if (size(model%mesh%brick_id) > 0) return
       do i = 2, size(model%parts)
          if (is_alike(model%parts(1), model%parts(i))) cycle
          place%line = catalogue%registers(a_part)%line(i)

@@ -23,10 +23,10 @@ module plydyn_input_declare_known
 
    !> Would change the results: an error with advice
    character(longest_name), parameter :: whole_laminates(*) = [character(longest_name) :: &
-      & "PART", "SECTION_SHELL", "INTEGRATION_SHELL", "ELEMENT_SHELL_COMPOSITE", &
+      & "SECTION_SHELL", "INTEGRATION_SHELL", "ELEMENT_SHELL_COMPOSITE", &
       & "ELEMENT_SHELL_THICKNESS", "ELEMENT_SHELL_BETA", "SECTION_TSHELL", "ELEMENT_TSHELL"]
    character(longest_name), parameter :: no_solids(*) = [character(longest_name) :: &
-      & "ELEMENT_SOLID", "SECTION_SOLID", "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
+      & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
       & "MAT_CODAM2", &
@@ -38,8 +38,8 @@ module plydyn_input_declare_known
       & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &
       & "CONTACT_ENTITY", "INITIAL_VELOCITY_GENERATION", "INITIAL_VELOCITY_RIGID_BODY"]
    character(longest_name), parameter :: other_elements(*) = [character(longest_name) :: &
-      & "CONTROL_SHELL", "CONTROL_HOURGLASS", "CONTROL_ACCURACY", "CONTROL_BULK_VISCOSITY", &
-      & "CONTROL_CONTACT", "HOURGLASS"]
+      & "CONTROL_SHELL", "CONTROL_ACCURACY", "CONTROL_BULK_VISCOSITY", &
+      & "CONTROL_CONTACT"]
 
 contains
 
@@ -57,7 +57,7 @@ contains
       keywords = [listed(whole_laminates, is_refused, &
          & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
          & listed(no_solids, is_refused, &
-         & "plate elements only: *ELEMENT_SHELL or *ELEMENT_PLATE_Q9"), &
+         & "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID"), &
          & listed(only_elastic, is_refused, &
          & "*MAT_PLY_ELASTIC, or *MAT_PLASTIC_KINEMATIC for metals"), &
          & listed(other_bonds, is_refused, "a bilinear law, *MAT_COHESIVE_MIXED_MODE"), &

@@ -11,6 +11,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_metal, only : metal_keywords
    use plydyn_input_declare_part, only : part_keywords
    use plydyn_input_declare_restart, only : restart_keywords
+   use plydyn_input_declare_solid, only : solid_keywords
    implicit none
    private
 
@@ -23,10 +24,9 @@ contains
       type(keyword_type), allocatable :: keywords(:)
 
       keywords = [frame_keywords(), control_keywords(), mesh_keywords(), part_keywords(), &
-         & metal_keywords(), damage_keywords(), interface_keywords(), support_keywords(), &
-         & load_keywords(), impact_keywords(), output_keywords(), restart_keywords(), &
-         & ignored_keywords(), &
-         & refused_keywords()]
+         & metal_keywords(), damage_keywords(), solid_keywords(), interface_keywords(), &
+         & support_keywords(), load_keywords(), impact_keywords(), output_keywords(), &
+         & restart_keywords(), ignored_keywords(), refused_keywords()]
    end function all_keywords
 
 end module plydyn_input_keywords

@@ -7,6 +7,7 @@ module plydyn_input_read_model
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_changes, only : apply_changes, changes_of
    use plydyn_input_check_model, only : check_model
+   use plydyn_input_check_solid, only : refuse_for_bricks
    use plydyn_input_defaults, only : begin_model, end_model
    use plydyn_input_keywords, only : all_keywords
    use plydyn_input_manual, only : keyword_manual
@@ -31,6 +32,8 @@ module plydyn_input_read_model
       & read_part_composite_long, read_section_layerwise
    use plydyn_input_read_set, only : read_define_box, read_define_curve, read_set_node_general, &
       & read_set_node_list, read_set_shell_list
+   use plydyn_input_read_solid, only : read_control_hourglass, read_element_solid, &
+      & read_hourglass, read_load_segment, read_part_of_bricks, read_section_solid
    use plydyn_input_read_support, only : read_boundary_face, read_boundary_face_motion, &
       & read_boundary_prescribed_motion_set, read_boundary_spc_set, read_initial_velocity, &
       & read_initial_velocity_node
@@ -100,6 +103,7 @@ contains
       call read_stage(deck, read_material, catalogue, model)
       call read_stage(deck, read_part, catalogue, model)
       call read_stage(deck, read_element, catalogue, model)
+      call read_stage(deck, check_elements, catalogue, model)
       call read_stage(deck, read_set, catalogue, model)
       call read_stage(deck, read_laminate, catalogue, model)
       call read_stage(deck, read_support, catalogue, model)
@@ -144,6 +148,12 @@ contains
          call read_node(cards, catalogue, model%mesh)
       case ("DEFINE_CURVE")
          call read_define_curve(cards, catalogue, model%curves)
+      case ("SECTION_SOLID")
+         call read_section_solid(cards, catalogue)
+      case ("HOURGLASS")
+         call read_hourglass(cards, catalogue)
+      case ("CONTROL_HOURGLASS")
+         call read_control_hourglass(cards, catalogue%usual_hourglass)
       case ("DEFINE_BOX")
          call read_define_box(cards, catalogue)
       case ("MAT_ELASTIC")
@@ -206,6 +216,8 @@ contains
       type(model_type), intent(inout) :: model
 
       select case (cards%name)
+      case ("PART")
+         call read_part_of_bricks(cards, catalogue, model%materials, model%parts)
       case ("PART_COMPOSITE")
          call read_part_composite(cards, catalogue, model%materials, model%parts)
       case ("PART_COMPOSITE_LONG")
@@ -226,10 +238,21 @@ contains
          call read_element_shell(cards, catalogue, model%mesh)
       case ("ELEMENT_PLATE_Q9")
          call read_element_plate_q9(cards, catalogue, model%mesh)
+      case ("ELEMENT_SOLID")
+         call read_element_solid(cards, catalogue, model%mesh)
       case default
          continue
       end select
    end subroutine read_element
+
+   !> Keywords that do not go with the elements of the deck
+   subroutine check_elements(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      call refuse_for_bricks(cards%name, cards%head(), model%mesh, catalogue%report)
+   end subroutine check_elements
 
    !> Keywords that refer to nodes and elements by their numbers
    subroutine read_set(cards, catalogue, model)
@@ -314,6 +337,8 @@ contains
       case ("LOAD_FACE_PRESSURE")
          call read_load_face_pressure(cards, catalogue, size(model%mesh%quad_id), model%curves, &
             & model%pressures)
+      case ("LOAD_SEGMENT")
+         call read_load_segment(cards, catalogue, model%segment_loads)
       case ("LOAD_BODY_X")
          call read_load_body(cards, 1, catalogue, model%body_loads)
       case ("LOAD_BODY_Y")

@@ -23,7 +23,20 @@ module plydyn_model_layup
       integer :: layers = 1
    end type ply_type
 
-   !> A laminate
+   !> How hourglass control holds bricks of one point, numbered as on the card
+   integer, parameter, public :: hourglass_viscous = 3, hourglass_stiffness = 6
+
+   !> Bricks: their points and their hourglass control
+   type, public :: brick_section_type
+      !> Points of a brick, 1 or 8; 0 in a laminate
+      integer :: points = 0
+      !> `hourglass_viscous` or `hourglass_stiffness`; for one point
+      integer :: control = hourglass_stiffness
+      !> Its coefficient
+      real(wp) :: coefficient = 0.1_wp
+   end type brick_section_type
+
+   !> A laminate, or bricks of one material (one ply without thickness)
    type, public :: part_type
       !> The user's number
       integer :: id = 0
@@ -39,6 +52,8 @@ module plydyn_model_layup
       real(wp) :: bottom_offset = -0.5_wp
       !> Thickness nodes at Gauss-Lobatto points instead of equal spacing
       logical :: lobatto = .false.
+      !> Bricks instead of a laminate
+      type(brick_section_type) :: brick
    end type part_type
 
 end module plydyn_model_layup

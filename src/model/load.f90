@@ -45,6 +45,16 @@ module plydyn_model_load
       integer :: face = top_face
    end type pressure_type
 
+   !> A pressure on a face between four nodes, against its normal in the undeformed shape
+   type, public :: segment_load_type
+      !> Nodes, indices into `mesh%node_id`, counter-clockwise seen from where the normal points
+      integer :: node(4) = 0
+      !> Index into `model%curves`
+      integer :: curve = 0
+      !> Factor on the curve; force per area
+      real(wp) :: scale = 1.0_wp
+   end type segment_load_type
+
    !> An acceleration of the frame: the body force is against it
    type, public :: body_load_type
       !> 1, 2, 3 for x, y, z

@@ -5,7 +5,8 @@ module plydyn_model_model
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layup, only : part_type
-   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
+   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
+      & pressure_type, segment_load_type
    use plydyn_model_material, only : interface_material_type, material_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_support, only : hold_type, initial_velocity_type, motion_type
@@ -40,6 +41,8 @@ module plydyn_model_model
       type(line_load_type), allocatable :: line_loads(:)
       !> Pressures
       type(pressure_type), allocatable :: pressures(:)
+      !> Pressures on faces of bricks
+      type(segment_load_type), allocatable :: segment_loads(:)
       !> Accelerations of the frame
       type(body_load_type), allocatable :: body_loads(:)
       !> Rigid impactors

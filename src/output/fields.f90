@@ -45,7 +45,7 @@ module plydyn_output_fields
 
 contains
 
-   !> Create the file: grid, plies, units
+   !> Create the file, if there are plates: grid, plies, units
    subroutine open_fields(self, path, deck, version, model, domain, places, error)
       class(fields_type), intent(inout) :: self
       !> Path of the file
@@ -63,6 +63,7 @@ contains
 
       integer :: i
 
+      if (size(domain%plates) == 0) return
       self%grid = new_grid(domain)
       self%names = model%request%fields
       call find_weights(self, domain)
@@ -188,6 +189,7 @@ contains
       real(wp), allocatable :: values(:, :)
       integer :: i, scalar
 
+      if (.not. self%file%is_open()) return
       call self%file%begin_step(state%time)
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
          values = recovered_values(self, domain, state)

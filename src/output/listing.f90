@@ -6,7 +6,7 @@ module plydyn_output_listing
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
-   use plydyn_model_layup, only : faces_apart, faces_tied, part_type
+   use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
    use plydyn_output_components, only : field_components
    use plydyn_output_damage_listing, only : write_damage
@@ -50,7 +50,11 @@ contains
       end if
       call write_units(unit, model)
       do p = 1, size(model%parts)
-         call write_part(unit, model, model%parts(p))
+         if (model%parts(p)%brick%points == 0) then
+            call write_part(unit, model, model%parts(p))
+         else
+            call write_brick_part(unit, model, p)
+         end if
       end do
       call write_damage(unit, model, domain)
       call write_interface_laws(unit, model)
@@ -144,6 +148,25 @@ contains
       end do
    end subroutine write_part
 
+   !> A part of bricks
+   subroutine write_brick_part(unit, model, p)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: p
+
+      associate (part => model%parts(p), section => model%parts(p)%brick)
+         call write_section(unit, "Part "//text(part%id)//" "//part%title)
+         write (unit, "(a,i0,a,i0,a)") "bricks                        ", &
+            & count(model%mesh%brick_part == p), " of ", section%points, " points"
+         write (unit, "(a,i0,a,f0.2)") "material                      ", &
+            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", part%plies(1)%angle
+         if (section%points > 1) return
+         write (unit, "(2a)") "hourglass control             ", trim(merge("viscous  ", &
+            & "stiffness", section%control == hourglass_viscous))//", " &
+            & //text(section%coefficient)
+      end associate
+   end subroutine write_brick_part
+
    !> What joins a ply to the one above it
    function joint_name(model, part, k) result(name)
       type(model_type), intent(in) :: model
@@ -169,10 +192,15 @@ contains
       integer :: i
 
       call write_section(unit, "Size and mass")
-      write (unit, "(a,i0)") "nodes of the plane            ", domain%columns%nodes
-      write (unit, "(a,i0,a,i0,a)") "quads                         ", size(model%mesh%quad_id), &
-         & " of ", domain%plates(1)%side**2, " nodes"
-      write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
+      if (size(domain%bricks) > 0) then
+         write (unit, "(a,i0)") "nodes                         ", domain%columns%nodes
+         write (unit, "(a,i0)") "bricks                        ", size(model%mesh%brick_id)
+      else
+         write (unit, "(a,i0)") "nodes of the plane            ", domain%columns%nodes
+         write (unit, "(a,i0,a,i0,a)") "quads                         ", &
+            & size(model%mesh%quad_id), " of ", domain%plates(1)%side**2, " nodes"
+         write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
+      end if
       write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(domain)
       if (domain%control%kinematics == total_lagrangian) then
          write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"

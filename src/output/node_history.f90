@@ -47,19 +47,23 @@ contains
       character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
       character(6), parameter :: face_name(2) = ["bottom", "top   "]
       character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
-      integer :: c, face, i, k, point(2)
+      integer :: c, face, faces, i, k, point(2)
 
       allocate (self%freedom(0))
       names(1) = "time"
       units(1) = model%control%units%time
       k = 1
+      ! a brick's node is one point
+      faces = merge(1, 2, size(domain%bricks) > 0)
       do i = 1, size(model%request%nodes)
-         do face = 1, 2
+         do face = 1, faces
             point(:) = face_point(domain%layers, merge(bottom_face, top_face, face == 1))
             do c = 1, size(motion)
                k = k + 1
                names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i)))//" " &
-                  & //trim(face_name(face))//" "//motion(c)
+                  & //motion(c)
+               if (faces > 1) names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i))) &
+                  & //" "//trim(face_name(face))//" "//motion(c)
                units(k) = model%control%units%length
                if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
             end do
@@ -67,9 +71,10 @@ contains
                & [1, 2, 3], model%request%nodes(i))]
          end do
       end do
-      allocate (self%row(size(names)))
+      allocate (self%row(k))
       if (size(model%request%nodes) == 0) return
-      call self%history%open(path, names, units, model%request%node_interval, places, error)
+      call self%history%open(path, names(:k), units(:k), model%request%node_interval, places, &
+         & error)
    end subroutine open_nodes
 
    !> Add a line if one is due; the velocity is that of this time

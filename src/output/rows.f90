@@ -4,6 +4,7 @@
 !> is an actual argument.
 module plydyn_output_rows
    use plydyn_base_precision, only : wp
+   use plydyn_domain_brick_energies, only : held_energy
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : mechanism_names, mechanisms
@@ -16,8 +17,8 @@ module plydyn_output_rows
    !> Columns of the energies
    character(16), parameter, public :: energy_names(*) = [character(16) :: "cycle", "time", &
       & "step", "kinetic", "internal", "dissipated", "impactor", "damping", "external", &
-      & "contact", mechanism_names, "ripple", "total", "error", "momentum x", "momentum y", &
-      & "momentum z"]
+      & "contact", mechanism_names, "hourglass", "ripple", "total", "error", "momentum x", &
+      & "momentum y", "momentum z"]
    !> Columns of an impactor
    character(12), parameter, public :: impactor_names(*) = [character(12) :: "time", "force", &
       & "displacement", "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", &
@@ -39,6 +40,7 @@ contains
       associate (e => state%energies)
          row(:) = [real(state%cycle, wp), state%time, state%step_before, e%kinetic, e%internal, &
             & sum(lost), e%impactor, e%damping, e%external, e%contact, lost, &
+            & held_energy(domain, state%displacement, state%history), &
             & e%ripple - e%shift - e%added, e%total(), e%error(), e%momentum]
       end associate
    end function energy_row

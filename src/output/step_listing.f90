@@ -36,7 +36,7 @@ contains
          write (unit, "(a)") "governed by                   "//governor(domain)
          write (unit, "(a,es12.5,a)") "plies alone                  ", &
             & 2.0_wp/sqrt(limit%ply_rate), time
-         if (domain%control%scheme /= implicit_thickness) then
+         if (domain%control%scheme /= implicit_thickness .and. size(domain%bricks) == 0) then
             write (unit, "(a,es12.5,a)") "thickness implicit, about    ", &
                & 2.0_wp/sqrt(limit%plane_rate), time
          end if
@@ -62,7 +62,9 @@ contains
 
       associate (limit => domain%limit)
          words = "quad "//text(limit%quad)//", ply "//text(limit%ply)//", "
-         if (limit%interface_rest > limit%ply_rate) then
+         if (size(domain%bricks) > 0) then
+            words = "brick "//text(limit%quad)//", part "//text(limit%ply)
+         else if (limit%interface_rest > limit%ply_rate) then
             words = "the springs of interfaces"
          else if (limit%plane_rate < plane_share*limit%ply_rate) then
             words = words//"its thickness"
@@ -136,8 +138,8 @@ contains
 
       write (unit, "(a)") ""
       call table%start(unit)
-      call table%add_column("quad", 8, "i0")
-      call table%add_column("ply", 6, "i0")
+      call table%add_column(element_name(domain), 8, "i0")
+      call table%add_column(layer_name(domain), 6, "i0")
       call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
       call table%write_heads()
       left(:) = .true.
@@ -145,11 +147,33 @@ contains
          do i = 1, min(smallest_shown, size(left))
             worst = minloc(limit%quad_step, 1, left)
             left(worst) = .false.
-            call table%put(model%mesh%quad_id(worst))
+            if (size(domain%bricks) > 0) then
+               call table%put(model%mesh%brick_id(worst))
+            else
+               call table%put(model%mesh%quad_id(worst))
+            end if
             call table%put(limit%quad_ply(worst))
             call table%put(limit%quad_step(worst))
          end do
       end associate
    end subroutine write_smallest
+
+   !> What the elements of a domain are called
+   pure function element_name(domain) result(name)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: name
+
+      name = "quad"
+      if (size(domain%bricks) > 0) name = "brick"
+   end function element_name
+
+   !> What an element is a piece of
+   pure function layer_name(domain) result(name)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: name
+
+      name = "ply"
+      if (size(domain%bricks) > 0) name = "part"
+   end function layer_name
 
 end module plydyn_output_step_listing

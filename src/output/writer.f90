@@ -7,6 +7,7 @@ module plydyn_output_writer
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : mechanisms
    use plydyn_model_model, only : model_type
+   use plydyn_output_brick_fields, only : brick_fields_type
    use plydyn_output_delamination, only : delamination_history_type
    use plydyn_output_fields, only : fields_type
    use plydyn_output_history, only : history_type, schedule_type
@@ -34,6 +35,7 @@ module plydyn_output_writer
       type(profile_file_type), allocatable :: profiles(:)
       type(fields_type) :: fields
       type(interface_fields_type) :: interfaces
+      type(brick_fields_type) :: bricks
       type(schedule_type) :: field_schedule
       !> Time of the last state in the file of fields
       real(wp) :: field_time = -1.0_wp
@@ -93,6 +95,9 @@ contains
       call self%fields%open(job%path//fields_ending, job%deck, job%version, model, domain, &
          & job%places, error)
       if (allocated(error)) return
+      call self%bricks%open(job%path//fields_ending, job%deck, job%version, model, domain, &
+         & job%places, error)
+      if (allocated(error)) return
       call self%interfaces%open(job%path//".interfaces.vtkhdf", job%deck, job%version, model, &
          & domain, job%places, error)
       if (allocated(error)) return
@@ -116,7 +121,7 @@ contains
       associate (u => model%control%units)
          momentum = trim(u%force)//" "//u%time
          call self%energy%open(job%path//".energy.csv", energy_names, [character(20) :: "-", &
-            & u%time, u%time, spread(u%energy, 1, 9 + mechanisms), "-", spread(momentum, 1, 3)], &
+            & u%time, u%time, spread(u%energy, 1, 10 + mechanisms), "-", spread(momentum, 1, 3)], &
             & model%request%energy_interval, job%places, error)
       end associate
    end subroutine open_energy
@@ -151,6 +156,7 @@ contains
 
       self%progress%start_time = self%job%start_time
       self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
+      if (size(domain%bricks) > 0) self%progress%cause = "brick "//text(domain%limit%quad)
       if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
       call self%pulse%start()
       if (self%job%screen == no_unit) return
@@ -184,6 +190,8 @@ contains
          self%field_time = state%time
          call self%fields%write(domain, state, error)
          if (allocated(error)) return
+         call self%bricks%write(domain, state, error)
+         if (allocated(error)) return
          call self%interfaces%write(domain, state, error)
          if (allocated(error)) return
       end if
@@ -213,6 +221,7 @@ contains
       end do
       if (.not. allocated(error)) call self%delamination%mark(places, error)
       if (.not. allocated(error)) call self%fields%mark(places, error)
+      if (.not. allocated(error)) call self%bricks%mark(places, error)
       if (.not. allocated(error)) call self%interfaces%mark(places, error)
    end subroutine keep
 
@@ -229,6 +238,7 @@ contains
       if (state%time <= self%field_time) return
       self%field_time = state%time
       call self%fields%write(domain, state, error)
+      if (.not. allocated(error)) call self%bricks%write(domain, state, error)
       if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
    end subroutine plot
 
@@ -336,6 +346,8 @@ contains
          call keep_first(error, each)
       end do
       call self%fields%close(each)
+      call keep_first(error, each)
+      call self%bricks%close(each)
       call keep_first(error, each)
       call self%interfaces%close(each)
       call keep_first(error, each)

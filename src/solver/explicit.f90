@@ -86,8 +86,8 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (force => state%acceleration)
-         call find_internal_forces(domain, state%step_before, state%displacement, state%history, &
-            & force)
+         call find_internal_forces(domain, state%step_before, state%displacement, &
+            & state%velocity, state%history, force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
          call accelerate(domain, state%step_before, state%velocity, force, state%block_sums, &

@@ -2,6 +2,7 @@
 module plydyn_solver_forces
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
@@ -12,15 +13,15 @@ module plydyn_solver_forces
 
 contains
 
-   !> Internal forces of plies and interfaces on all points, chunk by chunk, and then the sums at
-   !> the nodes where chunks meet
-   subroutine find_internal_forces(domain, step, displacement, history, force)
+   !> Internal forces of plies and interfaces, or of bricks, on all points, chunk by chunk, and then
+   !> the sums at the nodes where chunks meet
+   subroutine find_internal_forces(domain, step, displacement, velocity, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
       real(wp), intent(in) :: step
-      !> Displacement of all points
-      real(wp), intent(in), contiguous :: displacement(:)
+      !> Displacement of all points, and their velocity half a step before
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
       !> History of all Gauss points
       real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points, those of the borders behind
@@ -32,6 +33,14 @@ contains
       !$omp do schedule(dynamic)
       do c = 1, size(domain%chunks)
          call clear_columns(domain%columns%height, domain%chunks(c)%column, force)
+         if (size(domain%bricks) > 0) then
+            associate (bricks => domain%bricks(domain%chunks(c)%plate))
+               call add_brick_forces(bricks, domain%chunks(c)%quads, &
+                  & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
+                  & history(bricks%first_history:), force)
+            end associate
+            cycle
+         end if
          call add_ply_forces(domain, domain%chunks(c), step, displacement, history, force)
          call add_interface_forces(domain, domain%chunks(c), displacement, history, force)
       end do

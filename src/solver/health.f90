@@ -117,7 +117,9 @@ contains
       integer, intent(in) :: layer, node
       character(:), allocatable :: words
 
-      words = " at node "//text(domain%node_id(node))//", ply "//text(domain%layers%ply(layer)) &
+      words = " at node "//text(domain%node_id(node))
+      if (size(domain%bricks) > 0) return
+      words = words//", ply "//text(domain%layers%ply(layer)) &
          & //" from the bottom"
    end function point_name
 

@@ -10,7 +10,7 @@ module plydyn_solver_motion
 
    public :: accelerate, advance, node_blocks
 
-   !> Nodes whose sums one thread makes
+   !> Columns whose sums one thread makes
    integer, parameter :: block_nodes = 64
 
 contains
@@ -47,12 +47,12 @@ contains
       end associate
    end subroutine advance
 
-   !> How many blocks the nodes have
+   !> How many blocks the columns have
    pure integer function node_blocks(domain)
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      node_blocks = (domain%columns%nodes + block_nodes - 1)/block_nodes
+      node_blocks = (domain%columns%count + block_nodes - 1)/block_nodes
    end function node_blocks
 
    !> Forces to accelerations, in place, with the sums that the energies need.
@@ -82,7 +82,7 @@ contains
       !$omp end do
       !$omp do schedule(static)
       do b = 1, node_blocks(domain)
-         do n = 1 + block_nodes*(b - 1), min(block_nodes*b, domain%columns%nodes)
+         do n = 1 + block_nodes*(b - 1), min(block_nodes*b, domain%columns%count)
             call accelerate_column(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
             call couple(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
          end do

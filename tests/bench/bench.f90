@@ -93,7 +93,7 @@ contains
 
    !> All plies of the plate
    subroutine internal_forces()
-      call find_internal_forces(domain, 0.0_wp, displacement, history, force)
+      call find_internal_forces(domain, 0.0_wp, displacement, 0.0_wp*displacement, history, force)
    end subroutine internal_forces
 
    !> All interfaces of the plate

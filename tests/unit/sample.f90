@@ -41,6 +41,7 @@ contains
             & width*(t + distortion*sin(2.0_wp*pi*s)*sin(pi*t)), 0.0_wp]
       end do
       mesh%quad_id = [(100 + e, e=1, n*m)]
+      allocate (mesh%brick_id(0), mesh%brick_part(0), mesh%brick_node(8, 0))
       mesh%quad_part = spread(1, 1, n*m)
       allocate (mesh%quad_node(side*side, n*m))
       do e = 1, n*m
@@ -85,7 +86,7 @@ contains
       model%curves(1) = curve_type(id=0, x=[0.0_wp], y=[1.0_wp])
       allocate (model%holds(0), model%motions(0), model%initial_velocities(0))
       allocate (model%initial_damages(0), model%point_loads(0), model%line_loads(0))
-      allocate (model%pressures(0))
+      allocate (model%pressures(0), model%segment_loads(0))
       allocate (model%body_loads(0), model%impactors(0), model%contacts(0))
       model%control%end_time = 1.0e-4_wp
       model%control%kinematics = linear_strain

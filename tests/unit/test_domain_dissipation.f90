@@ -156,7 +156,8 @@ contains
 
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 1.0e-6_wp, stretched(domain, strain), history, force)
+      call find_internal_forces(domain, 1.0e-6_wp, stretched(domain, strain), &
+            & 0.0_wp*stretched(domain, strain), history, force)
    end subroutine strain_plate
 
    !> Displacement of a strain along x

@@ -91,7 +91,8 @@ contains
          u(:) = 0.0_wp
          u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
-         call find_internal_forces(domain, 0.0_wp, u, history, a)
+         call find_internal_forces(domain, 0.0_wp, u, &
+            & 0.0_wp*u, history, a)
          call accelerate(domain, 0.0_wp, u, a, blocks, sums)
          k(:, i) = -a(free)
       end do

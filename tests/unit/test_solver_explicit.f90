@@ -130,7 +130,8 @@ contains
       call build_domain(model, domain, error)
       allocate (force(domain%columns%forces))
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, state%displacement, history, force)
+      call find_internal_forces(domain, 0.0_wp, state%displacement, &
+            & 0.0_wp*state%displacement, history, force)
       energy = -0.5_wp*dot_product(state%displacement, force(:domain%columns%freedoms))
    end function stored_energy
 

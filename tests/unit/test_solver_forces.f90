@@ -57,7 +57,8 @@ contains
       displacement = linear_field(domain, gradient)
       allocate (force(size(displacement)))
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, displacement, history, force)
+      call find_internal_forces(domain, 0.0_wp, displacement, &
+            & 0.0_wp*displacement, history, force)
       call check(largest_inside(domain, force)/maxval(abs(force)) < 1.0e-11_wp, &
          & "no force inside of the body")
       e(:, :) = gradient + transpose(gradient)
@@ -97,15 +98,18 @@ contains
       end do
       ! the force that a strain of one would make
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, linear_field(domain, gradient), history, force)
+      call find_internal_forces(domain, 0.0_wp, linear_field(domain, gradient), &
+            & 0.0_wp*linear_field(domain, gradient), history, force)
       scale = maxval(abs(force))/norm2(gradient)
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, linear_field(domain, h), history, force)
+      call find_internal_forces(domain, 0.0_wp, linear_field(domain, h), &
+            & 0.0_wp*linear_field(domain, h), history, force)
       call check(maxval(abs(force)) < 1.0e-11_wp*scale, "a large rotation makes no force")
 
       call make(side, orders, linear_strain, domain)
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, linear_field(domain, spin), history, force)
+      call find_internal_forces(domain, 0.0_wp, linear_field(domain, spin), &
+            & 0.0_wp*linear_field(domain, spin), history, force)
       call check(maxval(abs(force)) < 1.0e-10_wp*scale, "a spin makes no linear strain")
    end subroutine test_rigid_motion
 
@@ -129,9 +133,11 @@ contains
          displacement = 1.0e-2_wp*sin(real([(i, i=1, domain%columns%freedoms)], wp))
          allocate (force(domain%columns%freedoms, 2))
          force(:, :) = 0.0_wp
-         call find_internal_forces(domain, 0.0_wp, displacement, history, force(:, 1))
+         call find_internal_forces(domain, 0.0_wp, displacement, &
+            & 0.0_wp*displacement, history, force(:, 1))
          call set_laws(domain)
-         call find_internal_forces(domain, 0.0_wp, displacement, history, force(:, 2))
+         call find_internal_forces(domain, 0.0_wp, displacement, &
+            & 0.0_wp*displacement, history, force(:, 2))
          call check(maxval(abs(force(:, 2) - force(:, 1))) < 1.0e-12_wp*maxval(abs(force)), &
             & "the elastic law point by point gives the same forces")
          deallocate (force)

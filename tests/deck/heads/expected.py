@@ -5,7 +5,7 @@ from runs import Results
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
 SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
 SHARES += ("fibre damage", "matrix damage", "ply plasticity", "metal plasticity")
-SHARES += ("delamination", "friction", "ripple", "total")
+SHARES += ("delamination", "friction", "hourglass", "ripple", "total")
 NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
 
 HEADS = {

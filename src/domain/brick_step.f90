@@ -1,0 +1,139 @@
+!> The stable step of bricks: the largest eigenvalue of each geometry of each part, which bounds
+!> that of the mesh.
+module plydyn_domain_brick_step
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_bricks, only : brick_density
+   use plydyn_domain_domain, only : domain_type, step_limit_type
+   use plydyn_element_brick, only : brick_shares, bricks_type, corners
+   use plydyn_element_brick_kernel, only : add_brick_forces
+   use plydyn_element_stable_step, only : certified_bound, power_iteration
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: find_brick_limit
+
+   !> Freedoms of a brick
+   integer, parameter :: freedoms = 3*corners
+
+contains
+
+   !> Step, and the brick that sets it
+   function find_brick_limit(model, domain) result(limit)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain, built but for its limit
+      type(domain_type), intent(in) :: domain
+      type(step_limit_type) :: limit
+
+      real(wp) :: rate(size(model%mesh%brick_id)), of_shape(lanes)
+      logical, allocatable :: seen(:)
+      real(wp), allocatable :: known(:, :)
+      integer :: b, count, p, worst
+
+      do p = 1, size(domain%bricks)
+         associate (bricks => domain%bricks(p))
+            allocate (seen(size(bricks%shapes)), known(lanes, size(bricks%shapes)))
+            seen(:) = .false.
+            do b = 1, size(bricks%shape)
+               count = min(lanes, size(bricks%brick) - lanes*(b - 1))
+               if (.not. seen(bricks%shape(b))) then
+                  call solve_batch(model, p, bricks, b, count, of_shape)
+                  known(:, bricks%shape(b)) = of_shape
+                  seen(bricks%shape(b)) = .true.
+               end if
+               rate(bricks%brick(lanes*(b - 1) + 1:lanes*(b - 1) + count)) &
+                  & = known(:count, bricks%shape(b))
+            end do
+            deallocate (seen, known)
+         end associate
+      end do
+      worst = maxloc(rate, 1)
+      limit%ply_rate = rate(worst)
+      limit%step = 2.0_wp/sqrt(rate(worst))
+      limit%quad = model%mesh%brick_id(worst)
+      limit%ply = model%parts(model%mesh%brick_part(worst))%id
+      limit%quad_step = 2.0_wp/sqrt(rate)
+      limit%quad_ply = [(model%parts(model%mesh%brick_part(b))%id, b=1, size(rate))]
+   end function find_brick_limit
+
+   !> Eigenvalues of the bricks of a batch; one that is like the lane before has its eigenvalue
+   subroutine solve_batch(model, p, bricks, batch, count, rate)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: p, batch, count
+      type(bricks_type), intent(in) :: bricks
+      real(wp), intent(out) :: rate(lanes)
+
+      real(wp) :: k(freedoms, freedoms, lanes), mass(freedoms)
+      integer :: i, j, l
+
+      k(:, :, :) = dense_stiffness(bricks, batch)
+      rate(:) = 0.0_wp
+      do l = 1, count
+         associate (node => model%mesh%brick_node(:, bricks%brick(lanes*(batch - 1) + l)))
+            mass(:) = reshape(spread(brick_density(model, p) &
+               & *brick_shares(model%mesh%position(:, node)), 2, 3), [freedoms])
+         end associate
+         do j = 1, freedoms
+            do i = 1, freedoms
+               k(i, j, l) = k(i, j, l)/sqrt(mass(i)*mass(j))
+            end do
+         end do
+         rate(l) = certified_bound(k(:, :, l), power_iteration(k(:, :, l)))
+         if (bricks%drag > 0.0_wp) then
+            rate(l) = with_drag(rate(l), bricks%drag*real(corners, wp)**2 &
+               & *sum(mass(:corners)/brick_density(model, p))**(2.0_wp/3.0_wp) &
+               & /(real(corners, wp)*minval(mass)))
+         end if
+      end do
+   end subroutine solve_batch
+
+   !> The eigenvalue whose step is that of an oscillator with damping of the velocity half a step
+   !> before: dt**2 rate/4 + dt damping/2 = 1
+   pure real(wp) function with_drag(rate, damping) result(effective)
+      !> Eigenvalue; damping over mass
+      real(wp), intent(in) :: rate, damping
+
+      effective = 4.0_wp*(0.25_wp*damping + sqrt((0.25_wp*damping)**2 + 0.25_wp*rate))**2
+   end function with_drag
+
+   !> Stiffness of the bricks of a batch, column by column through the kernel; freedoms run over
+   !> nodes, then directions
+   function dense_stiffness(bricks, batch) result(k)
+      type(bricks_type), intent(in) :: bricks
+      integer, intent(in) :: batch
+      real(wp) :: k(freedoms, freedoms, lanes)
+
+      real(wp) :: force(3*lanes*corners), history(1), motion(3*lanes*corners), rest(1)
+      type(bricks_type) :: alone
+      integer :: c, j, l, n
+
+      ! nodes of its own for every lane; elastic, without drag
+      alone%points = bricks%points
+      alone%stiffness(:) = bricks%stiffness
+      allocate (alone%laws(0))
+      alone%shapes = [bricks%shapes(bricks%shape(batch))]
+      alone%shape = [1]
+      alone%place = reshape([((l + 3*lanes*(n - 1), l=1, lanes), n=1, corners)], &
+         & [lanes, corners, 1])
+      alone%target = alone%place
+      rest(:) = 0.0_wp
+      history(:) = 0.0_wp
+      do j = 1, freedoms
+         motion(:) = 0.0_wp
+         force(:) = 0.0_wp
+         c = (j - 1)/corners
+         n = 1 + mod(j - 1, corners)
+         motion(1 + lanes*c + 3*lanes*(n - 1):lanes*(c + 1) + 3*lanes*(n - 1)) = 1.0_wp
+         call add_brick_forces(alone, [1, 1], .false., 0.0_wp, motion, rest, history, force)
+         do c = 0, 2
+            do n = 1, corners
+               do l = 1, lanes
+                  k(n + corners*c, j, l) = -force(l + lanes*c + 3*lanes*(n - 1))
+               end do
+            end do
+         end do
+      end do
+   end function dense_stiffness
+
+end module plydyn_domain_brick_step

@@ -1,0 +1,158 @@
+!> Bricks as flat arrays.
+module plydyn_domain_bricks
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_laws, only : new_laws
+   use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
+      & new_brick_shape, same_shape
+   use plydyn_element_plate, only : batch_stiffness
+   use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: add_brick_masses, brick_density, new_bricks
+
+   !> Geometries that are looked through for one that is the same
+   integer, parameter :: remembered = 8
+
+contains
+
+   !> The bricks of one part, in the order of the deck
+   function new_bricks(model, p, columns) result(self)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      type(bricks_type) :: self
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+      real(wp) :: stiffness(6, 6)
+      integer :: batches, e, l
+
+      associate (part => model%parts(p), ply => model%parts(p)%plies(1))
+         self%points = part%brick%points
+         self%angle = ply%angle
+         self%turn(:) = [cos(ply%angle*degree), sin(ply%angle*degree)]
+         stiffness(:, :) = model_stiffness(model, p)
+         self%stiffness(:) = batch_stiffness(stiffness)
+         self%brick = pack([(e, e=1, size(model%mesh%brick_id))], model%mesh%brick_part == p)
+         batches = (size(self%brick) + lanes - 1)/lanes
+         self%laws = new_laws(model%materials, spread(spread(ply%material, 1, lanes), 2, 1))
+         if (size(self%laws) > 0) self%histories = self%laws(1)%law%histories
+         if (self%points == 1 .and. part%brick%control == hourglass_viscous) then
+            self%drag = part%brick%coefficient*sqrt(brick_density(model, p)*stiffness_of_waves( &
+               & stiffness))/4.0_wp
+            self%histories = self%histories + 1
+         end if
+         allocate (self%place(lanes, corners, batches))
+         do e = 1, lanes*batches
+            l = min(e, size(self%brick))
+            self%place(1 + mod(e - 1, lanes), :, 1 + (e - 1)/lanes) &
+               & = columns%freedom(1, 1, 1, model%mesh%brick_node(:, self%brick(l)))
+         end do
+         self%target = self%place
+         if (part%brick%control /= hourglass_stiffness) stiffness(:, :) = 0.0_wp
+         call find_shapes(model, part%brick%coefficient*stiffness, self)
+      end associate
+   end function new_bricks
+
+   !> Mass per volume of a part
+   pure real(wp) function brick_density(model, p) result(density)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+
+      density = model%materials(model%parts(p)%plies(1)%material)%density
+   end function brick_density
+
+   !> Stiffness in the axes of the model
+   pure function model_stiffness(model, p) result(stiffness)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: p
+      real(wp) :: stiffness(6, 6)
+
+      real(wp) :: rotation(6, 6)
+
+      associate (ply => model%parts(p)%plies(1))
+         rotation(:, :) = strain_rotation(ply%angle)
+         associate (m => model%materials(ply%material))
+            stiffness(:, :) = matmul(transpose(rotation), &
+               & matmul(ply_stiffness(m%young, m%poisson, m%shear), rotation))
+         end associate
+      end associate
+   end function model_stiffness
+
+   !> Density times the square of the velocity of pressure waves: the largest along an axis
+   pure real(wp) function stiffness_of_waves(stiffness) result(modulus)
+      real(wp), intent(in) :: stiffness(6, 6)
+
+      modulus = maxval([stiffness(1, 1), stiffness(2, 2), stiffness(3, 3)])
+   end function stiffness_of_waves
+
+   !> Geometry of each batch; the same one only once
+   subroutine find_shapes(model, stiffness, self)
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: stiffness(6, 6)
+      type(bricks_type), intent(inout) :: self
+
+      type(brick_shape_type), allocatable :: longer(:)
+      type(brick_shape_type) :: shape
+      real(wp) :: position(3, corners, lanes)
+      integer :: b, count, e, known, l, s
+
+      allocate (self%shapes(1), self%shape(size(self%place, 3)))
+      known = 0
+      do b = 1, size(self%shape)
+         count = min(lanes, size(self%brick) - lanes*(b - 1))
+         do l = 1, lanes
+            e = self%brick(lanes*(b - 1) + min(l, count))
+            position(:, :, l) = model%mesh%position(:, model%mesh%brick_node(:, e))
+         end do
+         shape = new_brick_shape(position, count, self%points, stiffness)
+         do s = known, max(1, known - remembered + 1), -1
+            if (same_shape(shape, self%shapes(s))) exit
+         end do
+         if (s < max(1, known - remembered + 1)) then
+            known = known + 1
+            s = known
+            if (known > size(self%shapes)) then
+               allocate (longer(2*size(self%shapes)))
+               longer(:size(self%shapes)) = self%shapes
+               call move_alloc(longer, self%shapes)
+            end if
+            self%shapes(s) = shape
+         end if
+         self%shape(b) = s
+      end do
+      self%shapes = self%shapes(:known)
+   end subroutine find_shapes
+
+   !> Add the masses of a part to those of the points
+   subroutine add_brick_masses(model, p, columns, mass)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Mass of each point
+      real(wp), intent(inout) :: mass(:)
+
+      integer :: e, place(corners)
+
+      do e = 1, size(model%mesh%brick_id)
+         if (model%mesh%brick_part(e) /= p) cycle
+         associate (node => model%mesh%brick_node(:, e))
+            place(:) = columns%mass_of(1, 1, node)
+            mass(place) = mass(place) + brick_density(model, p) &
+               & *brick_shares(model%mesh%position(:, node))
+         end associate
+      end do
+   end subroutine add_brick_masses
+
+end module plydyn_domain_bricks

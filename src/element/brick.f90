@@ -1,0 +1,285 @@
+!> Bricks of eight nodes: their geometry, and what holds the shapes that one point does not feel.
+!>
+!> Nodes: four of one face, counter-clockwise seen from the other, then the four opposite ones, as
+!> LS-DYNA and VTK have them. A brick with one point takes the mean of the gradients over its volume
+!> (Flanagan and Belytschko, 1981), which passes the patch test on any shape; one with eight takes
+!> the mean of the volume strain over its points (B-bar).
+!>
+!> What one point does not feel are four shapes for each direction, eta zeta, zeta xi, xi eta and
+!> xi eta zeta. Stiffness against them is that of the strains that they bring about in the brick's
+!> own axes, but for the shear of bending and for the normal strain that a brick cannot have with
+!> them (stress is 0 there), as in the assumed strain of Belytschko and Bindeman (1993).
+module plydyn_element_brick
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_law_law, only : block_law_type
+   implicit none
+   private
+
+   public :: brick_shares, new_brick_shape, same_shape
+
+   !> Nodes, and points of full quadrature
+   integer, parameter, public :: corners = 8
+   !> Shapes that one point does not feel
+   integer, parameter, public :: shapes_unfelt = 4
+   !> Constants against them: eta 11 13 33, zeta 11 12 22, xi 22 23 33, three shears, one over the
+   !> three half lengths, and xi eta zeta 1 2 3
+   integer, parameter, public :: stabilisers = 18
+
+   !> xi, eta, zeta of the nodes
+   real(wp), parameter :: xi(corners) = [-1, 1, 1, -1, -1, 1, 1, -1]
+   real(wp), parameter :: eta(corners) = [-1, -1, 1, 1, -1, -1, 1, 1]
+   real(wp), parameter :: zeta(corners) = [-1, -1, -1, -1, 1, 1, 1, 1]
+   !> The shapes at the nodes, (nodes, shapes)
+   real(wp), parameter, public :: unfelt(corners, shapes_unfelt) = reshape([eta*zeta, zeta*xi, &
+      & xi*eta, xi*eta*zeta], [corners, shapes_unfelt])
+
+   !> Geometry of a batch; all zero in lanes without a brick
+   type, public :: brick_shape_type
+      !> Gradients of the shape functions at the points, (lanes, 8, 3, points)
+      real(wp), allocatable :: gradient(:, :, :, :)
+      !> Volume of the points, (lanes, points)
+      real(wp), allocatable :: volume(:, :)
+      !> Share of the unfelt shapes in the positions, (lanes, 3, 4)
+      real(wp) :: bent(lanes, 3, shapes_unfelt) = 0.0_wp
+      !> Unit vectors along the brick's own axes, (lanes, components, axes)
+      real(wp) :: axis(lanes, 3, 3) = 0.0_wp
+      !> Stiffness against unfelt shapes, (lanes, `stabilisers`)
+      real(wp) :: hold(lanes, stabilisers) = 0.0_wp
+   end type brick_shape_type
+
+   !> All bricks of a part, eight side by side
+   type, public :: bricks_type
+      !> Points of a brick, 1 or 8
+      integer :: points = 1
+      !> Index of each brick in the mesh
+      integer, allocatable :: brick(:)
+      !> Places of the nodes' x in the arrays of motion, and in that of forces; y and z lie one and
+      !> two times `lanes` behind; (lanes, 8, batches)
+      integer, allocatable :: place(:, :, :), target(:, :, :)
+      !> Geometries that occur, and that of each batch
+      type(brick_shape_type), allocatable :: shapes(:)
+      integer, allocatable :: shape(:)
+      !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate`
+      real(wp) :: stiffness(13) = 0.0_wp
+      !> Fibre direction, degrees from the x axis; its cosine and sine
+      real(wp) :: angle = 0.0_wp, turn(2) = [1.0_wp, 0.0_wp]
+      !> Law; none where the part is elastic
+      type(block_law_type), allocatable :: laws(:)
+      !> History variables of a point; where hourglass control is viscous the last is the energy
+      !> that it took, per brick
+      integer :: histories = 0
+      !> Where those of this part begin in the state
+      integer :: first_history = 0
+      !> Viscous hourglass force per velocity of an unfelt shape over volume**(2/3); 0 for none
+      real(wp) :: drag = 0.0_wp
+   end type bricks_type
+
+   !> Relative difference below which two geometries are the same
+   real(wp), parameter :: difference = 1.0e-9_wp
+
+contains
+
+   !> Geometry of a batch
+   pure function new_brick_shape(position, count, points, local_stiffness) result(self)
+      !> Nodes of each lane, (3, 8, lanes)
+      real(wp), intent(in) :: position(:, :, :)
+      !> Lanes that have a brick
+      integer, intent(in) :: count
+      !> Points of a brick, 1 or 8
+      integer, intent(in) :: points
+      !> Stiffness in the axes of the model times the share of hourglass control; 0 for none
+      real(wp), intent(in) :: local_stiffness(6, 6)
+      type(brick_shape_type) :: self
+
+      integer :: l
+
+      allocate (self%gradient(lanes, corners, 3, points), self%volume(lanes, points))
+      self%gradient(:, :, :, :) = 0.0_wp
+      self%volume(:, :) = 0.0_wp
+      do l = 1, count
+         call set_gradients(position(:, :, l), points, self%gradient(l, :, :, :), self%volume(l, :))
+         if (points > 1) cycle
+         self%bent(l, :, :) = matmul(position(:, :, l), unfelt)/corners
+         call set_hold(position(:, :, l), sum(self%volume(l, :)), local_stiffness, &
+            & self%axis(l, :, :), self%hold(l, :))
+      end do
+   end function new_brick_shape
+
+   !> Gradients and volumes at the points of one brick, or their mean and sum
+   pure subroutine set_gradients(position, points, gradient, volume)
+      real(wp), intent(in) :: position(3, corners)
+      integer, intent(in) :: points
+      real(wp), intent(out) :: gradient(corners, 3, points), volume(points)
+
+      real(wp) :: each(corners, 3, corners), part(corners)
+      integer :: m
+
+      do m = 1, corners
+         call gradient_at(position, m, each(:, :, m), part(m))
+      end do
+      if (points > 1) then
+         gradient(:, :, :) = each
+         volume(:) = part
+         return
+      end if
+      gradient(:, :, :) = 0.0_wp
+      volume(1) = sum(part)
+      do m = 1, corners
+         gradient(:, :, 1) = gradient(:, :, 1) + part(m)/volume(1)*each(:, :, m)
+      end do
+   end subroutine set_gradients
+
+   !> Gradients at a Gauss point of 2 x 2 x 2, and its volume
+   pure subroutine gradient_at(position, point, gradient, volume)
+      real(wp), intent(in) :: position(3, corners)
+      integer, intent(in) :: point
+      real(wp), intent(out) :: gradient(corners, 3), volume
+
+      real(wp) :: inverse(3, 3), slope(corners, 3)
+
+      slope(:, :) = slopes_at(point)
+      call invert(matmul(position, slope), inverse, volume)
+      gradient(:, :) = matmul(slope, inverse)
+   end subroutine gradient_at
+
+   !> Derivatives of the shape functions along xi, eta, zeta
+   pure function slopes_at(point) result(slope)
+      !> Gauss point, in the order of the nodes; 0 for the centre
+      integer, intent(in) :: point
+      real(wp) :: slope(corners, 3)
+
+      real(wp) :: gauss(2), reach, x, y, z
+
+      gauss(:) = gauss_points(2)
+      reach = merge(gauss(2), 0.0_wp, point > 0)
+      x = reach*xi(max(point, 1))
+      y = reach*eta(max(point, 1))
+      z = reach*zeta(max(point, 1))
+      slope(:, 1) = xi*(1.0_wp + eta*y)*(1.0_wp + zeta*z)/corners
+      slope(:, 2) = eta*(1.0_wp + xi*x)*(1.0_wp + zeta*z)/corners
+      slope(:, 3) = zeta*(1.0_wp + xi*x)*(1.0_wp + eta*y)/corners
+   end function slopes_at
+
+   !> Inverse and determinant
+   pure subroutine invert(a, inverse, determinant)
+      real(wp), intent(in) :: a(3, 3)
+      real(wp), intent(out) :: inverse(3, 3), determinant
+
+      inverse(1, :) = cross(a(:, 2), a(:, 3))
+      inverse(2, :) = cross(a(:, 3), a(:, 1))
+      inverse(3, :) = cross(a(:, 1), a(:, 2))
+      determinant = dot_product(inverse(1, :), a(:, 1))
+      inverse(:, :) = inverse/determinant
+   end subroutine invert
+
+   !> Vector product
+   pure function cross(a, b)
+      real(wp), intent(in) :: a(3), b(3)
+      real(wp) :: cross(3)
+
+      cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
+   end function cross
+
+   !> The brick's own axes, and its stiffness against unfelt shapes there
+   pure subroutine set_hold(position, volume, stiffness, axis, hold)
+      real(wp), intent(in) :: position(3, corners), volume, stiffness(6, 6)
+      real(wp), intent(out) :: axis(3, 3), hold(stabilisers)
+
+      real(wp) :: c(6, 6), long(3), s(3, 3), unused
+      integer :: i
+
+      axis(:, :) = matmul(position, slopes_at(0))
+      do i = 1, 3
+         long(i) = norm2(axis(:, i))
+         axis(:, i) = axis(:, i)/long(i)
+      end do
+      c(:, :) = turned(stiffness, square(axis))
+      hold(1:3) = reduced(c, 1, 3, 2)/[long(1)**2, long(1)*long(3), long(3)**2]
+      hold(4:6) = reduced(c, 1, 2, 3)/[long(1)**2, long(1)*long(2), long(2)**2]
+      hold(7:9) = reduced(c, 2, 3, 1)/[long(2)**2, long(2)*long(3), long(3)**2]
+      hold(10:12) = [c(4, 4), c(5, 5), c(6, 6)]
+      hold(13:15) = 1.0_wp/long
+      hold(:12) = volume/3.0_wp*hold(:12)
+      if (maxval(abs(c)) <= 0.0_wp) then
+         hold(:) = 0.0_wp
+         return
+      end if
+      call invert(c(:3, :3), s, unused)
+      hold(16:18) = [(volume/(9.0_wp*s(i, i)*long(i)**2), i=1, 3)]
+   end subroutine set_hold
+
+   !> Axes at right angles that lie close to those of a brick: the third is normal to the first two
+   pure function square(axis) result(right)
+      real(wp), intent(in) :: axis(3, 3)
+      real(wp) :: right(3, 3)
+
+      right(:, 1) = axis(:, 1)
+      right(:, 3) = cross(axis(:, 1), axis(:, 2))
+      right(:, 3) = right(:, 3)/norm2(right(:, 3))
+      right(:, 2) = cross(right(:, 3), right(:, 1))
+   end function square
+
+   !> A stiffness in other axes: Voigt order xx yy zz xy xz yz
+   pure function turned(stiffness, axis) result(c)
+      real(wp), intent(in) :: stiffness(6, 6), axis(3, 3)
+      real(wp) :: c(6, 6)
+
+      integer, parameter :: first(6) = [1, 2, 3, 1, 1, 2], second(6) = [1, 2, 3, 2, 3, 3]
+      real(wp) :: t(6, 6)
+      integer :: i, j
+
+      ! strain in the model's axes from strain in the brick's
+      do j = 1, 6
+         do i = 1, 6
+            t(i, j) = axis(first(i), first(j))*axis(second(i), second(j)) &
+               & + axis(first(i), second(j))*axis(second(i), first(j))
+         end do
+      end do
+      t(:3, :) = 0.5_wp*t(:3, :)
+      c(:, :) = matmul(transpose(t), matmul(stiffness, t))
+   end function turned
+
+   !> Stiffness of two normal strains, 11, 12, 22, where a third stress is zero
+   pure function reduced(c, i, j, k) result(q)
+      real(wp), intent(in) :: c(6, 6)
+      !> The two strains and the stress
+      integer, intent(in) :: i, j, k
+      real(wp) :: q(3)
+
+      q(:) = [c(i, i), c(i, j), c(j, j)]
+      if (c(k, k) > 0.0_wp) then
+         q(:) = q - [c(i, k)*c(i, k), c(i, k)*c(j, k), c(j, k)*c(j, k)]/c(k, k)
+      end if
+   end function reduced
+
+   !> Volume of each node of a brick: the integral of its shape function
+   pure function brick_shares(position) result(share)
+      !> Nodes, (3, 8)
+      real(wp), intent(in) :: position(3, corners)
+      real(wp) :: share(corners)
+
+      real(wp) :: gauss(2), gradient(corners, 3), volume
+      integer :: m
+
+      gauss(:) = gauss_points(2)
+      share(:) = 0.0_wp
+      do m = 1, corners
+         call gradient_at(position, m, gradient, volume)
+         share(:) = share + volume*(1.0_wp + xi*xi(m)*gauss(2))*(1.0_wp + eta*eta(m)*gauss(2)) &
+            & *(1.0_wp + zeta*zeta(m)*gauss(2))/corners
+      end do
+   end function brick_shares
+
+   !> Whether two batches have the same geometry
+   pure logical function same_shape(one, other) result(same)
+      type(brick_shape_type), intent(in) :: one, other
+
+      same = maxval(abs(one%gradient - other%gradient)) <= difference*maxval(abs(one%gradient)) &
+         & .and. maxval(abs(one%volume - other%volume)) <= difference*maxval(one%volume)
+      if (same) same = maxval(abs(one%axis - other%axis)) <= difference &
+         & .and. maxval(abs(one%bent - other%bent))*maxval(abs(one%gradient)) <= difference &
+         & .and. maxval(abs(one%hold - other%hold)) <= difference*maxval(abs(one%hold))
+   end function same_shape
+
+end module plydyn_element_brick

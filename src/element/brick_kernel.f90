@@ -1,0 +1,257 @@
+!> Internal forces of bricks, eight side by side.
+module plydyn_element_brick_kernel
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_brick, only : brick_shape_type, bricks_type, corners, shapes_unfelt
+   use plydyn_element_brick_hourglass, only : add_drag, add_hold, hold_energy, spread_unfelt, &
+      & unfelt_motion
+   use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
+      & turn_strain, turn_stress
+   implicit none
+   private
+
+   public :: add_brick_forces, gather, hourglass_energy, mean_volume_strain
+
+contains
+
+   !> Subtract the internal forces of some batches
+   pure subroutine add_brick_forces(bricks, batches, large, step, displacement, velocity, &
+      & history, force)
+      !> The bricks of a part
+      type(bricks_type), intent(in) :: bricks
+      !> First and last batch
+      integer, intent(in) :: batches(2)
+      !> Large displacement (total Lagrangian) instead of linear strain
+      logical, intent(in) :: large
+      !> Time step
+      real(wp), intent(in) :: step
+      !> Displacement and velocity of all points
+      real(wp), intent(in) :: displacement(*), velocity(*)
+      !> History of the part, (lanes, histories, points, batches)
+      real(wp), intent(inout) :: history(lanes, bricks%histories, bricks%points, *)
+      !> Force on all points
+      real(wp), intent(inout) :: force(*)
+
+      real(wp) :: f(lanes, corners, 3), total, u(lanes, corners, 3)
+      integer :: b
+
+      total = merge(1.0_wp, 0.0_wp, large)
+      do b = batches(1), batches(2)
+         call gather(bricks%place(:, :, b), displacement, u)
+         associate (shape => bricks%shapes(bricks%shape(b)))
+            if (bricks%points > 1) then
+               call full_forces(bricks, shape, total, step, u, history(:, :, :, b), f)
+            else if (size(bricks%laws) == 0 .and. bricks%drag <= 0.0_wp) then
+               call elastic_forces(bricks%stiffness, shape, total, u, f)
+            else
+               call point_forces(bricks, b, shape, total, step, u, velocity, &
+                  & history(:, :, 1, b), f)
+            end if
+         end associate
+         call scatter(bricks%target(:, :, b), f, force)
+      end do
+   end subroutine add_brick_forces
+
+   !> Motion of the nodes of a batch
+   pure subroutine gather(place, motion, u)
+      !> Places of x in the arrays of motion
+      integer, intent(in) :: place(lanes, corners)
+      !> Displacement or velocity of all points
+      real(wp), intent(in) :: motion(*)
+      !> That of the nodes
+      real(wp), intent(out) :: u(lanes, corners, 3)
+      integer :: l, n
+
+      do n = 1, corners
+         do l = 1, lanes
+            u(l, n, 1) = motion(place(l, n))
+            u(l, n, 2) = motion(place(l, n) + lanes)
+            u(l, n, 3) = motion(place(l, n) + 2*lanes)
+         end do
+      end do
+   end subroutine gather
+
+   !> Subtract forces at the nodes of a batch
+   pure subroutine scatter(target, f, force)
+      integer, intent(in) :: target(lanes, corners)
+      real(wp), intent(in) :: f(lanes, corners, 3)
+      real(wp), intent(inout) :: force(*)
+      integer :: l, n
+
+      do n = 1, corners
+         do l = 1, lanes
+            force(target(l, n)) = force(target(l, n)) - f(l, n, 1)
+            force(target(l, n) + lanes) = force(target(l, n) + lanes) - f(l, n, 2)
+            force(target(l, n) + 2*lanes) = force(target(l, n) + 2*lanes) - f(l, n, 3)
+         end do
+      end do
+   end subroutine scatter
+
+   !> One point, elastic, with stiffness against hourglassing
+   pure subroutine elastic_forces(c, shape, large, u, f)
+      real(wp), intent(in) :: c(13), large, u(lanes, corners, 3)
+      type(brick_shape_type), intent(in) :: shape
+      real(wp), intent(out) :: f(lanes, corners, 3)
+
+      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), pull(lanes, 3, shapes_unfelt)
+      real(wp) :: q(lanes, 3, shapes_unfelt), s(lanes, 6)
+
+      call gradient_of(u, shape%gradient(:, :, :, 1), h)
+      call strain_of(h, large, e)
+      call elastic_stress(c, e, s)
+      call to_flux(h, large, shape%volume(:, 1), s, p)
+      call unfelt_motion(u, h, shape%bent, q)
+      call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
+      call spread_unfelt(pull, shape%bent, p, f)
+      call integrate(p, shape%gradient(:, :, :, 1), f)
+   end subroutine elastic_forces
+
+   !> One point, with a law or viscous hourglass control
+   pure subroutine point_forces(bricks, batch, shape, large, step, u, velocity, history, f)
+      type(bricks_type), intent(in) :: bricks
+      integer, intent(in) :: batch
+      type(brick_shape_type), intent(in) :: shape
+      real(wp), intent(in) :: large, step, u(lanes, corners, 3), velocity(*)
+      real(wp), intent(inout) :: history(lanes, bricks%histories)
+      real(wp), intent(out) :: f(lanes, corners, 3)
+
+      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), pull(lanes, 3, shapes_unfelt)
+      real(wp) :: q(lanes, 3, shapes_unfelt), rate(lanes, 3, 3), s(lanes, 6), v(lanes, corners, 3)
+
+      call gradient_of(u, shape%gradient(:, :, :, 1), h)
+      call strain_of(h, large, e)
+      call find_stress(bricks, step, e, history, s)
+      call to_flux(h, large, shape%volume(:, 1), s, p)
+      if (bricks%drag > 0.0_wp) then
+         call gather(bricks%place(:, :, batch), velocity, v)
+         call gradient_of(v, shape%gradient(:, :, :, 1), rate)
+         call unfelt_motion(v, rate, shape%bent, q)
+         call add_drag(bricks%drag, shape%volume(:, 1), step, q, pull, &
+            & history(:, bricks%histories))
+      else
+         call unfelt_motion(u, h, shape%bent, q)
+         call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
+      end if
+      call spread_unfelt(pull, shape%bent, p, f)
+      call integrate(p, shape%gradient(:, :, :, 1), f)
+   end subroutine point_forces
+
+   !> Eight points, with the mean of the volume strain and of the pressure
+   pure subroutine full_forces(bricks, shape, large, step, u, history, f)
+      type(bricks_type), intent(in) :: bricks
+      type(brick_shape_type), intent(in) :: shape
+      real(wp), intent(in) :: large, step, u(lanes, corners, 3)
+      real(wp), intent(inout) :: history(lanes, bricks%histories, corners)
+      real(wp), intent(out) :: f(lanes, corners, 3)
+
+      real(wp) :: e(lanes, 6, corners), h(lanes, 3, 3, corners), p(lanes, 3, 3)
+      real(wp) :: s(lanes, 6, corners)
+      integer :: m
+
+      do m = 1, corners
+         call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
+         call strain_of(h(:, :, :, m), large, e(:, :, m))
+      end do
+      call mean_volume_strain(shape%volume, e)
+      do m = 1, corners
+         call find_stress(bricks, step, e(:, :, m), history(:, :, m), s(:, :, m))
+      end do
+      call mean_volume_strain(shape%volume, s)
+      f(:, :, :) = 0.0_wp
+      do m = 1, corners
+         call to_flux(h(:, :, :, m), large, shape%volume(:, m), s(:, :, m), p)
+         call integrate(p, shape%gradient(:, :, :, m), f)
+      end do
+   end subroutine full_forces
+
+   !> Give all points of a brick the mean of a trace
+   pure subroutine mean_volume_strain(volume, e)
+      !> Volume of the points; none in lanes without a brick
+      real(wp), intent(in) :: volume(lanes, corners)
+      !> Strain or stress at the points
+      real(wp), intent(inout) :: e(lanes, 6, corners)
+
+      real(wp) :: mean(lanes), more(lanes), whole(lanes)
+      integer :: m
+
+      mean(:) = 0.0_wp
+      whole(:) = tiny(1.0_wp)
+      do m = 1, corners
+         mean(:) = mean + volume(:, m)*(e(:, 1, m) + e(:, 2, m) + e(:, 3, m))
+         whole(:) = whole + volume(:, m)
+      end do
+      mean(:) = mean/whole
+      do m = 1, corners
+         more(:) = (mean - (e(:, 1, m) + e(:, 2, m) + e(:, 3, m)))/3.0_wp
+         e(:, 1, m) = e(:, 1, m) + more
+         e(:, 2, m) = e(:, 2, m) + more
+         e(:, 3, m) = e(:, 3, m) + more
+      end do
+   end subroutine mean_volume_strain
+
+   !> Stress in the axes of the model, elastic or by the law
+   pure subroutine find_stress(bricks, step, e, history, s)
+      type(bricks_type), intent(in) :: bricks
+      real(wp), intent(in) :: step
+      real(wp), intent(inout) :: e(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, bricks%histories)
+      real(wp), intent(out) :: s(lanes, 6)
+
+      if (size(bricks%laws) == 0) then
+         call elastic_stress(bricks%stiffness, e, s)
+         return
+      end if
+      s(:, :) = 0.0_wp
+      call turn_strain(bricks%turn, e)
+      call bricks%laws(1)%law%update(step, e, history, s)
+      call turn_stress(bricks%turn, s)
+   end subroutine find_stress
+
+   !> Add the flux of a point to the forces of the nodes
+   pure subroutine integrate(p, b, f)
+      real(wp), intent(in) :: p(lanes, 3, 3), b(lanes, corners, 3)
+      real(wp), intent(inout) :: f(lanes, corners, 3)
+      integer :: i, l, n
+
+      do i = 1, 3
+         do n = 1, corners
+            !$omp simd
+            do l = 1, lanes
+               f(l, n, i) = f(l, n, i) + (p(l, i, 1)*b(l, n, 1) + p(l, i, 2)*b(l, n, 2) &
+                  & + p(l, i, 3)*b(l, n, 3))
+            end do
+         end do
+      end do
+   end subroutine integrate
+
+   !> Energy that hourglass control has stored, or taken
+   pure real(wp) function hourglass_energy(bricks, large, displacement, history) result(energy)
+      !> The bricks of a part
+      type(bricks_type), intent(in) :: bricks
+      !> Large displacement
+      logical, intent(in) :: large
+      !> Displacement of all points
+      real(wp), intent(in) :: displacement(*)
+      !> History of the part
+      real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
+
+      real(wp) :: h(lanes, 3, 3), q(lanes, 3, shapes_unfelt), u(lanes, corners, 3)
+      integer :: b
+
+      energy = 0.0_wp
+      if (bricks%points > 1) return
+      do b = 1, size(bricks%shape)
+         if (bricks%drag > 0.0_wp) then
+            energy = energy + sum(history(:, bricks%histories, 1, b))
+            cycle
+         end if
+         associate (shape => bricks%shapes(bricks%shape(b)))
+            call gather(bricks%place(:, :, b), displacement, u)
+            call gradient_of(u, shape%gradient(:, :, :, 1), h)
+            call unfelt_motion(u, h, shape%bent, q)
+            energy = energy + sum(hold_energy(shape%hold, shape%axis, h, &
+               & merge(1.0_wp, 0.0_wp, large), q))
+         end associate
+      end do
+   end function hourglass_energy
+
+end module plydyn_element_brick_kernel

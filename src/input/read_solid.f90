@@ -1,0 +1,161 @@
+!> Readers of bricks.
+module plydyn_input_read_solid
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_input_catalogue, only : a_brick, a_curve, a_material, a_node, a_part, &
+      & a_solid_section, an_hourglass, catalogue_type
+   use plydyn_model_layup, only : brick_section_type, part_type, ply_type
+   use plydyn_model_load, only : segment_load_type
+   use plydyn_model_material, only : law_ply_damage, material_type
+   use plydyn_model_mesh, only : mesh_type
+   implicit none
+   private
+
+   public :: read_control_hourglass, read_element_solid, read_hourglass, read_load_segment, &
+      & read_part_of_bricks, read_section_solid
+
+   !> Nodes of a brick and of a segment, and their names
+   integer, parameter :: corners = 8, segment = 4
+   character(2), parameter :: names(corners) = ["N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8"]
+   !> ELFORM of bricks of one point
+   integer, parameter :: one_point = 1
+
+contains
+
+   !> *SECTION_SOLID: integration
+   subroutine read_section_solid(cards, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(brick_section_type) :: section
+
+      call catalogue%define(a_solid_section, cards, "SECID")
+      section%points = merge(1, corners, cards%integer("ELFORM") == one_point)
+      catalogue%solid_sections = [catalogue%solid_sections, section]
+   end subroutine read_section_solid
+
+   !> *HOURGLASS: hourglass control of some parts
+   subroutine read_hourglass(cards, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(brick_section_type) :: control
+
+      call catalogue%define(an_hourglass, cards, "HGID")
+      control%control = cards%integer("IHQ")
+      control%coefficient = cards%real("QM")
+      catalogue%hourglasses = [catalogue%hourglasses, control]
+   end subroutine read_hourglass
+
+   !> *CONTROL_HOURGLASS: hourglass control of all other parts
+   subroutine read_control_hourglass(cards, usual)
+      type(cards_type), intent(in) :: cards
+      !> Control of parts that name none
+      type(brick_section_type), intent(inout) :: usual
+
+      usual%control = cards%integer("IHQ")
+      usual%coefficient = cards%real("QH")
+   end subroutine read_control_hourglass
+
+   !> *PART: bricks of one material
+   subroutine read_part_of_bricks(cards, catalogue, materials, parts)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), intent(in) :: materials(:)
+      type(part_type), allocatable, intent(inout) :: parts(:)
+
+      type(part_type) :: part
+      integer :: control, section
+
+      call catalogue%define(a_part, cards, "PID")
+      part%id = cards%integer("PID")
+      part%title = cards%word("TITLE")
+      allocate (part%plies(1), part%joint(0))
+      part%plies(1) = ply_type(id=1, order=0)
+      call catalogue%find(a_material, cards, "MID", part%plies(1)%material)
+      if (part%plies(1)%material > 0) then
+         part%plies(1)%angle = materials(part%plies(1)%material)%axis_angle
+         if (materials(part%plies(1)%material)%law == law_ply_damage) then
+            call catalogue%refuse(cards, "MID", "the material is damaged, and bricks are not", &
+               & "an elastic material or a metal, or plates")
+         end if
+      end if
+      part%brick = catalogue%usual_hourglass
+      if (cards%integer("HGID") > 0) then
+         call catalogue%find(an_hourglass, cards, "HGID", control)
+         if (control > 0) part%brick = catalogue%hourglasses(control)
+      end if
+      call catalogue%find(a_solid_section, cards, "SECID", section)
+      part%brick%points = corners
+      if (section > 0) part%brick%points = catalogue%solid_sections(section)%points
+      parts = [parts, part]
+   end subroutine read_part_of_bricks
+
+   !> *ELEMENT_SOLID: bricks
+   subroutine read_element_solid(cards, catalogue, mesh)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(mesh_type), intent(inout) :: mesh
+
+      integer :: k, n, nth
+
+      n = size(mesh%brick_id)
+      call add_bricks(mesh, cards%sets())
+      do nth = 1, cards%sets()
+         call catalogue%define(a_brick, cards, "EID", nth)
+         call catalogue%find(a_part, cards, "PID", mesh%brick_part(n + nth), nth)
+         mesh%brick_id(n + nth) = cards%integer("EID", nth)
+         associate (node => mesh%brick_node(:, n + nth))
+            do k = 1, corners
+               call catalogue%find(a_node, cards, names(k), node(k), nth)
+               if (node(k) == 0 .or. all(node(:k - 1) /= node(k))) cycle
+               call catalogue%refuse(cards, names(k), "node " &
+                  & //text(cards%integer(names(k), nth))//" is in the brick twice", &
+                  & "eight different nodes; there are no wedges and tetrahedra", nth)
+            end do
+            if (any(node == 0)) catalogue%mesh_is_sound = .false.
+         end associate
+      end do
+   end subroutine read_element_solid
+
+   !> *LOAD_SEGMENT: pressure on faces of bricks
+   subroutine read_load_segment(cards, catalogue, loads)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(segment_load_type), allocatable, intent(inout) :: loads(:)
+
+      type(segment_load_type) :: new(cards%sets())
+      integer :: k, nth
+
+      do nth = 1, cards%sets()
+         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+         new(nth)%scale = cards%real("SF", nth)
+         do k = 1, segment
+            call catalogue%find(a_node, cards, names(k), new(nth)%node(k), nth)
+         end do
+      end do
+      loads = [loads, new]
+   end subroutine read_load_segment
+
+   !> Make room for bricks
+   pure subroutine add_bricks(mesh, more)
+      type(mesh_type), intent(inout) :: mesh
+      !> How many
+      integer, intent(in) :: more
+
+      integer, allocatable :: id(:), node(:, :), part(:)
+      integer :: n
+
+      n = size(mesh%brick_id)
+      allocate (id(n + more), part(n + more), node(corners, n + more))
+      id(:n) = mesh%brick_id
+      part(:n) = mesh%brick_part
+      node(:, :n) = mesh%brick_node
+      node(:, n + 1:) = 0
+      call move_alloc(id, mesh%brick_id)
+      call move_alloc(part, mesh%brick_part)
+      call move_alloc(node, mesh%brick_node)
+   end subroutine add_bricks
+
+end module plydyn_input_read_solid

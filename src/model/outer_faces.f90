@@ -1,0 +1,105 @@
+!> Faces of bricks that no other brick has.
+module plydyn_model_outer_faces
+   use plydyn_base_precision, only : wp
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_support, only : top_face
+   implicit none
+   private
+
+   public :: faces_of_part
+
+   !> Corners of the faces of a brick, counter-clockwise seen from outside
+   integer, parameter :: face_corner(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, 1, 2, 6, 5, 2, 3, 7, &
+      & 6, 3, 4, 8, 7, 4, 1, 5, 8], [4, 6])
+   !> Least share of the normal along z of a face that looks up or down
+   real(wp), parameter :: least_slope = 0.5_wp
+
+contains
+
+   !> Outer faces of a part that look up or down, counter-clockwise seen from above, (4, faces)
+   pure function faces_of_part(mesh, part, side) result(faces)
+      !> The bricks
+      type(mesh_type), intent(in) :: mesh
+      !> Index of the part
+      integer, intent(in) :: part
+      !> `bottom_face` or `top_face`
+      integer, intent(in) :: side
+      integer, allocatable :: faces(:, :)
+
+      integer :: corner(4, 6*size(mesh%brick_id)), kept
+      logical :: outer(6*size(mesh%brick_id))
+      integer :: e, f, k
+
+      call find_outer(mesh, outer)
+      kept = 0
+      do e = 1, size(mesh%brick_id)
+         if (mesh%brick_part(e) /= part) cycle
+         do f = 1, 6
+            k = f + 6*(e - 1)
+            if (.not. outer(k)) cycle
+            associate (node => mesh%brick_node(face_corner(:, f), e))
+               if (real(side, wp)*slope(mesh%position(:, node)) < least_slope) cycle
+               kept = kept + 1
+               corner(:, kept) = merge(node, node(4:1:-1), side == top_face)
+            end associate
+         end do
+      end do
+      faces = corner(:, :kept)
+   end function faces_of_part
+
+   !> Which faces of all bricks belong to one brick only, face by face
+   pure subroutine find_outer(mesh, outer)
+      type(mesh_type), intent(in) :: mesh
+      logical, intent(out) :: outer(:)
+
+      integer :: first(size(mesh%node_id)), next(size(outer)), sorted(4, size(outer))
+      integer :: e, f, k, other
+
+      ! faces in a chain by their lowest node
+      first(:) = 0
+      outer(:) = .true.
+      do e = 1, size(mesh%brick_id)
+         do f = 1, 6
+            k = f + 6*(e - 1)
+            sorted(:, k) = in_order(mesh%brick_node(face_corner(:, f), e))
+            other = first(sorted(1, k))
+            do while (other > 0)
+               if (all(sorted(:, other) == sorted(:, k))) then
+                  outer([k, other]) = .false.
+                  exit
+               end if
+               other = next(other)
+            end do
+            next(k) = first(sorted(1, k))
+            first(sorted(1, k)) = k
+         end do
+      end do
+   end subroutine find_outer
+
+   !> Four numbers in rising order
+   pure function in_order(numbers) result(sorted)
+      integer, intent(in) :: numbers(4)
+      integer :: sorted(4)
+      integer :: i, low
+
+      sorted(:) = numbers
+      do i = 1, 3
+         low = i - 1 + minloc(sorted(i:), 1)
+         sorted([i, low]) = sorted([low, i])
+      end do
+   end function in_order
+
+   !> Share of the normal of a face along z
+   pure real(wp) function slope(x)
+      !> Corners, (3, 4)
+      real(wp), intent(in) :: x(:, :)
+
+      real(wp) :: a(3), b(3), n(3)
+
+      a(:) = x(:, 3) - x(:, 1)
+      b(:) = x(:, 4) - x(:, 2)
+      n(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
+      slope = n(3)/norm2(n)
+   end function slope
+
+end module plydyn_model_outer_faces
