@@ -62,7 +62,8 @@ contains
       !> Why there is no going on
       type(error_type), allocatable, intent(out) :: error
 
-      character(len(head)) :: found
+      ! one character more than the head shows whether the line is longer
+      character(len(head) + 1) :: found
       integer(int64) :: kept
       integer :: status
       logical :: good

@@ -14,6 +14,7 @@ module plydyn_output_vtkhdf
    use plydyn_base_text, only : text
    use plydyn_output_h5, only : h5_file_type, store_double, store_integer, store_single
    use plydyn_output_places, only : place_type, places_type
+   use plydyn_output_text_file, only : try_text
    use plydyn_output_vtkhdf_copy, only : copy_states
    use plydyn_output_vtkhdf_layout, only : add_state, cell_data, cell_data_offsets, make_groups, &
       & make_offsets, make_steps, own_group, point_data, point_data_offsets, write_grid
@@ -94,6 +95,8 @@ contains
       !> Why the file could not be created
       type(error_type), allocatable, intent(out) :: error
 
+      logical :: exists
+
       this%path = trim(path)
       this%points = size(points, 2)
       this%cells = size(types)
@@ -105,6 +108,10 @@ contains
             & //"one more", error)
          return
       end if
+      ! what is there already must be a file that can be replaced
+      inquire (file=this%path, exist=exists)
+      if (exists) call try_text(this%path, error)
+      if (allocated(error)) return
       call this%file%create(this%path//in_the_making, error)
       if (allocated(error)) return
       call make_groups(this%file, error)
@@ -125,7 +132,6 @@ contains
 
    !> Say something about the file: an attribute of the group /plydyn, such as title or length
    subroutine describe(this, name, value, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Name of the attribute
       character(*), intent(in) :: name
@@ -139,7 +145,6 @@ contains
 
    !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
    subroutine add_table(this, name, columns, values, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Name of the dataset
       character(*), intent(in) :: name
@@ -168,7 +173,6 @@ contains
 
    !> A number per cell
    subroutine add_cell_integers(this, name, values, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Name of the field
       character(*), intent(in) :: name
@@ -184,7 +188,6 @@ contains
 
    !> A real per cell
    subroutine add_cell_reals(this, name, values, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Name of the field
       character(*), intent(in) :: name
@@ -200,7 +203,6 @@ contains
 
    !> Several reals per cell
    subroutine add_cell_vectors(this, name, values, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Name of the field
       character(*), intent(in) :: name
@@ -255,7 +257,6 @@ contains
 
    !> Put the file in its place, once all fields are declared
    subroutine settle(this, places, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Where to go on with files of an earlier run: their states are taken over
       type(places_type), intent(in) :: places
@@ -358,7 +359,6 @@ contains
 
    !> Put all states on the disk, and note how many there are
    subroutine mark(this, places, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: this
       !> Places in all files
       type(places_type), intent(inout) :: places

@@ -119,6 +119,8 @@ contains
       call history%close(error)
       call history%open(path, ["force"], ["N"], 2.0_wp, places, error)
       call check_error(error, "must have the columns", "other columns than before")
+      call history%open(path, ["t"], [" "], 2.0_wp, places, error)
+      call check_error(error, "must have the columns", "heads that only begin alike")
       call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
       call check(.not. allocated(error), "the same columns")
       call check(.not. history%due(3.5_wp) .and. history%due(4.0_wp), "the instants go on")
