@@ -29,6 +29,25 @@ def test_bimetal_impact_has_the_degrees_of_freedom_of_table_4(decks: Path) -> No
     assert len(study.laminate.stack) == 16
 
 
+#: Recipe of a model of Tables 2 and 4, its bricks and its degrees of freedom
+BRICKS = [
+    ("elastic_impact/bricks_1", 102_400, 334_611),
+    ("elastic_impact/bricks_3", 307_200, 964_467),
+    ("elastic_impact/bricks_5", 512_000, 1_594_323),
+    ("bimetal_impact/bricks_1", 102_400, 334_611),
+    ("bimetal_impact/bricks_2", 270_848, 856_251),
+]
+
+
+@pytest.mark.parametrize(("name", "bricks", "freedoms"), BRICKS)
+def test_bricks_are_those_of_tables_2_and_4(
+    decks: Path, name: str, bricks: int, freedoms: int
+) -> None:
+    study = pre.load_recipe(decks / f"{name}.toml")
+    counts = pre.count(study, pre.make_mesh(study.mesh))
+    assert (counts.quads, counts.freedoms) == (bricks, freedoms)
+
+
 @pytest.mark.parametrize(
     ("changes", "levels"),
     [

@@ -29,6 +29,7 @@ from plydyn_pre.mesh import (
 )
 from plydyn_pre.recipe import example_recipe, load_recipe
 from plydyn_pre.study import (
+    Bricks,
     Cohesive,
     Contact,
     Control,
@@ -60,6 +61,7 @@ from plydyn_pre.version import VERSION
 __version__ = VERSION
 
 __all__ = [
+    "Bricks",
     "Cohesive",
     "Contact",
     "Control",

@@ -165,7 +165,10 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
 def _tell_counts(study: Study, mesh: Mesh) -> None:
     """Print how large the model is."""
     counts = count(study, mesh)
-    _tell("quads", f"{counts.quads} of {mesh.quads.shape[1]} nodes")
+    if study.bricks is None:
+        _tell("quads", f"{counts.quads} of {mesh.quads.shape[1]} nodes")
+    else:
+        _tell("bricks", f"{counts.quads:,} of 8 nodes")
     _tell("nodes", f"{counts.nodes}")
     _tell("thickness levels", f"{counts.levels}")
     _tell("DOF", f"{counts.freedoms:,}")

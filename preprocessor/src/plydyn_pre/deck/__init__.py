@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
 
-from plydyn_pre.deck import conditions, control, grid, materials, plates
+from plydyn_pre.deck import bricks, conditions, control, grid, materials, plates
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Mesh
@@ -20,6 +20,10 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     """The deck in pieces, each of some lines without the last line's end."""
     names = Names(study, mesh)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
+    if study.bricks is not None:
+        yield from bricks.brick_keywords(names)
+        yield "*END"
+        return
     # sets, curves and materials come after all that uses them, since only those in use are written
     yield from chain(
         control.control_keywords(names),

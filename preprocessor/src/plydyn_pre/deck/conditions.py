@@ -21,26 +21,33 @@ from plydyn_pre.study import (
 )
 
 _FACES = {"bottom": -1, "plane": 0, "top": 1, "all": 2}
-_DIRECTIONS = {"x": 1, "y": 2, "z": 3}
-_QUANTITIES = {"velocity": 0, "acceleration": 1, "displacement": 2}
+DIRECTIONS = {"x": 1, "y": 2, "z": 3}
+QUANTITIES = {"velocity": 0, "acceleration": 1, "displacement": 2}
 _METHODS = {"nodes_on_impactor": 1, "points_on_plate": 2}
 
 
 def impactor_keywords(names: Names) -> Iterator[str]:
     """The impactor and its contact."""
+    if names.study.impactor is None:
+        return
+    part = names.part(names.study.touch.part, "contact.part")
+    yield from impactor_on(names, names.study.laminate_of(part), names.parts[part])
+
+
+def impactor_on(names: Names, laminate: Laminate, pid: int) -> Iterator[str]:
+    """The impactor and its contact with a part."""
     impactor, contact = names.study.impactor, names.study.touch
     if impactor is None:
         return
-    part = names.part(contact.part, "contact.part")
     x, y = impactor.position or names.mesh.middle
-    z = _height(impactor, contact, names.study.laminate_of(part)) + names.mesh.height
+    z = _height(impactor, contact, laminate) + names.mesh.height
     place = {"iid": 1, "radius": impactor.radius, "mass": impactor.mass, "xc": x, "yc": y, "zc": z}
     motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
     dof, shape = int(impactor.guided), int(impactor.hemisphere)
     freedom = {"dof": dof, "gravz": impactor.gravity, "shape": shape}
     yield titled("IMPACTOR_SPHERE", impactor.title, place, motion | freedom)
     face, method = _FACES[contact.face], _METHODS[contact.method]
-    pair = {"cid": 1, "iid": 1, "pid": names.parts[part], "face": face, "method": method}
+    pair = {"cid": 1, "iid": 1, "pid": pid, "face": face, "method": method}
     yield keyword("CONTACT_IMPACTOR", pair | {"spacing": contact.spacing})
 
 
@@ -76,10 +83,10 @@ def set_keywords(names: Names) -> Iterator[str]:
     """The sets that are used."""
     for name, sid in names.node_sets.items():
         ids = names.mesh.node_ids[names.nodes_of(name, "")]
-        yield titled("SET_NODE_LIST", name, _set(sid), *id_cards(ids))
+        yield titled("SET_NODE_LIST", name, set_card(sid), *id_cards(ids))
     for name, sid in names.quad_sets.items():
         ids = names.mesh.quad_ids[names.quads_of(name, "")]
-        yield titled("SET_SHELL_LIST", name, _set(sid), *id_cards(ids))
+        yield titled("SET_SHELL_LIST", name, set_card(sid), *id_cards(ids))
 
 
 def _height(impactor: Impactor, contact: Contact, laminate: Laminate) -> float:
@@ -108,26 +115,36 @@ def _load(names: Names, load: Load, path: str) -> str:
             return keyword("LOAD_FACE_PRESSURE", {**place, **_factor(names, load)})
         case Force():
             nodes = names.mesh.node_ids[names.nodes_of(load.set, path)]
-            place = {"face": _FACES[load.face], "dof": _DIRECTIONS[load.direction]}
+            place = {"face": _FACES[load.face], "dof": DIRECTIONS[load.direction]}
             cards = [{"nid": int(nid), **place, **_factor(names, load)} for nid in nodes]
             return keyword("LOAD_FACE_POINT", *cards)
         case LineForce():
             place = {"nsid": names.node_set(load.set, path), "face": _FACES[load.face]}
-            place |= {"dof": _DIRECTIONS[load.direction]}
+            place |= {"dof": DIRECTIONS[load.direction]}
             return keyword("LOAD_FACE_LINE", {**place, **_factor(names, load)})
         case FrameAcceleration():
-            factor = {"lcid": names.written_curve(load.curve), "sf": load.value}
-            return keyword(f"LOAD_BODY_{load.direction.upper()}", factor)
+            return frame_acceleration(names, load)
         case Motion():
             place = {"nsid": names.node_set(load.set, path), "face": _FACES[load.face]}
-            place |= {"dof": _DIRECTIONS[load.direction], "vad": _QUANTITIES[load.quantity]}
+            place |= {"dof": DIRECTIONS[load.direction], "vad": QUANTITIES[load.quantity]}
             return keyword("BOUNDARY_FACE_MOTION", {**place, **_factor(names, load)})
         case InitialVelocity():
             nsid = 0 if load.set == "all" else names.node_set(load.set, path)
-            others = dict.fromkeys(("nsidex", "boxid", "irigid", "icid"), 0)
-            motion = dict(zip(("vx", "vy", "vz"), map(float, load.velocity), strict=True))
-            turns = dict.fromkeys(("vxr", "vyr", "vzr"), 0.0)
-            return keyword("INITIAL_VELOCITY", {"nsid": nsid} | others, motion | turns)
+            return initial_velocity(load, nsid)
+
+
+def frame_acceleration(names: Names, load: FrameAcceleration) -> str:
+    """The keyword of an accelerated frame."""
+    factor = {"lcid": names.written_curve(load.curve), "sf": load.value}
+    return keyword(f"LOAD_BODY_{load.direction.upper()}", factor)
+
+
+def initial_velocity(load: InitialVelocity, nsid: int) -> str:
+    """The keyword of a velocity at time zero."""
+    others = dict.fromkeys(("nsidex", "boxid", "irigid", "icid"), 0)
+    motion = dict(zip(("vx", "vy", "vz"), map(float, load.velocity), strict=True))
+    turns = dict.fromkeys(("vxr", "vyr", "vzr"), 0.0)
+    return keyword("INITIAL_VELOCITY", {"nsid": nsid} | others, motion | turns)
 
 
 def _factor(names: Names, load: Pressure | Force | LineForce | Motion) -> Card:
@@ -135,6 +152,6 @@ def _factor(names: Names, load: Pressure | Force | LineForce | Motion) -> Card:
     return {"lcid": names.curve(load.curve), "sf": load.value}
 
 
-def _set(sid: int) -> Card:
+def set_card(sid: int) -> Card:
     """The first card of a set."""
     return {"sid": sid, "da1": 0.0, "da2": 0.0, "da3": 0.0, "da4": 0.0}

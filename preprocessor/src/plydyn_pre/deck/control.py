@@ -36,22 +36,28 @@ def control_keywords(names: Names) -> Iterator[str]:
 def output_keywords(names: Names) -> Iterator[str]:
     """What is to be written, and when."""
     outputs = names.study.outputs
-    for field, name in _INTERVALS.items():
-        interval = getattr(outputs, field)
-        if interval is not None:
-            yield keyword(name, {"dt": interval})
+    yield from interval_keywords(names)
     if outputs.nodes:
         ids = [
             names.node_set(name, f"outputs.nodes[{number}]")
             for number, name in enumerate(outputs.nodes, start=1)
         ]
         yield keyword("DATABASE_HISTORY_NODE_SET", *id_cards(ids))
-    if outputs.fields:
-        yield keyword("DATABASE_FIELD", *outputs.fields)
     for number, profile in enumerate(outputs.profiles, start=1):
         x, y = map(float, profile.at)
         place = {"id": number, "x": x, "y": y}
         yield keyword("DATABASE_PROFILE", place | {"npt": profile.points, "dt": profile.interval})
+
+
+def interval_keywords(names: Names) -> Iterator[str]:
+    """When what is written, and which fields."""
+    outputs = names.study.outputs
+    for field, name in _INTERVALS.items():
+        interval = getattr(outputs, field)
+        if interval is not None:
+            yield keyword(name, {"dt": interval})
+    if outputs.fields:
+        yield keyword("DATABASE_FIELD", *outputs.fields)
 
 
 def _units(study: Study) -> Card:

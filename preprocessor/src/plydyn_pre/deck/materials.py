@@ -26,10 +26,10 @@ _ONSETS = {"remaining": 0, "intact": 1}
 def material_keywords(names: Names) -> Iterator[str]:
     """The materials that are used."""
     for name, mid in names.materials.items():
-        yield _material(names, name, mid)
+        yield material_keyword(names, name, mid)
 
 
-def _material(names: Names, name: str, mid: int) -> str:
+def material_keyword(names: Names, name: str, mid: int) -> str:
     """The keyword of a material."""
     material: Material = names.study.materials[name]
     title = material.title or name

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.conditions import (
     Contact,
     Curve,
@@ -32,6 +33,7 @@ from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
 __all__ = [
+    "Bricks",
     "Cohesive",
     "Contact",
     "Control",

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Shape
+from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.conditions import (
     Contact,
     Curve,
@@ -34,6 +35,7 @@ class Study:
     control: Control
     laminate: Laminate | None = None  # of every part that `laminates` does not name
     laminates: dict[str, Laminate] = field(default_factory=dict)  # by the names of parts
+    bricks: Bricks | None = None  # in place of layers
     sets: dict[str, NodeSet] = field(default_factory=dict)
     supports: tuple[Support, ...] = ()
     impactor: Impactor | None = None
