@@ -88,9 +88,11 @@ class Deck:
         path.write_text(self.text())
         return path
 
-    def control(self, *, linear: bool = False, damping: float = 0.0, share: float = 0.9) -> None:
-        """Strain measure, damping per mass, share of the stable step."""
-        self.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05))
+    def control(
+        self, *, linear: bool = False, damping: float = 0.0, share: float = 0.9, scheme: int = 0
+    ) -> None:
+        """Strain measure, damping per mass, share of the stable step, what is implicit."""
+        self.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05, scheme))
         self.add("CONTROL_TIMESTEP", (0.0, share))
         if damping > 0.0:
             self.add("DAMPING_GLOBAL", (0, damping))
