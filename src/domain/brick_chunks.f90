@@ -1,5 +1,6 @@
 !> Chunks of bricks: what a thread takes at a time; see `plydyn_domain_chunks`.
 module plydyn_domain_brick_chunks
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
    implicit none
    private
@@ -54,7 +55,7 @@ contains
          columns = columns + chunks_at(domain%borders(1, i)) - 1
          domain%borders(3, i) = columns
       end do
-      domain%columns%forces = domain%columns%height*columns
+      domain%columns%forces = front + domain%columns%height*columns
       next(:) = [(i, i=1, size(next))]
       do c = 1, size(domain%chunks)
          call shift_targets(domain, domain%chunks(c), next)
@@ -78,7 +79,7 @@ contains
       associate (place => domain%bricks(chunk%plate)%place, height => domain%columns%height)
          do b = chunk%quads(1), chunk%quads(2)
             do n = 1, size(place, 2)
-               touched(1 + (place(:, n, b) - 1)/height) = .true.
+               touched(1 + (place(:, n, b) - front - 1)/height) = .true.
             end do
          end do
       end associate
@@ -97,8 +98,8 @@ contains
          & place => domain%bricks(chunk%plate)%place)
          do b = chunk%quads(1), chunk%quads(2)
             do n = 1, size(target, 2)
-               target(:, n, b) = 1 + mod(place(:, n, b) - 1, height) &
-                  & + height*(next(1 + (place(:, n, b) - 1)/height) - 1)
+               target(:, n, b) = front + 1 + mod(place(:, n, b) - front - 1, height) &
+                  & + height*(next(1 + (place(:, n, b) - front - 1)/height) - 1)
             end do
          end do
       end associate

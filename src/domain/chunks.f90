@@ -7,6 +7,7 @@
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
    implicit none
    private
@@ -110,7 +111,7 @@ contains
          columns = columns + chunks_at(domain%borders(1, i)) - 1
          domain%borders(3, i) = columns
       end do
-      domain%columns%forces = domain%columns%height*columns
+      domain%columns%forces = front + domain%columns%height*columns
       next(:) = [(i, i=1, size(next))]
       do c = 1, size(domain%chunks)
          associate (chunk => domain%chunks(c), plate => domain%plates(domain%chunks(c)%plate))

@@ -124,7 +124,7 @@ contains
       integer :: f
 
       f = count(self%before < row)
-      mass_place = (columns%start(f, node) - 1)/3 + row - self%before(f)
+      mass_place = columns%mass_start(f, node) - 1 + row - self%before(f)
    end function mass_place
 
    !> What follows one row when something makes it jump: responses of all other rows to it over its

@@ -18,6 +18,10 @@ module plydyn_domain_columns
 
    public :: new_columns, new_solid_columns
 
+   !> Places in front of all columns. The C library puts large arrays 16 bytes behind a line of the
+   !> cache (64 bytes): so columns begin on a line, and vectors never lie across two
+   integer, parameter, public :: front = 6
+
    !> Layers of one order
    type, public :: family_type
       !> Order of the expansion
@@ -55,6 +59,7 @@ module plydyn_domain_columns
    contains
       procedure :: tie
       procedure :: start
+      procedure :: mass_start
       procedure :: freedom
       procedure :: mass_of
       procedure :: levels
@@ -84,8 +89,8 @@ contains
          associate (family => self%families(f))
             family%order = p
             family%blocks = (count(order == p) + lanes - 1)/lanes
-            family%first = self%height + 1
-            family%first_mass = self%height/3 + 1
+            family%first = front + self%height + 1
+            family%first_mass = front + self%height/3 + 1
             allocate (family%layer(lanes, family%blocks))
             family%layer(:, :) = 0
             family%tied_above = spread(0.0_wp, 1, lanes*family%blocks)
@@ -99,8 +104,8 @@ contains
             self%height = self%height + 3*lanes*family%blocks*(p + 1)
          end associate
       end do
-      self%freedoms = self%height*nodes
-      self%masses = self%freedoms/3
+      self%freedoms = front + self%height*nodes
+      self%masses = front + self%height/3*nodes
       self%forces = self%freedoms
    end function new_columns
 
@@ -117,12 +122,12 @@ contains
       self%home = reshape([1, 1, 1], [3, 1])
       allocate (self%families(1))
       self%families(1)%blocks = 1
-      self%families(1)%first = 1
-      self%families(1)%first_mass = 1
+      self%families(1)%first = front + 1
+      self%families(1)%first_mass = front + 1
       self%families(1)%layer = reshape([1, spread(0, 1, lanes - 1)], [lanes, 1])
       self%families(1)%tied_above = spread(0.0_wp, 1, lanes)
-      self%freedoms = self%height*self%count
-      self%masses = self%freedoms/3
+      self%freedoms = front + self%height*self%count
+      self%masses = front + self%height/3*self%count
       self%forces = self%freedoms
    end function new_solid_columns
 
@@ -154,6 +159,17 @@ contains
          start = f%first + self%height*(column - 1)
       end associate
    end function start
+
+   !> The same in the arrays of masses, (lanes, blocks, levels)
+   elemental integer function mass_start(self, family, node)
+      class(columns_type), intent(in) :: self
+      !> Index of the family
+      integer, intent(in) :: family
+      !> Node of the plane
+      integer, intent(in) :: node
+
+      mass_start = self%families(family)%first_mass + self%height/3*(node - 1)
+   end function mass_start
 
    !> Place of a point's displacement in the arrays of motion
    elemental integer function freedom(self, layer, level, direction, node)

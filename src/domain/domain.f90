@@ -2,7 +2,7 @@
 module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_columns, only : columns_type, front
    use plydyn_domain_layers, only : layers_type
    use plydyn_domain_links, only : links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
@@ -100,7 +100,7 @@ module plydyn_domain_domain
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
       !> History variables of all Gauss points together
-      integer :: histories = 0
+      integer :: histories = front
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Chunks of all quads or bricks

@@ -88,7 +88,7 @@ contains
          associate (family => columns%families(f), share => plate%batches(f)%expansion%mass_share)
             levels = family%order + 1
             do t = 1, levels
-               first = columns%height/3*(node - 1) + family%first_mass + lanes*family%blocks*(t - 1)
+               first = columns%mass_start(f, node) + lanes*family%blocks*(t - 1)
                mass(first:first + lanes*family%blocks - 1) = &
                   & mass(first:first + lanes*family%blocks - 1) &
                   & + area*share(t)*reshape(density, [size(density)])

@@ -45,7 +45,7 @@ contains
       end do
       do f = 1, size(starts)
          first = starts(f) + self%before(f) + 1
-         call respond(self, f, node, half_step, free, mass((first - 1)/3 + 1:), &
+         call respond(self, f, node, half_step, free, mass(columns%mass_start(f, node):), &
             & velocity(first:), acceleration(first:), sums)
          call add_stretches(self, f, node, half_step, &
             & self%rows(f)/(columns%families(f)%order + 1), &

@@ -1,6 +1,7 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_solver_forces
    use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_interface_kernel, only : add_face_forces
@@ -32,7 +33,8 @@ contains
       !$omp parallel default(shared) private(c, i)
       !$omp do schedule(dynamic)
       do c = 1, size(domain%chunks)
-         call clear_columns(domain%columns%height, domain%chunks(c)%column, force)
+         call clear_columns(domain%columns%height, domain%chunks(c)%column, &
+            & force(front + 1:))
          if (size(domain%bricks) > 0) then
             associate (bricks => domain%bricks(domain%chunks(c)%plate))
                call add_brick_forces(bricks, domain%chunks(c)%quads, &
@@ -47,9 +49,9 @@ contains
       !$omp end do
       !$omp do schedule(static)
       do i = 1, size(domain%borders, 2)
-         call add_columns(domain%columns%height, domain%borders(:, i), force)
+         call add_columns(domain%columns%height, domain%borders(:, i), force(front + 1:))
       end do
-      !$omp end do
+      !$omp end do nowait
       !$omp end parallel
    end subroutine find_internal_forces
 

@@ -12,6 +12,8 @@ module plydyn_solver_motion
 
    !> Columns whose sums one thread makes
    integer, parameter :: block_nodes = 64
+   !> Sums of a block, lane by lane: momentum along x, y, z, then these
+   integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
 
 contains
 
@@ -72,50 +74,56 @@ contains
       !> Sums over all points
       type(sums_type), intent(out) :: sums
 
-      integer :: b, k, n
+      integer :: b, k
 
-      !$omp parallel default(shared) private(b, k, n)
-      !$omp do schedule(static)
-      do k = 1, size(domain%far_ties, 2)
-         force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
-      end do
-      !$omp end do
-      !$omp do schedule(static)
-      do b = 1, node_blocks(domain)
-         do n = 1 + block_nodes*(b - 1), min(block_nodes*b, domain%columns%count)
-            call accelerate_column(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
-            call couple(domain, n, 0.5_wp*step, velocity, force, block_sums(b))
+      if (size(domain%far_ties, 2) > 0) then
+         !$omp parallel do schedule(static) default(shared) private(k)
+         do k = 1, size(domain%far_ties, 2)
+            force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
          end do
+         !$omp end parallel do
+      end if
+      !$omp parallel do schedule(static) default(shared) private(b)
+      do b = 1, node_blocks(domain)
+         call accelerate_block(domain, b, 0.5_wp*step, velocity, force, block_sums(b))
       end do
-      !$omp end do
-      !$omp end parallel
+      !$omp end parallel do
       sums = total(block_sums)
    end subroutine accelerate
 
-   !> `accelerate` for the column of a node
-   pure subroutine accelerate_column(domain, node, half_step, velocity, force, sums)
+   !> `accelerate` for a block of nodes
+   pure subroutine accelerate_block(domain, block, half_step, velocity, force, sums)
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: node
+      integer, intent(in) :: block
       real(wp), intent(in) :: half_step
       real(wp), intent(in), contiguous :: velocity(:)
       real(wp), intent(inout), contiguous :: force(:)
       type(sums_type), intent(inout) :: sums
 
-      integer :: f, first, mass
+      real(wp) :: part(lanes, parts)
+      integer :: f, first, mass, n
 
-      do f = 1, size(domain%columns%families)
-         associate (family => domain%columns%families(f))
-            first = domain%columns%start(f, node)
-            mass = family%first_mass + domain%columns%height/3*(node - 1)
-            if (family%is_tied) then
-               call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
-                  & force(first:))
-            end if
-            call divide(family%blocks*(family%order + 1), half_step, domain%mass(mass:), &
-               & domain%inverse_mass(mass:), velocity(first:), force(first:), sums)
-         end associate
+      part(:, :) = 0.0_wp
+      do n = 1 + block_nodes*(block - 1), min(block_nodes*block, domain%columns%count)
+         do f = 1, size(domain%columns%families)
+            associate (family => domain%columns%families(f))
+               first = domain%columns%start(f, n)
+               mass = domain%columns%mass_start(f, n)
+               if (family%is_tied) then
+                  call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
+                     & force(first:))
+               end if
+               call divide(family%blocks*(family%order + 1), half_step, domain%mass(mass:), &
+                  & domain%inverse_mass(mass:), velocity(first:), force(first:), part)
+            end associate
+         end do
+         call couple(domain, n, half_step, velocity, force, sums)
       end do
-   end subroutine accelerate_column
+      sums%momentum(:) = sums%momentum + sum(part(:, :3), 1)
+      sums%twice_kinetic = sums%twice_kinetic + sum(part(:, kinetic_at))
+      sums%power = sums%power + sum(part(:, power_at))
+      sums%pull = sums%pull + sum(part(:, pull_at))
+   end subroutine accelerate_block
 
    !> Inertia that the points of a column share, where the scheme adds any
    pure subroutine couple(domain, node, half_step, velocity, acceleration, sums)
@@ -161,39 +169,50 @@ contains
       end do
    end subroutine share_forces
 
-   !> Force over mass, and the sums of one family above a node
-   pure subroutine divide(rows, half_step, mass, inverse_mass, v, a, sums)
+   !> Force over mass of one family above a node, and its part in the sums
+   pure subroutine divide(rows, half_step, mass, inverse_mass, v, a, part)
       integer, intent(in) :: rows
       real(wp), intent(in) :: half_step, mass(lanes, rows), inverse_mass(lanes, rows)
       real(wp), intent(in) :: v(lanes, rows, 3)
-      real(wp), intent(inout) :: a(lanes, rows, 3)
-      type(sums_type), intent(inout) :: sums
+      real(wp), intent(inout) :: a(lanes, rows, 3), part(lanes, parts)
 
-      real(wp), dimension(lanes) :: pull, kinetic, momentum, power
-      real(wp) :: now
-      integer :: c, l, r
+      real(wp) :: kinetic, power, pull, px, py, pz, vx, vy, vz
+      integer :: l, r
 
-      pull(:) = 0.0_wp
-      kinetic(:) = 0.0_wp
-      power(:) = 0.0_wp
-      do c = 1, 3
-         momentum(:) = 0.0_wp
-         do r = 1, rows
-            !$omp simd private(now)
-            do l = 1, lanes
-               a(l, r, c) = a(l, r, c)*inverse_mass(l, r)
-               now = v(l, r, c) + half_step*a(l, r, c)
-               momentum(l) = momentum(l) + mass(l, r)*now
-               kinetic(l) = kinetic(l) + mass(l, r)*now*now
-               power(l) = power(l) + mass(l, r)*a(l, r, c)*v(l, r, c)
-               pull(l) = pull(l) + mass(l, r)*a(l, r, c)**2
-            end do
+      !$omp simd private(kinetic, power, pull, px, py, pz, vx, vy, vz, r)
+      do l = 1, lanes
+         px = part(l, 1)
+         py = part(l, 2)
+         pz = part(l, 3)
+         kinetic = part(l, kinetic_at)
+         power = part(l, power_at)
+         pull = part(l, pull_at)
+         r = 0
+         ! with its end tested last: around a loop that may be empty there are no vectors
+         do
+            r = r + 1
+            a(l, r, 1) = a(l, r, 1)*inverse_mass(l, r)
+            a(l, r, 2) = a(l, r, 2)*inverse_mass(l, r)
+            a(l, r, 3) = a(l, r, 3)*inverse_mass(l, r)
+            vx = v(l, r, 1) + half_step*a(l, r, 1)
+            vy = v(l, r, 2) + half_step*a(l, r, 2)
+            vz = v(l, r, 3) + half_step*a(l, r, 3)
+            px = px + mass(l, r)*vx
+            py = py + mass(l, r)*vy
+            pz = pz + mass(l, r)*vz
+            kinetic = kinetic + mass(l, r)*(vx**2 + vy**2 + vz**2)
+            power = power + mass(l, r)*(a(l, r, 1)*v(l, r, 1) + a(l, r, 2)*v(l, r, 2) &
+               & + a(l, r, 3)*v(l, r, 3))
+            pull = pull + mass(l, r)*(a(l, r, 1)**2 + a(l, r, 2)**2 + a(l, r, 3)**2)
+            if (r == rows) exit
          end do
-         sums%momentum(c) = sums%momentum(c) + sum(momentum)
+         part(l, 1) = px
+         part(l, 2) = py
+         part(l, 3) = pz
+         part(l, kinetic_at) = kinetic
+         part(l, power_at) = power
+         part(l, pull_at) = pull
       end do
-      sums%twice_kinetic = sums%twice_kinetic + sum(kinetic)
-      sums%power = sums%power + sum(power)
-      sums%pull = sums%pull + sum(pull)
    end subroutine divide
 
    !> Sums over all points, block by block

@@ -11,13 +11,17 @@ program bench
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_solver_motion, only : accelerate, advance, node_blocks
    use plydyn_solver_threads, only : set_threads
+   use plydyn_state_state, only : state_type
    implicit none
 
    !> Windows, and the time that one is to take at least, seconds
    integer, parameter :: windows = 400
    real(wp), parameter :: window = 1.0e-4_wp
-   real(wp), parameter :: nano = 1.0e9_wp, giga = 1.0e9_wp
+   real(wp), parameter :: nano = 1.0e9_wp, micro = 1.0e6_wp, giga = 1.0e9_wp
+   !> Quads along x and y: one chunk, and the plate of the paper's table 7
+   integer, parameter :: in_cache(2) = [4, 4], of_paper(2) = [16, 12]
 
    abstract interface
       !> What is timed
@@ -26,6 +30,7 @@ program bench
    end interface
 
    type(domain_type) :: domain
+   type(state_type) :: state
    real(wp), allocatable :: displacement(:), force(:), history(:)
    real(wp) :: vectors(lanes, chains)
    character(32) :: chosen
@@ -45,6 +50,8 @@ program bench
       end do
       call time_interfaces("interface springs", side)
    end do
+   call time_step("step linear", linear_strain)
+   call time_step("step large", total_lagrangian)
 
 contains
 
@@ -57,7 +64,7 @@ contains
 
       write (line, "(2a,i0,a,i0)") name, " q", side**2, " le", order
       if (index(line, trim(chosen)) == 0) return
-      call plate_case(side, order, kinematics, .false., domain)
+      call plate_case(side, in_cache, order, kinematics, .false., domain)
       if (law == "damage") call damage_laws(domain)
       if (law == "plastic") call yield_laws(domain)
       call rest()
@@ -74,11 +81,25 @@ contains
 
       write (line, "(2a,i0)") name, " q", side**2
       if (index(line, trim(chosen)) == 0) return
-      call plate_case(side, 1, linear_strain, .true., domain)
+      call plate_case(side, in_cache, 1, linear_strain, .true., domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
          & nano*best_time(interface_forces)/real((lanes - 1)*size(domain%plates(1)%quad), wp)
    end subroutine time_interfaces
+
+   !> Print the parts of a step of 192 quads of nine nodes, order 2, joined by springs, in
+   !> microseconds
+   subroutine time_step(name, kinematics)
+      character(*), intent(in) :: name
+      integer, intent(in) :: kinematics
+
+      if (index(name, trim(chosen)) == 0) return
+      call plate_case(3, of_paper, 2, kinematics, .true., domain)
+      call rest()
+      write (*, "(2a,f0.2)") name, " forces,", micro*best_time(internal_forces)
+      write (*, "(2a,f0.2)") name, " accelerate,", micro*best_time(accelerations)
+      write (*, "(2a,f0.2)") name, " advance,", micro*best_time(motion)
+   end subroutine time_step
 
    !> Small random displacements, no history
    subroutine rest()
@@ -89,12 +110,28 @@ contains
       displacement(:) = 1.0e-6_wp*displacement
       force(:) = 0.0_wp
       history(:) = 0.0_wp
+      state%velocity = displacement
+      state%displacement = displacement
+      state%acceleration = force
+      state%step = 1.0e-12_wp
+      if (allocated(state%block_sums)) deallocate (state%block_sums)
+      allocate (state%block_sums(node_blocks(domain)))
    end subroutine rest
 
    !> All plies of the plate
    subroutine internal_forces()
       call find_internal_forces(domain, 0.0_wp, displacement, 0.0_wp*displacement, history, force)
    end subroutine internal_forces
+
+   !> Forces to accelerations
+   subroutine accelerations()
+      call accelerate(domain, 0.0_wp, displacement, force, state%block_sums, state%sums)
+   end subroutine accelerations
+
+   !> Velocities and displacements of a step
+   subroutine motion()
+      call advance(domain, state)
+   end subroutine motion
 
    !> All interfaces of the plate
    subroutine interface_forces()

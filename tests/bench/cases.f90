@@ -1,4 +1,4 @@
-!> Plates for the timing of kernels: one chunk of sixteen quads, eight plies, in the cache.
+!> Plates of eight plies for the timing of kernels and steps.
 module plydyn_bench_cases
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
@@ -26,9 +26,9 @@ module plydyn_bench_cases
 contains
 
    !> A plate of elastic plies that are apart, or joined by springs
-   subroutine plate_case(side, order, kinematics, joined, domain)
-      !> Nodes along a side of a quad, order of the plies, strain measure
-      integer, intent(in) :: side, order, kinematics
+   subroutine plate_case(side, quads, order, kinematics, joined, domain)
+      !> Nodes along a side of a quad, quads along x and y, order of the plies, strain measure
+      integer, intent(in) :: side, quads(2), order, kinematics
       !> Whether springs join the plies
       logical, intent(in) :: joined
       !> The plate
@@ -37,7 +37,8 @@ contains
       type(error_type), allocatable :: error
       type(model_type) :: model
 
-      model = rectangle_model(rectangle_mesh(side, 4, 4, size_of_plate, size_of_plate, 0.05_wp), &
+      model = rectangle_model(rectangle_mesh(side, quads(1), quads(2), size_of_plate, &
+         & size_of_plate, 0.05_wp), &
          & angles, thickness, spread(order, 1, size(angles)))
       model%parts(1)%joint(:) = faces_apart
       if (joined) then

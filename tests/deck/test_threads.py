@@ -82,6 +82,7 @@ def run(deck: Path, folder: Path, threads: int, words: list[str]) -> dict[str, b
     folder.mkdir()
     environment = dict(os.environ)
     environment.pop("OMP_NUM_THREADS", None)
+    environment["OMP_WAIT_POLICY"] = "passive"  # kinder to what else runs
     if not words:
         environment["OMP_NUM_THREADS"] = str(threads)
     done = subprocess.run(
