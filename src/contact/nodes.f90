@@ -328,9 +328,9 @@ contains
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      real(wp) :: slope(2, surface%nodes), place(2)
+      real(wp) :: on_fold(3), slope(2, surface%nodes), place(2)
       logical :: folded(2)
-      integer :: row
+      integer :: i, row
 
       folded(:) = abs(foot%place) > 1.0_wp - fold_width
       place(:) = merge(sign(1.0_wp, foot%place), foot%place, folded)
@@ -342,8 +342,11 @@ contains
       call shape_functions(surface%nodes, place(1), place(2), rows%weight(:, row), slope)
       if (any(folded)) then
          rows%normal(:, row) = -self%position(:, node)/norm2(self%position(:, node))
-         rows%gap(row) = dot_product(rows%normal(:, row), centre + self%position(:, node) &
-            & - matmul(position(:, rows%point(:, row)), rows%weight(:, row)))
+         on_fold(:) = 0.0_wp
+         do i = 1, surface%nodes
+            on_fold(:) = on_fold + rows%weight(i, row)*position(:, rows%point(i, row))
+         end do
+         rows%gap(row) = dot_product(rows%normal(:, row), centre + self%position(:, node) - on_fold)
       end if
    end subroutine add_row
 

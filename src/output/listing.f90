@@ -4,6 +4,7 @@ module plydyn_output_listing
    use plydyn_base_text, only : text
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_memory, only : history_bytes, mesh_bytes
    use plydyn_law_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
@@ -232,14 +233,12 @@ contains
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: seconds_per_step
 
-      real(wp) :: bytes, points, states, steps
+      real(wp) :: points, states, steps
       integer :: i
 
       call write_section(unit, "Effort")
       steps = domain%control%end_time/domain%step
       if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
-      bytes = real(storage_size(1.0_wp)/8, wp)*(3.0_wp*domain%columns%freedoms &
-         & + 2.0_wp*domain%columns%masses)
       points = 0.0_wp
       do i = 1, size(domain%layers%order)
          points = points + domain%columns%nodes*merge(3, 5, domain%layers%order(i) <= 2)
@@ -247,7 +246,10 @@ contains
       states = 1.0_wp + domain%control%end_time/model%request%field_interval
       write (unit, "(a,f0.0)") "steps                         ", steps
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
-      write (unit, "(a,f0.1,a)") "memory of motion and masses   ", bytes/megabyte, " MB"
+      write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
+         & mesh_bytes(domain)/megabyte, " MB"
+      write (unit, "(a,f0.1,a)") "memory of histories           ", history_bytes(domain)/megabyte, &
+         & " MB"
       write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
          & *sum(field_components(model%request%fields))/megabyte, " MB"
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)

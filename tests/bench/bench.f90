@@ -4,7 +4,6 @@
 !> Values are the best of many short windows, so that other work on the machine disturbs little.
 program bench
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
@@ -23,11 +22,8 @@ program bench
    !> Quads along x and y: one chunk, and the plate of the paper's table 7
    integer, parameter :: in_cache(2) = [4, 4], of_paper(2) = [16, 12]
 
-   abstract interface
-      !> What is timed
-      subroutine work_type()
-      end subroutine work_type
-   end interface
+   !> What can be timed
+   integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
 
    type(domain_type) :: domain
    type(state_type) :: state
@@ -69,7 +65,7 @@ contains
       if (law == "plastic") call yield_laws(domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
-         & nano*best_time(internal_forces)/real(lanes*size(domain%plates(1)%quad), wp)
+         & nano*best_time(internal)/real(lanes*size(domain%plates(1)%quad), wp)
    end subroutine time_plates
 
    !> Print the time of an interface element
@@ -84,7 +80,7 @@ contains
       call plate_case(side, in_cache, 1, linear_strain, .true., domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
-         & nano*best_time(interface_forces)/real((lanes - 1)*size(domain%plates(1)%quad), wp)
+         & nano*best_time(joints)/real((lanes - 1)*size(domain%plates(1)%quad), wp)
    end subroutine time_interfaces
 
    !> Print the parts of a step of 192 quads of nine nodes, order 2, joined by springs, in
@@ -96,8 +92,8 @@ contains
       if (index(name, trim(chosen)) == 0) return
       call plate_case(3, of_paper, 2, kinematics, .true., domain)
       call rest()
-      write (*, "(2a,f0.2)") name, " forces,", micro*best_time(internal_forces)
-      write (*, "(2a,f0.2)") name, " accelerate,", micro*best_time(accelerations)
+      write (*, "(2a,f0.2)") name, " forces,", micro*best_time(internal)
+      write (*, "(2a,f0.2)") name, " accelerate,", micro*best_time(acceleration)
       write (*, "(2a,f0.2)") name, " advance,", micro*best_time(motion)
    end subroutine time_step
 
@@ -118,48 +114,42 @@ contains
       allocate (state%block_sums(node_blocks(domain)))
    end subroutine rest
 
-   !> All plies of the plate
-   subroutine internal_forces()
-      call find_internal_forces(domain, 0.0_wp, displacement, 0.0_wp*displacement, history, force)
-   end subroutine internal_forces
+   !> Do a piece of work
+   subroutine do_work(work)
+      !> Which
+      integer, intent(in) :: work
 
-   !> Forces to accelerations
-   subroutine accelerations()
-      call accelerate(domain, 0.0_wp, displacement, force, state%block_sums, state%sums)
-   end subroutine accelerations
-
-   !> Velocities and displacements of a step
-   subroutine motion()
-      call advance(domain, state)
-   end subroutine motion
-
-   !> All interfaces of the plate
-   subroutine interface_forces()
-      call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
-   end subroutine interface_forces
-
-   !> Multiplications and additions, nothing else
-   subroutine probe()
-      call multiply_add(vectors)
-   end subroutine probe
+      select case (work)
+      case (probe)
+         call multiply_add(vectors)
+      case (internal)
+         call find_internal_forces(domain, 0.0_wp, displacement, displacement, history, force)
+      case (joints)
+         call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
+      case (acceleration)
+         call accelerate(domain, 0.0_wp, displacement, force, state%block_sums, state%sums)
+      case default
+         call advance(domain, state)
+      end select
+   end subroutine do_work
 
    !> Least time that some work takes, seconds
    real(wp) function best_time(work) result(best)
-      procedure(work_type) :: work
+      integer, intent(in) :: work
 
       integer(int64) :: now, rate, then
       integer :: i, k, repeats
 
-      call work()
+      call do_work(work)
       call system_clock(then, rate)
-      call work()
+      call do_work(work)
       call system_clock(now)
       repeats = 1 + int(window*real(rate, wp)/real(max(now - then, 1_int64), wp))
       best = huge(1.0_wp)
       do k = 1, windows
          call system_clock(then)
          do i = 1, repeats
-            call work()
+            call do_work(work)
          end do
          call system_clock(now)
          best = min(best, real(now - then, wp)/(real(rate, wp)*real(repeats, wp)))

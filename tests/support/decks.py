@@ -63,15 +63,15 @@ class Bond:
 class Deck:
     """Cards in the order in which they were asked for; nodes and quads are numbered from 0."""
 
-    def __init__(self, title: str, end_time: float) -> None:
-        """Start a deck that runs up to a time."""
+    def __init__(self, title: str, end_time: float, end_cycle: int = 0) -> None:
+        """Start a deck that runs up to a time, or to a cycle if that comes first."""
         self._cards: list[str] = []
         self._sets = 0
         self._curves = 0
         self._bonds = 0
         self._materials: list[Material] = []
         self.add("TITLE", title)
-        self.add("CONTROL_TERMINATION", (end_time, 0))
+        self.add("CONTROL_TERMINATION", (end_time, end_cycle))
 
     def add(self, keyword: str, *cards: str | Sequence[object]) -> None:
         """Add a keyword with its cards, as text or as fields."""

@@ -1,0 +1,63 @@
+!> Memory that a run takes, counted from the arrays that grow with the mesh.
+module plydyn_domain_memory
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   implicit none
+   private
+
+   public :: history_bytes, mesh_bytes
+
+   !> Bytes of a real and of an integer
+   real(wp), parameter :: real_bytes = storage_size(1.0_wp)/8, integer_bytes = storage_size(1)/8
+   !> Arrays of motion: displacement and velocity; accelerations have the columns behind, too
+   integer, parameter :: motions = 2
+
+contains
+
+   !> Motion, masses, geometry of quads and interfaces, chunks, supports, loads and faces
+   pure real(wp) function mesh_bytes(domain) result(bytes)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: integers, reals
+      integer :: c, i
+
+      associate (columns => domain%columns)
+         reals = real(motions*columns%freedoms, wp) + columns%forces + 2.0_wp*columns%masses &
+            & + size(domain%position)
+      end associate
+      integers = real(size(domain%node_id) + size(domain%borders) + size(domain%held), wp) &
+         & + size(domain%far_ties)
+      do i = 1, size(domain%plates)
+         associate (plate => domain%plates(i))
+            reals = reals + size(plate%metric)
+            integers = integers + size(plate%node) + size(plate%target) + size(plate%quad)
+         end associate
+      end do
+      do i = 1, size(domain%interfaces)
+         reals = reals + size(domain%interfaces(i)%metric)
+         integers = integers + size(domain%interfaces(i)%node) + size(domain%interfaces(i)%target)
+      end do
+      do c = 1, size(domain%chunks)
+         integers = integers + size(domain%chunks(c)%column)
+      end do
+      do i = 1, size(domain%loads)
+         reals = reals + size(domain%loads(i)%force)
+         integers = integers + size(domain%loads(i)%freedom)
+      end do
+      do i = 1, size(domain%surfaces)
+         reals = reals + size(domain%surfaces(i)%position) + size(domain%surfaces(i)%inverse_mass)
+         integers = integers + size(domain%surfaces(i)%freedom) + size(domain%surfaces(i)%facet)
+      end do
+      bytes = real_bytes*reals + integer_bytes*integers
+   end function mesh_bytes
+
+   !> Histories of all Gauss points
+   pure real(wp) function history_bytes(domain) result(bytes)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      bytes = real_bytes*real(domain%histories, wp)
+   end function history_bytes
+
+end module plydyn_domain_memory

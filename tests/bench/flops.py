@@ -1,0 +1,45 @@
+"""Operations of the kernels, counted in their source: a multiplication or an addition is one."""
+
+from __future__ import annotations
+
+# A line of three nodes: to the Gauss points and derivatives there; a line of two nodes
+LINE = {3: 8 + 6, 2: 6 + 1}
+# Stress from strain, 13 constants
+STRESS = 40
+# A damage law at a point that is intact: stress, shear, onset of both modes
+DAMAGE = 75
+
+
+def plate(nodes: int, order: int, kind: str) -> int:
+    """Operations of one ply element: 4 or 9 nodes of the plane; linear, large or damage."""
+    side, levels = {4: 2, 9: 3}[nodes], order + 1
+    thickness = 2 * (3 * nodes * levels * (2 * levels - 1)) + 3 * nodes * levels
+    plane = 2 * 3 * levels * 2 * side * LINE[side]
+    point = {"linear": _linear, "large": _large, "damage": _damage}[kind]
+    # derivatives along z: between all points of a line, or from every second mode above
+    modes = sum((levels - m + 1) // 2 for m in range(1, levels + 1))
+    pairs = modes if kind == "linear" else levels**2
+    rise = 2 * nodes * 3 * (2 * pairs + levels)
+    return thickness + plane + nodes * levels * point() + rise
+
+
+def _linear() -> int:
+    """Strain, stress and flux at a point, linear."""
+    strain = 3 + 3 + 7 + 4 + 4
+    flux = 6 * 3
+    return strain + STRESS + flux
+
+
+def _large() -> int:
+    """Gradient, Green-Lagrange strain, both stresses of Piola-Kirchhoff and flux at a point."""
+    gradient = 6 * 3
+    strain = 3 * 7 + 3 * 7
+    return gradient + strain + STRESS + 9 * 6 + 6 * 3
+
+
+def _damage() -> int:
+    """As `_large`, through the axes of the ply and the law."""
+    gradient = 6 * 3
+    strain = 3 * 7 + 3 * 8
+    turns = 31 + 38
+    return gradient + strain + turns + DAMAGE + 9 * 7 + 6 * 3

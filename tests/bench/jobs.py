@@ -1,0 +1,118 @@
+"""Runs of the solver, timed by the difference between two numbers of steps."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from decks import Deck, Ply
+from elasticity import CARBON
+from meshes import regular
+
+ROOT = Path(__file__).resolve().parents[2]
+MEGABYTE = 1.0e6
+KILOBYTE = 1024.0
+FOREVER = 1.0
+
+
+@dataclass(frozen=True)
+class Timing:
+    """What a step of a job takes."""
+
+    freedoms: int
+    step: float  # s on the wall
+    steps: int  # of the whole run
+    memory: float  # MB that the listing counts, without histories
+    peak: float  # MB that the process had at most
+
+    def rate(self, threads: int) -> float:
+        """Degrees of freedom and steps per second and core."""
+        return self.freedoms / (self.step * threads)
+
+
+def recipe_deck(recipe: str, folder: Path) -> Path:
+    """The deck of a recipe of decks/."""
+    program = Path(sys.executable).parent / "plydyn-pre"
+    words = [program if program.exists() else shutil.which("plydyn-pre") or program, "deck"]
+    deck = folder / (recipe.replace("/", "_") + ".k")
+    subprocess.run(
+        [*words, ROOT / f"decks/{recipe}.toml", "-o", deck],
+        check=True,
+        capture_output=True,
+    )
+    return deck
+
+
+def panel_deck(quads: int, folder: Path) -> Path:
+    """A square panel of eight tied plies of order 2 that is held all round and flies on."""
+    mesh = regular(1.5 * quads, 1.5 * quads, quads, quads, 9)
+    deck = Deck("panel", FOREVER)
+    deck.control()
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.25, angle) for angle in (0, 45, 90, -45, -45, 90, 45, 0)])
+    deck.hold(mesh.boundary(), "xyz")
+    deck.add("INITIAL_VELOCITY", (0,), (0.0, 0.0, 1.0e3))
+    deck.add("DATABASE_FIELD", "displacement")
+    deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER)
+    return deck.write(folder / f"panel_{quads}.k")
+
+
+def stopped(deck: Path, steps: int) -> Path:
+    """The deck, stopped after some steps."""
+    text, count = re.subn(
+        r"(\*CONTROL_TERMINATION\n(?:\$.*\n)*)[ ,]*([-+.\deE]+)[ ,]+\d+.*",
+        rf"\g<1>\g<2>,{steps}",
+        deck.read_text(),
+    )
+    if count != 1:
+        raise ValueError(f"{deck} has no *CONTROL_TERMINATION to replace")
+    short = deck.with_name(f"{deck.stem}_{steps}.k")
+    short.write_text(text)
+    return short
+
+
+def run(solver: Path, deck: Path, threads: int) -> tuple[str, float]:
+    """Run a deck; its listing, and the most memory that the process had, MB."""
+    words = [solver, "run", deck, "-o", deck.parent, f"ncpu={threads}"]
+    with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+        assert process.stderr is not None
+        said = process.stderr.read().decode()
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        raise RuntimeError(f"{deck}: {said}")
+    return deck.with_suffix(".out").read_text(), usage.ru_maxrss * KILOBYTE / MEGABYTE
+
+
+def number(listing: str, pattern: str) -> float:
+    """A number of a listing."""
+    found = re.search(pattern, listing)
+    if found is None:
+        raise ValueError(f"the listing has no line like {pattern}")
+    return float(found[1])
+
+
+def loop(listing: str) -> float:
+    """Seconds in the loop."""
+    return number(listing, r"seconds\s+(\S+) in the loop")
+
+
+def measure(solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3) -> Timing:
+    """Time of a step: what twice the steps take more, the least of some repeats."""
+    checked = subprocess.run([solver, "check", deck], check=True, capture_output=True, text=True)
+    short, long = stopped(deck, steps), stopped(deck, 2 * steps)
+    starts = [run(solver, short, threads) for _ in range(repeats)]
+    ends = [run(solver, long, threads) for _ in range(repeats)]
+    first, second = (min(loop(listing) for listing, _ in runs) for runs in (starts, ends))
+    return Timing(
+        freedoms=int(number(checked.stdout, r"degrees of freedom\s+(\d+)")),
+        step=(second - first) / steps,
+        steps=int(number(checked.stdout, r"\nsteps\s+(\d+)")),
+        memory=number(checked.stdout, r"memory of mesh and motion\s+(\S+) MB"),
+        peak=max(peak for _, peak in ends),
+    )

@@ -1,0 +1,170 @@
+"""Measure plydyn on this machine, and put the tables into manual/performance.md.
+
+    .venv/bin/python tests/bench/run.py [--print]
+
+Takes about five minutes on a quiet machine; needs build/release and the preprocessor. `--print`
+shows the tables and leaves the page alone. No test: nothing is compared with anything.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+from datetime import date
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+import flops  # noqa: E402
+import jobs  # noqa: E402
+
+PAGE = ROOT / "manual/performance.md"
+BUILD = ROOT / "build/release"
+BEGIN, END = "<!-- bench -->", "<!-- /bench -->"
+
+# recipe, name in the paper, and what the paper says: Table 2 on one core, Table 7 on six
+ELASTIC = [
+    ("elastic_impact/le1", "CUF-LE1", "0:10:29"),
+    ("elastic_impact/le2", "CUF-LE2", "0:37:55"),
+    ("elastic_impact/le3", "CUF-LE3", "1:30:46"),
+    ("elastic_impact/3le1", "CUF-3LE1", "1:38:53"),
+]
+DAMAGE = [
+    ("damage_impact/q132_le2", "132 Q9/LE2", "5:13:44"),
+    ("damage_impact/q192_le1", "192 Q9/LE1", "6:45:13"),
+    ("damage_impact/q192_le2", "192 Q9/LE2", "8:46:22"),
+    ("damage_impact/q192_le3", "192 Q9/LE3", "11:37:57"),
+    ("damage_impact/q260_le2", "260 Q9/LE2", "11:49:58"),
+]
+STEPS = 2000
+# quads along a side of the panels, and steps that are timed
+PANELS = [(10, 800), (20, 200), (40, 50), (80, 12), (156, 4)]
+THREADS = (1, 2)
+
+
+def table(heads: list[str], rows: list[list[str]]) -> str:
+    """A table of the manual, names left and numbers right."""
+    marks = ["---"] + ["---:"] * (len(heads) - 1)
+    return "\n".join("| " + " | ".join(row) + " |" for row in [heads, marks, *rows])
+
+
+def clock(seconds: float) -> str:
+    """Hours, minutes, seconds."""
+    whole = round(seconds)
+    return f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"
+
+
+def machine() -> str:
+    """Processor, cores, and the build."""
+    told = subprocess.run(["lscpu"], capture_output=True, text=True, check=True).stdout
+    name = next(line.split(":")[1].strip() for line in told.splitlines() if "Model name" in line)
+    build = subprocess.run(
+        [BUILD / "plydyn", "--version"], capture_output=True, text=True, check=True
+    ).stdout
+    words = "; ".join(line.strip() for line in build.splitlines() if line.strip())
+    return f"{name}, {os.cpu_count()} cores. {words}. Measured on {date.today().isoformat()}."
+
+
+def kernels() -> str:
+    """Time and share of the peak of every kernel."""
+    told = subprocess.run(
+        [BUILD / "tests/bench/bench"], capture_output=True, text=True, check=True
+    ).stdout
+    times = {name: float(value) for name, value in (line.split(",") for line in told.splitlines())}
+    peak = times.pop("peak GFLOP/s")
+    rows, others = [], []
+    for name, value in times.items():
+        kind = name.split()[0]
+        if kind not in ("linear", "large", "damage"):
+            unit = "us" if kind == "step" else "ns"
+            others.append([name, f"{value:.1f} {unit}"])
+            continue
+        nodes, order = (int(word.lstrip("qle")) for word in name.split()[-2:])
+        count = flops.plate(nodes, order, kind)
+        share = 100.0 * count / (value * peak)
+        rows.append([name, f"{value:.1f}", f"{count}", f"{count / value:.0f}", f"{share:.0f} %"])
+    heads = ["kernel", "ns per ply element", "operations", "GFLOP/s", "share of the peak"]
+    return (
+        f"Peak of a core, multiplications and additions only: {peak:.0f} GFLOP/s.\n\n"
+        + table(heads, rows)
+        + "\n\n"
+        + table(["other kernels, per element; parts of a step of 192 Q9/LE2", "time"], others)
+    )
+
+
+def models(chosen: list[tuple[str, str, str]], folder: Path) -> str:
+    """Time of whole steps of the paper's models, and of whole runs from them."""
+    rows = []
+    for recipe, name, paper in chosen:
+        deck = jobs.recipe_deck(recipe, folder)
+        one, two = (jobs.measure(BUILD / "plydyn", deck, STEPS, n) for n in THREADS)
+        rows.append(
+            [
+                name,
+                f"{one.freedoms:,}",
+                f"{one.steps:,}",
+                f"{1e6 * one.step:.0f}",
+                f"{1e6 * two.step:.0f}",
+                f"{one.rate(1):.2e}",
+                f"{two.rate(2):.2e}",
+                clock(one.step * one.steps),
+                paper,
+            ]
+        )
+    heads = ["model", "DOF", "steps", "us per step, 1 thread", "2 threads", "DOF-steps/s/core"]
+    return table([*heads, "2 threads", "whole run, 1 thread", "in the paper"], rows)
+
+
+def panels(folder: Path) -> str:
+    """Time and memory over size."""
+    rows = []
+    for quads, steps in PANELS:
+        deck = jobs.panel_deck(quads, folder)
+        one, two = (jobs.measure(BUILD / "plydyn", deck, steps, n, repeats=2) for n in THREADS)
+        rows.append(
+            [
+                f"{quads} x {quads}",
+                f"{one.freedoms:,}",
+                f"{1e3 * one.step:.2f}",
+                f"{1e3 * two.step:.2f}",
+                f"{one.rate(1):.2e}",
+                f"{two.rate(2):.2e}",
+                f"{one.memory:.0f}",
+                f"{1e6 * one.memory / one.freedoms:.0f}",
+                f"{one.peak:.0f}",
+            ]
+        )
+    heads = ["quads", "DOF", "ms per step, 1 thread", "2 threads", "DOF-steps/s/core", "2 threads"]
+    return table([*heads, "memory [MB]", "bytes per DOF", "most of the process [MB]"], rows)
+
+
+def main() -> None:
+    """Measure everything and write it."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        text = "\n\n".join(
+            [
+                machine(),
+                "### Kernels",
+                kernels(),
+                "### Elastic impact (Table 2 of the paper, one core)",
+                models(ELASTIC, folder),
+                "### Impact with interfaces (Table 7 of the paper, six cores)",
+                models(DAMAGE, folder),
+                "### Panels of eight tied plies of order 2, total Lagrangian",
+                panels(folder),
+            ]
+        )
+    if "--print" in sys.argv:
+        sys.stdout.write(text + "\n")
+        return
+    page = PAGE.read_text()
+    before, after = page.split(BEGIN)[0], page.split(END)[1]
+    PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+
+
+if __name__ == "__main__":
+    main()
