@@ -1,11 +1,12 @@
 !> Memory that a run takes, counted from the arrays that grow with the mesh.
 module plydyn_domain_memory
    use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
    implicit none
    private
 
-   public :: history_bytes, mesh_bytes
+   public :: any_history, history_bytes, mesh_bytes
 
    !> Bytes of a real and of an integer
    real(wp), parameter :: real_bytes = storage_size(1.0_wp)/8, integer_bytes = storage_size(1)/8
@@ -51,6 +52,14 @@ contains
       end do
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes
+
+   !> Whether any Gauss point has a history
+   pure logical function any_history(domain)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      any_history = domain%histories > front
+   end function any_history
 
    !> Histories of all Gauss points
    pure real(wp) function history_bytes(domain) result(bytes)

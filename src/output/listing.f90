@@ -4,7 +4,7 @@ module plydyn_output_listing
    use plydyn_base_text, only : text
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_memory, only : history_bytes, mesh_bytes
+   use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
@@ -248,8 +248,10 @@ contains
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
       write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
          & mesh_bytes(domain)/megabyte, " MB"
-      write (unit, "(a,f0.1,a)") "memory of histories           ", history_bytes(domain)/megabyte, &
-         & " MB"
+      if (any_history(domain)) then
+         write (unit, "(a,f0.1,a)") "memory of histories           ", &
+            & history_bytes(domain)/megabyte, " MB"
+      end if
       write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
          & *sum(field_components(model%request%fields))/megabyte, " MB"
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)

@@ -3,6 +3,7 @@ module plydyn_bench_cases
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type, quad_histories
    use plydyn_law_ply_damage, only : ply_damage_type
@@ -97,8 +98,8 @@ contains
       type(layer_batch_type), intent(inout) :: batch
 
       batch%histories = batch%laws(1)%law%histories
-      batch%first_history = 1
-      domain%histories = quad_histories(batch, domain%plates(1)%side) &
+      batch%first_history = front + 1
+      domain%histories = front + quad_histories(batch, domain%plates(1)%side) &
          & *size(domain%plates(1)%quad)
    end subroutine take_histories
 
