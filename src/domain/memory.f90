@@ -35,6 +35,9 @@ contains
             integers = integers + size(plate%node) + size(plate%target) + size(plate%quad)
          end associate
       end do
+      do i = 1, size(domain%bricks)
+         integers = integers + size(domain%bricks(i)%place) + size(domain%bricks(i)%target)
+      end do
       do i = 1, size(domain%interfaces)
          reals = reals + size(domain%interfaces(i)%metric)
          integers = integers + size(domain%interfaces(i)%node) + size(domain%interfaces(i)%target)
