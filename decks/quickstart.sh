@@ -8,7 +8,6 @@ source decks/setup.sh
 recipe=decks/damage_impact/coarse.toml
 results=results/damage_impact
 job=coarse
-threads=$(($(nproc) < 2 ? 1 : 2))
 
 install_system_packages build
 make_venv build
@@ -18,7 +17,7 @@ mkdir -p "$results"
 say "making $results/$job.k from $recipe"
 .venv/bin/plydyn-pre deck "$recipe" -o "$results/$job.k"
 say "running it"
-build/release/plydyn run "$results/$job.k" -j "$job" -o "$results" "ncpu=$threads"
+build/release/plydyn run "$results/$job.k" -j "$job" -o "$results"
 say "drawing the report"
 .venv/bin/plydyn-post report "$results/$job.vtkhdf"
 
