@@ -28,8 +28,8 @@ module plydyn_input_declare_known
    character(longest_name), parameter :: no_solids(*) = [character(longest_name) :: &
       & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
-   character(longest_name), parameter :: only_elastic(*) = [character(longest_name) :: &
-      & "MAT_CODAM2", &
+   character(longest_name), parameter :: other_damage(*) = [character(longest_name) :: &
+      & "MAT_CODAM2", "MAT_219", "MAT_054", "MAT_055", "MAT_058", "MAT_022", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
       & "MAT_COHESIVE_GENERAL", "MAT_COHESIVE_TH"]
@@ -58,8 +58,8 @@ contains
          & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
          & listed(no_solids, is_refused, &
          & "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID"), &
-         & listed(only_elastic, is_refused, &
-         & "*MAT_PLY_ELASTIC, or *MAT_PLASTIC_KINEMATIC for metals"), &
+         & listed(other_damage, is_refused, &
+         & "strengths and toughnesses of each ply in *MAT_PLY_CODAM2, or *MAT_PLY_ELASTIC"), &
          & listed(other_bonds, is_refused, "a bilinear law, *MAT_COHESIVE_MIXED_MODE"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(other_elements, is_refused, &

@@ -195,7 +195,7 @@ contains
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
       do i = 0, steps
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
-         call find_internal_forces(domain, 0.0_wp, u, history, a)
+         call find_internal_forces(domain, 0.0_wp, u, v, history, a)
          a(domain%held) = 0.0_wp
          call accelerate(domain, domain%step, v, a, blocks, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
