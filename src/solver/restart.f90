@@ -60,6 +60,7 @@ contains
       !> The state
       type(state_type), intent(inout) :: state
 
+      real(wp), allocatable :: history(:)
       real(wp) :: external, internal, total
       integer :: m
 
@@ -75,9 +76,11 @@ contains
          total = e%total()
          external = e%external
          internal = e%internal
+         history = state%history
          call find_accelerations(domain, state)
          call balance(domain, state)
-         ! no step was made: the stored energy is what it was
+         ! no step was made: what is stored and dissipated is what it was
+         state%history(:) = history
          e%internal = internal
          e%external = external + e%total() - total
       end associate

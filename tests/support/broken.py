@@ -10,6 +10,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from brick_decks import add_bricks, box
 from decks import Bond, Deck, Ply, Sphere, ramp
 from elasticity import CARBON
 from meshes import regular
@@ -17,6 +18,7 @@ from runs import SOLVER
 
 SIDE, PLY, RADIUS = 20.0, 0.5, 6.0
 END, CYCLES = 3.0e-5, 40
+TINY = 1.0e-9
 ANGLES = (0.0, 90.0, 0.0)
 
 
@@ -40,13 +42,13 @@ def impact(
     joint: str = "tied",
     end: float = END,
     *,
-    implicit: bool = False,
+    implicit: int = 0,
     failing: bool = False,
 ) -> Deck:
     """A ball on a cross-ply plate; it touches at once. What can fail does so soon."""
     mesh = regular(SIDE, SIDE, 6, 6, 9)
     deck = Deck("impact to be broken off", end)
-    deck.add("CONTROL_LAYERWISE", (1, 0.05, int(implicit)))
+    deck.add("CONTROL_LAYERWISE", (1, 0.05, implicit))
     deck.add("DAMPING_GLOBAL", (0, 100.0))
     deck.mesh(mesh)
     if failing:
@@ -80,7 +82,7 @@ def metal() -> Deck:
     deck = Deck("metal to be broken off", END)
     deck.control()
     deck.mesh(mesh)
-    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
+    yielding(deck)
     deck.add("PART_COMPOSITE_LONG", "metal", (1, 0), (1, 1.0, 0.0, 0, 1))
     deck.add("SECTION_LAYERWISE", (1, 0, 2))
     deck.hold(mesh.where(x=0.0), "xyz")
@@ -89,6 +91,23 @@ def metal() -> Deck:
     deck.sphere(Sphere(RADIUS, 5.0e-6, (10.0, 10.0, RADIUS + 0.51), (0.0, 0.0, -2.0e4)))
     outputs(deck, [mesh.at(10.0, 10.0)])
     return deck
+
+
+def bricks(points: int) -> Deck:
+    """A ball on bricks of a metal that yields, of 8 points, or of one with viscous control."""
+    mesh = box((SIDE, SIDE, 2.0), (8, 8, 2))
+    deck = Deck("bricks to be broken off", END)
+    deck.control()
+    add_bricks(deck, mesh, yielding, points=points, hourglass=(3, 0.1) if points == 1 else None)
+    deck.hold(np.flatnonzero(np.abs(mesh.points[:, 0]) < TINY), "xyz")
+    deck.sphere(Sphere(RADIUS, 5.0e-6, (10.0, 10.0, RADIUS + 2.01), (0.0, 0.0, -2.0e4)))
+    deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)
+    return deck
+
+
+def yielding(deck: Deck) -> None:
+    """A metal that hardens in both ways, and with the rate."""
+    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
 
 
 def unlike(whole: Path, broken: Path) -> list[str]:
