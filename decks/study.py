@@ -7,6 +7,9 @@
     .venv/bin/python decks/study.py figure11
     .venv/bin/python decks/study.py figure12
     .venv/bin/python decks/study.py table7
+    .venv/bin/python decks/study.py table2
+    .venv/bin/python decks/study.py table4
+    .venv/bin/python decks/study.py bimetal
     .venv/bin/python decks/study.py choices
     .venv/bin/python decks/study.py refine
 
@@ -24,7 +27,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, open_results
 from plydyn_pre.errors import PreError
 
-from studies import damage_commands, ladder, schemes, stress, times
+from studies import brick_commands, damage_commands, ladder, schemes, stress, times
 from studies.commands import (
     DEFAULT,
     Again,
@@ -45,7 +48,7 @@ from studies.ladder_figures import draw_ladder
 from studies.markdown import insert
 from studies.rungs import ORDER, OUTPUTS, open_rungs, rungs
 
-__all__ = ["damage_commands", "main"]
+__all__ = ["brick_commands", "damage_commands", "main"]
 
 FAILED = 3
 

@@ -9,6 +9,9 @@ import pytest
 from plydyn_post.results import Results, open_results
 from plydyn_pre.recipe import load_recipe
 
+from studies.bimetal_figures import Face, along_y
+from studies.brick_commands import pick as pick_models
+from studies.bricks import TABLE_2, TABLE_4, Outcome, bricks_text
 from studies.choices import BASE, CHOICES, choices_text, job_of, pick
 from studies.damage import MODELS, Answer, answers_text, mesh_words, read_answer
 from studies.damage_times import Timing, times_text
@@ -16,6 +19,38 @@ from studies.differences import force_difference, ply_means, section, velocity_d
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
 from studies.stress import agreement
+
+
+def test_bricks_are_set_against_the_last_model():
+    effort = Effort(wall=10.0, processor=10.0, loop=9.0, steps=100, freedoms=1000)
+    large = Effort(wall=50.0, processor=50.0, loop=49.0, steps=200, freedoms=20000)
+    force = np.linspace(0.0, 1.0, 11)
+    found = [
+        Outcome(TABLE_4[0], effort, 110.0, 1.1 * force),
+        Outcome(TABLE_4[-1], large, 100.0, force),
+    ]
+    line = next(row for row in bricks_text(found, "plydyn").splitlines() if "LE1" in row)
+    assert [cell.strip() for cell in line.split("|")][5:9] == ["110", "10.0", "1/20.0", "1/5.0"]
+
+
+def test_models_of_a_table_are_picked_by_their_recipes():
+    assert [row.name for row in pick_models(TABLE_2, "bricks_1,le1")] == ["LE1", "1 brick per ply"]
+    assert len(pick_models(TABLE_4, "")) == len(TABLE_4)
+    with pytest.raises(StudyError, match="there is no model le9"):
+        pick_models(TABLE_4, "le9")
+
+
+def test_all_models_of_the_tables_have_recipes():
+    for row in (*TABLE_2, *TABLE_4):
+        assert load_recipe(row.job(()).recipe).title
+
+
+def test_the_middle_line_is_the_nearest_column():
+    place = np.array([[0.1, 1.0], [0.1, -1.0], [2.0, 0.0]])
+    face = Face(place, np.array([1.0, 2.0, 3.0]), np.array([4.0, 5.0, 6.0]), 1.0)
+    y, values = along_y(face, "strain")
+    assert (y.tolist(), values.tolist()) == ([-1.0, 1.0], [5.0, 4.0])
+
 
 IMPACTOR = "time [s],force [N],displacement [mm],velocity [mm/s]\n"
 PROFILE = "time [s],z [mm],ply [-],syz [MPa]\n"

@@ -1,0 +1,110 @@
+"""Commands of study.py that set bricks against layers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from plydyn_post.results import open_results
+
+from studies import bricks
+from studies.bimetal_figures import draw_bimetal
+from studies.bricks import TABLE_2, TABLE_4, Row
+from studies.commands import (
+    DEFAULT,
+    Again,
+    Folder,
+    Into,
+    Overrides,
+    Parallel,
+    Solver,
+    app,
+    list_files,
+    progress,
+    run_all,
+    tell,
+)
+from studies.jobs import StudyError, find_tools
+from studies.markdown import insert
+
+Models = Annotated[
+    str, typer.Option("--models", help="Names of the recipes, such as le1,bricks_1; else all.")
+]
+Core = Annotated[int, typer.Option("--core", help="Core to run on.")]
+
+
+@app.command()
+def table2(
+    output: Folder = DEFAULT / "table2",
+    models: Models = "",
+    core: Core = 0,
+    into: Into = None,
+    plydyn: Solver = None,
+    overrides: Overrides = None,
+) -> None:
+    """The elastic plate of layers and of bricks; all models take hours on one core."""
+    _compare("table2", pick(TABLE_2, models), (output, core, into, plydyn, overrides))
+
+
+@app.command()
+def table4(
+    output: Folder = DEFAULT / "table4",
+    models: Models = "",
+    core: Core = 0,
+    into: Into = None,
+    plydyn: Solver = None,
+    overrides: Overrides = None,
+) -> None:
+    """The bimetallic plate of layers and of bricks; all models take about an hour on one core."""
+    _compare("table4", pick(TABLE_4, models), (output, core, into, plydyn, overrides))
+
+
+@app.command()
+def bimetal(
+    output: Folder = DEFAULT / "bimetal",
+    models: Models = "le1,le2,bricks_1",
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """The paper's figures 6, 7 and 8: deflection and plastic strain, layers and bricks."""
+    rows = pick(TABLE_4, models)
+    jobs = [row.job(overrides or ()) for row in rows]
+    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found = [
+        (row.name, open_results(output / job.name)) for row, job in zip(rows, jobs, strict=True)
+    ]
+    list_files(draw_bimetal(found, output))
+
+
+def pick(rows: Sequence[Row], names: str) -> list[Row]:
+    """Models by the names of their recipes, in the order of the table."""
+    wanted = names.split(",") if names else [row.recipe.split("/")[1] for row in rows]
+    known = {row.recipe.split("/")[1]: row for row in rows}
+    unknown = [name for name in wanted if name not in known]
+    if unknown:
+        raise StudyError(f"there is no model {unknown[0]}; there are {', '.join(known)}")
+    return [row for name, row in known.items() if name in wanted]
+
+
+_Common = tuple[Path, int, Path | None, Path | None, list[str] | None]
+
+
+def _compare(name: str, rows: Sequence[Row], common: _Common) -> None:
+    """Run the models of a table, one after the other, and tell what came out."""
+    output, core, into, plydyn, overrides = common
+    tools = find_tools(plydyn)
+    with progress() as bar:
+        line = bar.add_task("", total=len(rows))
+
+        def tick(model: str, done: float) -> None:
+            bar.update(line, completed=done, description=model)
+
+        found = bricks.measure(tools, output, rows, core, overrides or (), tick)
+    text = bricks.bricks_text(found, tools.version())
+    tell(output / f"{name}.md", [(f"Table {name[-1]}", text)])
+    if into:
+        insert(into, f"table {name[-1]}", text)
