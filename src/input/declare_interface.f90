@@ -11,13 +11,14 @@ contains
 
    !> Keywords of what lies between plies
    function interface_keywords() result(keywords)
-      type(keyword_type) :: keywords(5)
+      type(keyword_type) :: keywords(6)
 
       keywords(1) = interface_cohesive()
       keywords(2) = mat_cohesive_elastic()
       keywords(3) = mat_cohesive_mixed_mode()
-      keywords(4) = initial_delamination()
-      keywords(5) = initial_damage()
+      keywords(4) = mat_cohesive_general()
+      keywords(5) = initial_delamination()
+      keywords(6) = initial_damage()
    end function interface_keywords
 
    !> What joins two plies
@@ -41,7 +42,7 @@ contains
       call keyword%add_integer("NQ", "quadrature: 0 Gauss points, 1 nodes", default=0, &
          & allowed=[0, 1])
       call keyword%add_integer("CLOSE", "stiffness against closing of a damaged face: 0 falls " &
-         & //"with the damage, down to 2 %; 1 stays whole", default=0, allowed=[0, 1])
+         & //"with the damage, down to 10 %; 1 stays whole", default=0, allowed=[0, 1])
       call keyword%add_real("FRIC", "-", "coefficient of friction of failed faces", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_integer("FIT", "constants that are fitted: 0 none, 1 the shear stiffness, " &
@@ -94,6 +95,30 @@ contains
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_unused("GAMMA", neutral=[0.0_wp, 1.0_wp])
    end function mat_cohesive_mixed_mode
+
+   !> Interface material by a curve of traction over separation
+   function mat_cohesive_general() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_COHESIVE_GENERAL", standard, &
+         & "Bond between two plies that softens along a curve of traction over separation.", &
+         & suffixes="TITLE", alias="MAT_186")
+      keyword%remark = "Where it means the same as *MAT_COHESIVE_MIXED_MODE with XMU 1: the " &
+         & //"dimensionless separation, TES 2, and the triangle (0, 0), (l, 1), (1, 0) as " &
+         & //"TSLC. EN is then T**2/(2 GIC l), ET is S**2/(2 GIIC l). The separations of TES 0 " &
+         & //"and 1 mix the modes in another way and are refused, as are other curves."
+      call keyword%add_card()
+      call add_cohesive_head(keyword)
+      call keyword%add_integer("TES", "separation: 2 dimensionless", default=0, least=0, most=2)
+      call keyword%add_integer("TSLC", "curve of traction over separation, a triangle", least=1)
+      call keyword%add_real("GIC", "energy/length2", "toughness in opening", above=0.0_wp)
+      call keyword%add_real("GIIC", "energy/length2", "toughness in sliding", above=0.0_wp)
+      call keyword%add_card()
+      call keyword%add_unused("XMU", neutral=[0.0_wp, 1.0_wp])
+      call keyword%add_real("T", "stress", "strength in opening", above=0.0_wp)
+      call keyword%add_real("S", "stress", "strength in sliding", above=0.0_wp)
+      call keyword%add_unused("STFSF TSLC2")
+   end function mat_cohesive_general
 
    !> Interfaces that are open from the start
    function initial_delamination() result(keyword)

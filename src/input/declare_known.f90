@@ -32,7 +32,7 @@ module plydyn_input_declare_known
       & "MAT_CODAM2", "MAT_219", "MAT_054", "MAT_055", "MAT_058", "MAT_022", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
-      & "MAT_COHESIVE_GENERAL", "MAT_COHESIVE_TH"]
+      & "MAT_COHESIVE_TH"]
    character(longest_name), parameter :: own_impactor(*) = [character(longest_name) :: &
       & "MAT_RIGID", "RIGIDWALL_GEOMETRIC_SPHERE_MOTION", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &
       & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &

@@ -4,19 +4,20 @@ module plydyn_input_read_interface
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
-   use plydyn_input_catalogue, only : a_part, an_interface_material, catalogue_type
+   use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
    use plydyn_law_cohesive, only : benzeggagh_kenane, cohesive_constants_type, normal, power_law, &
       & shear
    use plydyn_law_cohesive_check, only : about_exponent, about_toughness, &
       & check_cohesive, finding_type
    use plydyn_model_control, only : request_type
+   use plydyn_model_curve, only : curve_type
    use plydyn_model_layup, only : faces_apart, faces_tied, part_type
    use plydyn_model_material, only : interface_material_type
    implicit none
    private
 
    public :: find_interfaces, read_database_delam, read_interface_cohesive, &
-      & read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
+      & read_mat_cohesive_elastic, read_mat_cohesive_general, read_mat_cohesive_mixed_mode
 
    !> Share by which a strength may differ from what the ultimate displacement gives
    real(wp), parameter :: same_strength = 1.0e-3_wp
@@ -59,6 +60,64 @@ contains
       end associate
       materials = [materials, material]
    end subroutine read_mat_cohesive_mixed_mode
+
+   !> *MAT_COHESIVE_GENERAL: the same bond by a triangle of traction over separation
+   subroutine read_mat_cohesive_general(cards, catalogue, curves, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), intent(in) :: curves(:)
+      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+
+      integer, parameter :: dimensionless = 2
+      type(interface_material_type) :: material
+      real(wp) :: peak
+      integer :: curve
+
+      call begin_material(cards, catalogue, material)
+      material%fails = .true.
+      if (cards%integer("TES") /= dimensionless .and. cards%is_fine("TES")) then
+         call catalogue%refuse(cards, "TES", "TES "//text(cards%integer("TES")) &
+            & //" is not supported", "the dimensionless separation TES 2, or " &
+            & //"*MAT_COHESIVE_MIXED_MODE with the exponent XMU")
+      end if
+      call catalogue%find(a_curve, cards, "TSLC", curve)
+      peak = 1.0_wp
+      if (curve > 0) call read_triangle(cards, curves(curve), catalogue, peak)
+      associate (constants => material%constants)
+         constants%toughness(:) = cards%reals(["GIC ", "GIIC"])
+         constants%strength(:) = cards%reals(["T", "S"])
+         constants%criterion = power_law
+         if (all(constants%toughness > 0.0_wp)) then
+            constants%stiffness(:) = constants%strength**2/(2.0_wp*constants%toughness*peak)
+         end if
+      end associate
+      materials = [materials, material]
+   end subroutine read_mat_cohesive_general
+
+   !> Separation at the peak of a triangle from (0, 0) over (separation, 1) to (1, 0)
+   subroutine read_triangle(cards, curve, catalogue, peak)
+      type(cards_type), intent(in) :: cards
+      !> What should be a triangle
+      type(curve_type), intent(in) :: curve
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Separation at the peak; 1 where the curve is no triangle, which is reported
+      real(wp), intent(out) :: peak
+
+      real(wp), parameter :: same = 1.0e-6_wp
+      logical :: triangle
+
+      peak = 1.0_wp
+      triangle = size(curve%x) == 3
+      if (triangle) triangle = all(abs(curve%y - [0.0_wp, 1.0_wp, 0.0_wp]) <= same) &
+         & .and. all(abs(curve%x([1, 3]) - [0.0_wp, 1.0_wp]) <= same) &
+         & .and. curve%x(2) > same .and. curve%x(2) < 1.0_wp - same
+      if (triangle) then
+         peak = curve%x(2)
+      else
+         call catalogue%refuse(cards, "TSLC", "curve "//text(cards%integer("TSLC")) &
+            & //" is no triangle", "the points (0, 0), (separation at the peak, 1), (1, 0)")
+      end if
+   end subroutine read_triangle
 
    !> A strength, or the ultimate displacement that it follows from
    subroutine read_strength(cards, names, toughness, catalogue, strength)

@@ -19,7 +19,7 @@ module plydyn_input_read_model
       & read_impactor_sphere
    use plydyn_input_read_initial, only : read_initial_damage
    use plydyn_input_read_interface, only : read_database_delam, read_interface_cohesive, &
-      & read_mat_cohesive_elastic, read_mat_cohesive_mixed_mode
+      & read_mat_cohesive_elastic, read_mat_cohesive_general, read_mat_cohesive_mixed_mode
    use plydyn_input_read_load, only : read_load_body, read_load_face_line, read_load_face_point, &
       & read_load_face_pressure, read_load_node_point, read_load_node_set, read_load_shell_set
    use plydyn_input_read_material, only : read_mat_elastic, &
@@ -202,6 +202,8 @@ contains
       select case (cards%name)
       case ("MAT_PIECEWISE_LINEAR_PLASTICITY")
          call read_mat_piecewise_linear_plasticity(cards, catalogue, model%curves, model%materials)
+      case ("MAT_COHESIVE_GENERAL")
+         call read_mat_cohesive_general(cards, catalogue, model%curves, model%interface_materials)
       case ("MAT_PLY_CODAM2")
          call read_mat_ply_codam2(cards, catalogue, model%curves, model%materials)
       case default

@@ -35,7 +35,7 @@ module plydyn_law_cohesive
    integer, parameter :: fracture_only = 2, with_closing = 3, with_friction = 7
 
    !> Share of the stiffness that a falling penalty keeps
-   real(wp), parameter, public :: penalty_floor = 0.02_wp
+   real(wp), parameter, public :: penalty_floor = 0.1_wp
 
    !> Smallest share of a mode whose power is taken
    real(wp), parameter :: smallest = 1.0e-60_wp

@@ -83,6 +83,25 @@ program test_input_read_interface
    end associate
    call read_plate("*MAT_138|6,0.,0,0,3.0e5,2.0e5,0.3,0.8|1.5,60.,80.,0.,0.,2.|")
    call check_error(error, "GAMMA = 2 is not supported", "another exponent of the stiffness")
+
+   call begin("read_mat_cohesive_general")
+   call read_plate("*MAT_COHESIVE_GENERAL|6,0.,0,0,2,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
+      & //"0.1,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check(.not. allocated(error), "is read")
+   associate (constants => model%interface_materials(1)%constants)
+      ! final separations 2 G/T and 2 G/S, a tenth of them at the peak
+      call check(constants%stiffness, [60.0_wp/(0.1_wp*0.01_wp), 80.0_wp/(0.1_wp*0.02_wp)], &
+         & 1.0e-8_wp, "stiffness from the triangle")
+      call check(constants%strength, [60.0_wp, 80.0_wp], 0.0_wp, "strength")
+      call check(constants%criterion, power_law, "the dimensionless separation is a power law")
+      call check(constants%exponent, 1.0_wp, 0.0_wp, "of exponent 1")
+   end associate
+   call read_plate("*MAT_186|6,0.,0,0,0,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
+      & //"0.1,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check_error(error, "TES 0 is not supported", "another separation")
+   call read_plate("*MAT_186|6,0.,0,0,2,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
+      & //"0.1,1.|0.5,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check_error(error, "curve 3 is no triangle", "a plateau")
    call finish()
 
 contains

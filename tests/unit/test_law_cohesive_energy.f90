@@ -139,7 +139,7 @@ contains
       end do
       call check(monotone, "no energy comes back, no damage heals")
       call check(minval(history(:, damage_at)) > 0.9_wp .and. &
-         & minval(history(:, closing_at:friction_at)) > 1.0e-3_wp, "all losses take part")
+         & minval(history(:, closing_at:friction_at)) > 1.0e-4_wp, "all losses take part")
       call check((stored(law, opening, history) &
          & + sum(history(:, fracture_at:friction_at), 2))/work, spread(1.0_wp, 1, lanes), &
          & 1.0e-5_wp, "work is what is stored and lost")

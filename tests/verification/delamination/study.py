@@ -1,0 +1,68 @@
+"""All tests of delamination, orders 1 to 3 and quads of 0.5 to 2 mm, as a table for the manual.
+
+PYTHONPATH=tests/support .venv/bin/python tests/verification/delamination/study.py FOLDER
+
+Rows are printed as they come; a run takes from seconds to a minute, the whole some minutes.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+from delamination import PEEK_BOND, TESTS, Specimen, simulate
+
+HEAD = (
+    "| test | order | quad [mm] | variant | force [N] | over theory | over test | G/Gc | kinetic |"
+)
+
+
+def variants() -> Iterator[tuple[str, Specimen, str]]:
+    """Name of the test, specimen, what is special about it."""
+    for name, (specimen, _) in TESTS.items():
+        yield name, specimen, ""
+    for name in ("DCB", "ENF"):
+        specimen = TESTS[name][0]
+        for size in (2.0, 1.0, 0.5):
+            for order in (2, 1, 3):
+                if (size, order) != (1.0, 2):
+                    yield name, replace(specimen, size=size, order=order), ""
+    fitted = replace(PEEK_BOND, fit=2)
+    for size in (2.0, 1.0):
+        yield "DCB", replace(TESTS["DCB"][0], size=size, nodal=True), "nodes"
+        yield "DCB", replace(TESTS["DCB"][0], size=size, bond=fitted), "fitted strengths"
+
+
+def row(name: str, specimen: Specimen, what: str, folder: Path) -> str:
+    """Run a test; force at the onset of growth, resistance over 1 to 4 mm of growth."""
+    found = simulate(specimen, folder)
+    theory, measured = float(specimen.force(specimen.crack)), TESTS[name][1]
+    mixed = 0.0 < specimen.share < 1.0
+    force = found.force_at(specimen.crack + 1.0) if mixed else found.peak
+    resistance = ""
+    if not mixed:
+        # a force that is led lets the crack run: no resistance then
+        grown = found.growing(1.0, 4.0, specimen.crack)
+        rate = specimen.resistance(found.force[grown], found.deflection[grown])
+        rate = rate / specimen.bond.toughness[int(specimen.share)]
+        resistance = f"{rate.mean():.3f} ± {rate.std():.3f}"
+    onset = int((found.crack > specimen.crack).argmax())
+    return (
+        f"| {name} | {specimen.order} | {specimen.size:g} | {what} | {force:.1f} | "
+        f"{force / theory:.3f} | {force / measured:.3f} | {resistance} | "
+        f"{found.kinetic[onset]:.1e} |"
+    )
+
+
+def main(folder: Path) -> None:
+    """Print the table row by row."""
+    sys.stdout.write(f"{HEAD}\n|{' --- |' * HEAD.count(' | ')} --- |\n")
+    for name, specimen, what in variants():
+        sys.stdout.write(row(name, specimen, what, folder) + "\n")
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

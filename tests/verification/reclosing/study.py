@@ -1,0 +1,37 @@
+"""Energy that failed faces give to a plate as they open and close, as a table for the manual.
+
+PYTHONPATH=tests/support .venv/bin/python tests/verification/reclosing/study.py FOLDER
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from reclosing import BOND, WHOLE, Course, energies, mean_kinetic
+
+SHARES = (0.5, 0.7, 0.9)
+LONG = 1.0e-3
+
+
+def main(folder: Path) -> None:
+    """Mean kinetic energy over that of a small step; energy lost in failing likewise."""
+    sys.stdout.write("| penalty | share of the step | kinetic, all failed | lost, intact first |\n")
+    sys.stdout.write("| --- | --- | --- | --- |\n")
+    for bond, name in ((BOND, "falls to 10 %"), (WHOLE, "stays whole")):
+        free = mean_kinetic(energies(Course(bond, 0.25, LONG), folder))
+        hit = lost(Course(bond, 0.25, intact=True, pressure=100.0), folder)
+        for share in SHARES:
+            gain = mean_kinetic(energies(Course(bond, share, LONG), folder)) / free
+            more = lost(Course(bond, share, intact=True, pressure=100.0), folder) / hit
+            sys.stdout.write(f"| {name} | {share} | {gain:.3f} | {more:.3f} |\n")
+            sys.stdout.flush()
+
+
+def lost(course: Course, folder: Path) -> float:
+    """Energy that the interfaces spent."""
+    return float(energies(course, folder)["delamination"][-1])
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]))

@@ -1,0 +1,25 @@
+"""Failed faces that open and close give no energy to the plate, near the stable step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reclosing import WHOLE, Course, energies, mean_kinetic
+
+
+def test_falling_penalty_gains_no_energy_at_nine_tenths_of_the_step(tmp_path: Path) -> None:
+    """The mean kinetic energy is that of a small step; chance of the contacts: 1 %."""
+    small = energies(Course(share=0.4), tmp_path / "small")
+    large = energies(Course(share=0.9), tmp_path / "large")
+    assert mean_kinetic(large) == pytest.approx(mean_kinetic(small), rel=0.01)
+
+
+def test_implicit_interfaces_gain_none_with_a_whole_penalty(tmp_path: Path) -> None:
+    """Nor does the energy of a step that is several times larger grow from half to half."""
+    energy = energies(Course(WHOLE, end=2.0e-4, implicit=True), tmp_path)
+    early = energy["time"] < 0.5 * energy["time"][-1]
+    after = energy["time"] > 0.1 * energy["time"][-1]
+    first, second = energy["kinetic"][early & after].mean(), energy["kinetic"][~early].mean()
+    assert second < 1.01 * first
