@@ -33,6 +33,7 @@ class Specimen:
     size: float = 1.0  # of the quads along the crack
     order: int = 2
     nodal: bool = False
+    implicit: bool = False
     bond: Bond = field(default=PEEK_BOND)
     duration: float = 3.0e-3
     growth: float = 6.0
@@ -129,7 +130,7 @@ def simulate(specimen: Specimen, folder: Path) -> Outcome:
     """Run a test and take its histories apart."""
     mesh, time = beam(specimen), specimen.duration
     deck = Deck("delamination of a beam", time)
-    deck.control(linear=True, damping=1.0e3)
+    deck.control(linear=True, damping=1.0e3, scheme=int(specimen.implicit))
     deck.mesh(mesh)
     deck.laminate([Ply(PEEK, ARM)] * 2, specimen.order)
     deck.cohesive(specimen.bond, nodal=specimen.nodal)

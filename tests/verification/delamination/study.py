@@ -33,6 +33,8 @@ def variants() -> Iterator[tuple[str, Specimen, str]]:
     for size in (2.0, 1.0):
         yield "DCB", replace(TESTS["DCB"][0], size=size, nodal=True), "nodes"
         yield "DCB", replace(TESTS["DCB"][0], size=size, bond=fitted), "fitted strengths"
+    for name in ("DCB", "ENF"):
+        yield name, replace(TESTS[name][0], size=2.0, implicit=True), "implicit, steps of 61 ns"
 
 
 def row(name: str, specimen: Specimen, what: str, folder: Path) -> str:
