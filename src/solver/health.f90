@@ -4,6 +4,8 @@ module plydyn_solver_health
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_delamination, only : can_fail
+   use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -14,6 +16,8 @@ module plydyn_solver_health
    !> Ripple of an unstable motion, as a multiple of the energy that went in. With a share s of the
    !> stable step at most s**2/(1 - s**2) times the energy of a mode is ripple: 4 times at 0.9
    real(wp), parameter :: unstable_ripple = 100.0_wp
+   !> Steps between two looks at what is stored, which takes a sum over all histories
+   integer, parameter :: steps_per_look = 1000
    !> Names of the directions
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
@@ -45,8 +49,28 @@ contains
          call fail(error, exit_run, "the step of "//text(state%step)//" is below the share of " &
             & //"the first step, "//text(state%first_step)//", at which the run is to stop (" &
             & //"DTMIN of *CONTROL_TERMINATION)"//when(state))
+      else if (mod(state%cycle, steps_per_look) == 0) then
+         call check_stored(domain, state, error)
       end if
    end subroutine check_health
+
+   !> Nothing stores less than no energy. Faces that close again in few steps each may give back
+   !> more than they took, which the balance cannot see: it is work of the internal forces
+   subroutine check_stored(domain, state, error)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: stored
+
+      if (.not. can_fail(domain)) return
+      stored = state%energies%internal - sum(dissipated_energies(domain, state%history))
+      if (stored >= -domain%control%energy_limit*state%energies%reference) return
+      call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
+         & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near the stable " &
+         & //"step: CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
+         & //text(domain%control%step_factor)//") or IMPL 1 of *CONTROL_LAYERWISE helps")
+   end subroutine check_stored
 
    !> Cycle and time
    function when(state) result(words)

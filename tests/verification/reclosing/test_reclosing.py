@@ -16,6 +16,12 @@ def test_falling_penalty_gains_no_energy_at_nine_tenths_of_the_step(tmp_path: Pa
     assert mean_kinetic(large) == pytest.approx(mean_kinetic(small), rel=0.01)
 
 
+def test_whole_penalty_is_stopped_when_more_comes_out_than_went_in(tmp_path: Path) -> None:
+    """A whole penalty at that step gains energy until less than nothing would be stored."""
+    with pytest.raises(AssertionError, match="given back more energy than they took"):
+        energies(Course(WHOLE, end=1.0e-3, limit=0.01), tmp_path)
+
+
 def test_implicit_interfaces_gain_none_with_a_whole_penalty(tmp_path: Path) -> None:
     """Nor does the energy of a step that is several times larger grow from half to half."""
     energy = energies(Course(WHOLE, end=2.0e-4, implicit=True), tmp_path)
