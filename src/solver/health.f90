@@ -67,8 +67,8 @@ contains
       stored = state%energies%internal - sum(dissipated_energies(domain, state%history))
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
       call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
-         & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near the stable " &
-         & //"step: CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
+         & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near " &
+         & //"the stable step: CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
          & //text(domain%control%step_factor)//") or IMPL 1 of *CONTROL_LAYERWISE helps")
    end subroutine check_stored
 

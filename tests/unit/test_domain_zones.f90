@@ -1,4 +1,4 @@
-!> The zones that soften have the lengths of closed forms, the worst of the interfaces of a material.
+!> Zones that soften have the lengths of closed forms, the worst of the interfaces of a material.
 program test_domain_zones
    use plydyn_base_precision, only : wp
    use plydyn_domain_zones, only : new_zone, zone_type
