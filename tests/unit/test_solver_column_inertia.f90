@@ -189,7 +189,7 @@ contains
       model%holds = [hold_type(nodes=[(n, n=1, 15)], direction=[.true., .true., .false.], &
          & face=all_planes)]
       domain = built(model)
-      allocate (a(domain%columns%freedoms), u(domain%columns%freedoms), v(domain%columns%freedoms))
+      allocate (a(domain%columns%forces), u(domain%columns%freedoms), v(domain%columns%freedoms))
       u(:) = 0.0_wp
       v(:) = 0.0_wp
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
