@@ -7,7 +7,7 @@ module plydyn_base_signals
    implicit none
    private
 
-   public :: caught_signal, catch_signals
+   public :: caught_signal, catch_signals, has_caught_signal
 
    !> Numbers of the signals on Linux, and their names
    integer(c_int), parameter :: numbers(3) = [15_c_int, 10_c_int, 12_c_int]
@@ -44,6 +44,11 @@ contains
 
       latest = number
    end subroutine note_signal
+
+   !> Whether there was a signal
+   logical function has_caught_signal()
+      has_caught_signal = latest /= 0
+   end function has_caught_signal
 
    !> Name of the signal caught last, empty without one
    function caught_signal() result(name)

@@ -3,7 +3,7 @@ module plydyn_solver_watch
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_stopped, fail
    use plydyn_base_precision, only : wp
-   use plydyn_base_signals, only : caught_signal
+   use plydyn_base_signals, only : caught_signal, has_caught_signal
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : request_type
@@ -81,8 +81,8 @@ contains
       if (requests%plot) call writer%plot(domain, state, error)
       if (allocated(error)) return
       if (requests%status) call writer%tell(state)
-      if (state%is_finished()) asked_by = ""
-      keep = len(asked_by) > 0 .or. requests%dump .or. is_due(self%kept_cycles, state)
+      if (allocated(asked_by) .and. state%is_finished()) deallocate (asked_by)
+      keep = allocated(asked_by) .or. requests%dump .or. is_due(self%kept_cycles, state)
       if (keep) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
@@ -96,7 +96,7 @@ contains
       if (allocated(error)) return
       if (keep) call self%job%note("restart file "//path//" at cycle "//text(state%cycle) &
          & //", time "//text(state%time))
-      if (len(asked_by) > 0) call fail(error, exit_stopped, "stopped by "//asked_by &
+      if (allocated(asked_by)) call fail(error, exit_stopped, "stopped by "//asked_by &
          & //" at cycle "//text(state%cycle)//", time "//text(state%time) &
          & //"; to go on: plydyn restart "//path)
    end subroutine look
@@ -105,16 +105,17 @@ contains
    subroutine find_requests(self, state, asked_by, requests)
       class(watch_type), intent(inout) :: self
       type(state_type), intent(in) :: state
-      !> Empty when nobody does
+      !> Not allocated when nobody does
       character(:), allocatable, intent(out) :: asked_by
       type(requests_type), intent(out) :: requests
 
       integer(int64) :: now, rate
       logical :: found
 
-      asked_by = caught_signal()
+      if (has_caught_signal()) asked_by = caught_signal()
       call system_clock(now, rate)
-      if (len(asked_by) == 0 .and. real(now - self%started, wp)/rate > self%most_seconds) then
+      if (.not. allocated(asked_by) &
+         & .and. real(now - self%started, wp)/rate > self%most_seconds) then
          asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
       end if
       if (now - self%looked < seconds_per_look*rate) return
@@ -122,7 +123,7 @@ contains
       call take_requests(self%job%path//".ctl", state%time, requests, found)
       if (.not. found) return
       call self%job%note(requests%answer)
-      if (len(asked_by) == 0 .and. requests%stop) asked_by = self%job%path//".ctl"
+      if (requests%stop .and. .not. allocated(asked_by)) asked_by = self%job%path//".ctl"
    end subroutine find_requests
 
    !> Whether a restart file is due: at every so many steps, and at the end
