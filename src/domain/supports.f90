@@ -48,7 +48,10 @@ contains
       allocate (points(2, 0))
       do k = 1, size(layers%order)
          do t = 1, layers%order(k) + 1
-            if (face == one_plane .and. abs(layers%height(k, t) - height) > margin) cycle
+            ! the node of a brick has no height within a layer
+            if (face == one_plane) then
+               if (abs(layers%height(k, t) - height) > margin) cycle
+            end if
             points = reshape([points, k, t], [2, size(points, 2) + 1])
          end do
       end do
