@@ -138,9 +138,6 @@ def test_all_that_the_example_shows_in_comments_can_be_switched_on(
     assert len(study.loads) == 2
     assert len(study.laminate.refine) == 1
     assert set(study.sets) == {"line", "gauge"}
-    # bricks have neither profiles nor all that layers have: they are switched on alone
-    assert study.bricks is not None
-    study = replace(study, bricks=None)
     assert "*LOAD_FACE_PRESSURE" in "\n".join(pre.deck_text(study, pre.make_mesh(study.mesh)))
 
 
