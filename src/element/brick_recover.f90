@@ -5,22 +5,16 @@ module plydyn_element_brick_recover
    use plydyn_element_brick_kernel, only : gather, mean_volume_strain
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
       & turn_strain, turn_stress
-   use plydyn_law_law, only : scalars
+   use plydyn_element_recover, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
+      & strain_at, stress_at
    implicit none
    private
 
    public :: brick_values
 
-   !> Values of a brick: strain and stress in the axes of the model, then in those of the ply, each
-   !> xx, yy, zz, xy, xz, yz with engineering shear; then the scalars of its law
-   integer, parameter, public :: brick_recovered = 24 + scalars
-   !> Where each begins, less one
-   integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
-      & ply_stress_at = 18, scalars_at = 24
-
 contains
 
-   !> Values of the bricks of a batch, (lanes, `brick_recovered`). With large displacement strain is
+   !> Values of the bricks of a batch, (lanes, `recovered`). With large displacement strain is
    !> Green-Lagrange; stress is Cauchy in the axes of the model and second Piola-Kirchhoff in those
    !> of the ply
    pure function brick_values(bricks, batch, large, displacement, history) result(mean)
@@ -34,10 +28,10 @@ contains
       real(wp), intent(in) :: displacement(*)
       !> History of the part
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
-      real(wp) :: mean(lanes, brick_recovered)
+      real(wp) :: mean(lanes, recovered)
 
       real(wp) :: e(lanes, 6, bricks%points), h(lanes, 3, 3, bricks%points)
-      real(wp) :: u(lanes, corners, 3), values(lanes, brick_recovered), whole(lanes)
+      real(wp) :: u(lanes, corners, 3), values(lanes, recovered), whole(lanes)
       integer :: i, m
 
       mean(:, :) = 0.0_wp
@@ -52,13 +46,13 @@ contains
          do m = 1, bricks%points
             call point_values(bricks, large, h(:, :, :, m), e(:, :, m), history(:, :, m, batch), &
                & values)
-            do i = 1, brick_recovered
+            do i = 1, recovered
                mean(:, i) = mean(:, i) + shape%volume(:, m)*values(:, i)
             end do
             whole(:) = whole + shape%volume(:, m)
          end do
       end associate
-      do i = 1, brick_recovered
+      do i = 1, recovered
          mean(:, i) = mean(:, i)/whole
       end do
    end function brick_values
@@ -68,7 +62,7 @@ contains
       type(bricks_type), intent(in) :: bricks
       logical, intent(in) :: large
       real(wp), intent(in) :: h(lanes, 3, 3), e(lanes, 6), history(lanes, bricks%histories)
-      real(wp), intent(out) :: values(lanes, brick_recovered)
+      real(wp), intent(out) :: values(lanes, recovered)
 
       real(wp) :: s(lanes, 6), turned(lanes, 6)
       integer :: k, l

@@ -5,37 +5,30 @@ module plydyn_output_fields
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
-      & plane_value, ply_strain_at, ply_stress_at, recovered, scalars_at, strain_at, stress_at, &
-      & thickness_interpolation
+      & plane_value, recovered, scalars_at, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
-   use plydyn_law_law, only : scalar_names
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
-   use plydyn_output_components, only : field_components, tensor, tensor_share
-   use plydyn_output_description, only : describe_file
+   use plydyn_output_components, only : field_components
    use plydyn_output_grid, only : grid_type, new_grid
-   use plydyn_output_places, only : places_type
-   use plydyn_output_vtkhdf, only : vtkhdf_type
+   use plydyn_output_point_fields, only : point_fields_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    !> The file of fields
-   type, public :: fields_type
+   type, public, extends(point_fields_type) :: fields_type
       private
-      type(vtkhdf_type) :: file
       type(grid_type) :: grid
-      !> Names of the fields to write
-      character(16), allocatable :: names(:)
       !> Weight of each quad at each of its nodes, for every plate: (nodes, quads)
       type(weight_type), allocatable :: weight(:)
       !> Shares of the Gauss points at the nodes of a quad
       type(plane_shares_type), allocatable :: at_node(:)
    contains
-      procedure :: open => open_fields
-      procedure :: write => write_state
-      procedure :: mark
-      procedure :: close => close_fields
+      procedure :: create_grid
+      procedure :: add_cell_fields
+      procedure :: motion_values
+      procedure :: recovered_values
    end type fields_type
 
    !> Shares of the quads in the values at their nodes
@@ -45,58 +38,27 @@ module plydyn_output_fields
 
 contains
 
-   !> Create the file, if there are plates: grid, plies, units
-   subroutine open_fields(self, path, deck, version, model, domain, places, error)
+   !> Create the file, if there are plates
+   subroutine create_grid(self, path, model, domain, error)
       class(fields_type), intent(inout) :: self
-      !> Path of the file
       character(*), intent(in) :: path
-      !> Path of the deck, version of the program
-      character(*), intent(in) :: deck, version
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(places_type), intent(in) :: places
-      !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: i
-
       if (size(domain%plates) == 0) return
-      self%grid = new_grid(domain)
       self%names = model%request%fields
+      self%components = field_components(self%names)
+      self%grid = new_grid(domain)
       call find_weights(self, domain)
       self%at_node = node_shares(domain%plates(1)%side)
       call self%file%create(path, self%grid%position, self%grid%connectivity, self%grid%offset, &
          & self%grid%kind, error)
-      if (allocated(error)) return
-      call describe_file(self%file, deck, version, model, error)
-      if (allocated(error)) return
-      call add_cell_fields(self, model, domain, error)
-      if (allocated(error)) return
-      do i = 1, size(self%names)
-         call self%file%declare_point_data(trim(self%names(i)), &
-            & field_components(self%names(i)), error)
-         if (allocated(error)) return
-      end do
-      call self%file%settle(places, error)
-   end subroutine open_fields
-
-   !> Put all states on the disk, and note how many there are
-   subroutine mark(self, places, error)
-      class(fields_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%mark(places, error)
-   end subroutine mark
+   end subroutine create_grid
 
    !> What does not change: ply, part, element, angle, fibre
    subroutine add_cell_fields(self, model, domain, error)
-      type(fields_type), intent(inout) :: self
+      class(fields_type), intent(inout) :: self
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
@@ -175,57 +137,9 @@ contains
       end do
    end function node_shares
 
-   !> Write the present state; it is whole in the file when this returns
-   subroutine write_state(self, domain, state, error)
-      class(fields_type), intent(inout) :: self
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> The state
-      type(state_type), intent(in) :: state
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      character(:), allocatable :: name
-      real(wp), allocatable :: values(:, :)
-      integer :: i, scalar
-
-      if (.not. self%file%is_open()) return
-      call self%file%begin_step(state%time)
-      if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
-         values = recovered_values(self, domain, state)
-      end if
-      do i = 1, size(self%names)
-         name = trim(self%names(i))
-         associate (file => self%file)
-            select case (name)
-            case ("displacement")
-               call file%write_point_data(name, motion_values(self, domain, state%displacement), &
-                  & error)
-            case ("velocity")
-               call file%write_point_data(name, motion_values(self, domain, &
-                  & state%velocity + 0.5_wp*state%step_before &
-                  & *state%acceleration(:domain%columns%freedoms)), error)
-            case ("strain")
-               call file%write_point_data(name, tensor(values, strain_at, tensor_share), error)
-            case ("stress")
-               call file%write_point_data(name, tensor(values, stress_at), error)
-            case ("strain_ply")
-               call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share), error)
-            case ("stress_ply")
-               call file%write_point_data(name, tensor(values, ply_stress_at), error)
-            case default
-               scalar = findloc(scalar_names == name, .true., 1)
-               call file%write_point_data(name, values(scalars_at + scalar, :), error)
-            end select
-         end associate
-         if (allocated(error)) return
-      end do
-      call self%file%end_step(error)
-   end subroutine write_state
-
    !> Displacement or velocity at the points of the grid, (3, points)
    function motion_values(self, domain, motion) result(values)
-      type(fields_type), intent(in) :: self
+      class(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: motion(:)
       real(wp), allocatable :: values(:, :)
@@ -260,7 +174,7 @@ contains
    !> Strain and stress at the points of the grid, averaged over the quads that meet there,
    !> (recovered, points)
    function recovered_values(self, domain, state) result(values)
-      type(fields_type), intent(in) :: self
+      class(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
@@ -331,14 +245,5 @@ contains
          values(:, :) = values + share(m)*at_gauss(:, :, m)
       end do
    end function level_values
-
-   !> Close the file
-   subroutine close_fields(self, error)
-      class(fields_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%close(error)
-   end subroutine close_fields
 
 end module plydyn_output_fields

@@ -6,11 +6,9 @@ module plydyn_output_interface_fields
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_model_model, only : model_type
-   use plydyn_output_description, only : describe_file
+   use plydyn_output_field_file, only : field_file_type
    use plydyn_output_interface_values, only : at_damage, at_dissipated, at_mixity, damage_values, &
       & interface_values
-   use plydyn_output_places, only : places_type
-   use plydyn_output_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -19,15 +17,9 @@ module plydyn_output_interface_fields
    integer, parameter :: linear_cell = 9, quadratic_cell = 28
    !> Places of VTK's nodes of a quad in tensor order
    integer, parameter :: of_q4(4) = [1, 2, 4, 3], of_q9(9) = [1, 3, 9, 7, 2, 6, 8, 4, 5]
-   !> Point fields and their components
-   character(12), parameter :: names(5) = [character(12) :: "displacement", "opening", "damage", &
-      & "mode_mixity", "dissipated"]
-   integer, parameter :: components(5) = [3, 3, 1, 1, 1]
-
    !> The file of interface states
-   type, public :: interface_fields_type
+   type, public, extends(field_file_type) :: interface_fields_type
       private
-      type(vtkhdf_type) :: file
       !> Where the points of an interface begin, less one, by the ply below it; -1 for none
       integer, allocatable :: first(:)
       !> Layer below each interface, in the same order as the points
@@ -37,56 +29,28 @@ module plydyn_output_interface_fields
       !> Sum of the areas that meet at a point
       real(wp), allocatable :: area(:)
    contains
-      procedure :: open => open_interfaces
+      procedure :: create_grid
+      procedure :: add_cell_fields
       procedure :: write => write_state
-      procedure :: mark
-      procedure :: close => close_interfaces
    end type interface_fields_type
 
 contains
 
    !> Create the file, if there are interfaces
-   subroutine open_interfaces(self, path, deck, version, model, domain, places, error)
+   subroutine create_grid(self, path, model, domain, error)
       class(interface_fields_type), intent(inout) :: self
-      !> Path of the file
       character(*), intent(in) :: path
-      !> Path of the deck, version of the program
-      character(*), intent(in) :: deck, version
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(places_type), intent(in) :: places
-      !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
-
-      integer :: i
 
       if (size(domain%interfaces) == 0) return
+      self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
+         & "dissipated"]
+      self%components = [3, 3, 1, 1, 1]
       call arrange(self, domain)
-      call create_grid(self, path, domain, error)
-      if (allocated(error)) return
-      call describe_file(self%file, deck, version, model, error)
-      if (allocated(error)) return
-      call add_cell_fields(self, model, domain, error)
-      do i = 1, size(names)
-         if (allocated(error)) return
-         call self%file%declare_point_data(trim(names(i)), components(i), error)
-      end do
-      if (.not. allocated(error)) call self%file%settle(places, error)
-   end subroutine open_interfaces
-
-   !> Put all states on the disk, and note how many there are
-   subroutine mark(self, places, error)
-      class(interface_fields_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%mark(places, error)
-   end subroutine mark
+      call create_surfaces(self, path, domain, error)
+   end subroutine create_grid
 
    !> Find the cells, and where the points of each interface begin
    subroutine arrange(self, domain)
@@ -121,7 +85,7 @@ contains
    end subroutine arrange
 
    !> Points and cells
-   subroutine create_grid(self, path, domain, error)
+   subroutine create_surfaces(self, path, domain, error)
       type(interface_fields_type), intent(inout) :: self
       character(*), intent(in) :: path
       type(domain_type), intent(in) :: domain
@@ -153,7 +117,7 @@ contains
       call self%file%create(path, position, connectivity, &
          & [(i*size(order), i=0, size(self%home, 2))], spread(merge(linear_cell, quadratic_cell, &
          & size(order) == size(of_q4)), 1, size(self%home, 2)), error)
-   end subroutine create_grid
+   end subroutine create_surfaces
 
    !> Points of a cell in tensor order, from 1
    pure function cell_points(self, domain, cell) result(point)
@@ -182,7 +146,7 @@ contains
 
    !> What does not change: interface, plies, angles, element
    subroutine add_cell_fields(self, model, domain, error)
-      type(interface_fields_type), intent(inout) :: self
+      class(interface_fields_type), intent(inout) :: self
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
@@ -294,14 +258,5 @@ contains
       values(at_damage, :) = min(values(at_damage, :), 1.0_wp)
       values(at_mixity, :) = min(values(at_mixity, :), 1.0_wp)
    end function point_values
-
-   !> Close the file
-   subroutine close_interfaces(self, error)
-      class(interface_fields_type), intent(inout) :: self
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%close(error)
-   end subroutine close_interfaces
 
 end module plydyn_output_interface_fields
