@@ -7,8 +7,8 @@ module plydyn_output_delamination
       & projected_area
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : units_type
-   use plydyn_output_history, only : history_type
    use plydyn_output_places, only : places_type
+   use plydyn_output_recorder, only : recorder_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -16,16 +16,13 @@ module plydyn_output_delamination
    public :: failing_interfaces
 
    !> The file
-   type, public :: delamination_history_type
+   type, public, extends(recorder_type) :: delamination_history_type
       private
-      type(history_type) :: history
       !> Interfaces that can fail, counted from the bottom
       integer, allocatable :: interfaces(:)
    contains
       procedure :: open => open_delamination
       procedure :: record => record_delamination
-      procedure :: mark => mark_delamination
-      procedure :: close => close_delamination
    end type delamination_history_type
 
 contains
@@ -109,25 +106,5 @@ contains
             & lost(here)%fracture + lost(here)%closing + lost(here)%friction], error)
       end associate
    end subroutine record_delamination
-
-   !> Put all lines on the disk, and note how far the file goes
-   subroutine mark_delamination(self, places, error)
-      class(delamination_history_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%mark(places, error)
-   end subroutine mark_delamination
-
-   !> Close the file
-   subroutine close_delamination(self, error)
-      class(delamination_history_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%close(error)
-   end subroutine close_delamination
 
 end module plydyn_output_delamination

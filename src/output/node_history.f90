@@ -7,25 +7,21 @@ module plydyn_output_node_history
    use plydyn_domain_supports, only : face_point
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
-   use plydyn_output_history, only : history_type
    use plydyn_output_places, only : places_type
+   use plydyn_output_recorder, only : recorder_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    !> The history of some nodes
-   type, public :: node_history_type
+   type, public, extends(recorder_type) :: node_history_type
       private
-      !> The file
-      type(history_type) :: history
       !> Places in the arrays of motion, and the row that they fill
       integer, allocatable :: freedom(:)
       real(wp), allocatable :: row(:)
    contains
       procedure :: open => open_nodes
       procedure :: record => record_nodes
-      procedure :: mark => mark_nodes
-      procedure :: close => close_nodes
    end type node_history_type
 
 contains
@@ -102,25 +98,5 @@ contains
       end do
       call self%history%record(state%time, self%row, error)
    end subroutine record_nodes
-
-   !> Put all lines on the disk, and note how far the file goes
-   subroutine mark_nodes(self, places, error)
-      class(node_history_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%mark(places, error)
-   end subroutine mark_nodes
-
-   !> Close the file
-   subroutine close_nodes(self, error)
-      class(node_history_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%close(error)
-   end subroutine close_nodes
 
 end module plydyn_output_node_history

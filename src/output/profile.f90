@@ -10,16 +10,15 @@ module plydyn_output_profile
       & recovered, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
-   use plydyn_output_history, only : history_type
    use plydyn_output_places, only : places_type
+   use plydyn_output_recorder, only : recorder_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    !> A profile being written: blocks of rows from the bottom up, one block for each time
-   type, public :: profile_file_type
+   type, public, extends(recorder_type) :: profile_file_type
       private
-      type(history_type) :: file
       !> Points in each layer
       integer :: points = 0
       !> Quads that meet at the place: plate and quad, and where the place is in each
@@ -28,8 +27,6 @@ module plydyn_output_profile
    contains
       procedure :: open => open_profile
       procedure :: record
-      procedure :: mark
-      procedure :: close => close_profile
    end type profile_file_type
 
    !> Time, height, ply, displacement; stress, strain and ply stress follow
@@ -94,7 +91,7 @@ contains
       unit(7:12) = units%stress
       unit(13:18) = "-"
       unit(19:24) = units%stress
-      call self%file%open(path, names, unit, profile%interval, places, error)
+      call self%history%open(path, names, unit, profile%interval, places, error)
    end subroutine open_profile
 
    !> All quads that contain a place, on a border more than one
@@ -163,7 +160,7 @@ contains
       real(wp) :: part, row(columns)
       integer :: i, k
 
-      if (.not. (self%file%due(state%time) .or. is_last)) return
+      if (.not. (self%history%due(state%time) .or. is_last)) return
       do k = 1, size(domain%layers%order)
          do i = 1, self%points
             part = real(i - 1, wp)/real(self%points - 1, wp)
@@ -171,7 +168,7 @@ contains
             row(2) = (1.0_wp - part)*domain%layers%bottom(k) + part*domain%layers%top(k)
             row(3) = real(domain%layers%ply(k), wp)
             row(4:) = values_at(self, domain, state, k, 2.0_wp*part - 1.0_wp)
-            call self%file%record(state%time, row, error)
+            call self%history%record(state%time, row, error)
             if (allocated(error)) return
          end do
       end do
@@ -237,25 +234,5 @@ contains
          end do
       end do
    end function displacement_at
-
-   !> Put all blocks on the disk, and note how far the file goes
-   subroutine mark(self, places, error)
-      class(profile_file_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%mark(places, error)
-   end subroutine mark
-
-   !> Close the file
-   subroutine close_profile(self, error)
-      class(profile_file_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%close(error)
-   end subroutine close_profile
 
 end module plydyn_output_profile

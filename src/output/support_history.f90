@@ -4,25 +4,21 @@ module plydyn_output_support_history
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
-   use plydyn_output_history, only : history_type
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
+   use plydyn_output_recorder, only : recorder_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    !> The history of the supports
-   type, public :: support_history_type
+   type, public, extends(recorder_type) :: support_history_type
       private
-      !> The file
-      type(history_type) :: history
       !> Held and prescribed directions, in the order of `state%support_force`
       integer, allocatable :: direction(:)
    contains
       procedure :: open => open_supports
       procedure :: record => record_supports
-      procedure :: mark => mark_supports
-      procedure :: close => close_supports
    end type support_history_type
 
 contains
@@ -85,25 +81,5 @@ contains
       call self%history%record(state%time, [state%time, (-sum(state%support_force, &
          & self%direction == c), c=1, 3)], error)
    end subroutine record_supports
-
-   !> Put all lines on the disk, and note how far the file goes
-   subroutine mark_supports(self, places, error)
-      class(support_history_type), intent(inout) :: self
-      !> Places in all files
-      type(places_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%mark(places, error)
-   end subroutine mark_supports
-
-   !> Close the file
-   subroutine close_supports(self, error)
-      class(support_history_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%history%close(error)
-   end subroutine close_supports
 
 end module plydyn_output_support_history
