@@ -2,7 +2,7 @@
 module plydyn_domain_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_quad, only : quad_spacing, tensor_order
-   use plydyn_law_cohesive_length, only : least_points, strength_factor, zone_lengths
+   use plydyn_law_cohesive_length, only : strength_factor, zone_lengths
    use plydyn_model_layup, only : faces_tied, part_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
@@ -49,7 +49,7 @@ contains
          end do
          zone%strength(:) = own%constants%strength
          if (own%fitted) zone%strength(:) = zone%strength*strength_factor(zone%across, &
-            & own%constants%toughness, zone%strength, zone%spacing, least_points)
+            & own%constants%toughness, zone%strength, zone%spacing)
          do p = 1, size(model%parts)
             do k = 1, size(model%parts(p)%joint)
                if (model%parts(p)%joint(k) /= material) cycle

@@ -10,13 +10,11 @@ module plydyn_law_cohesive_length
 
    real(wp), parameter :: pi = acos(-1.0_wp)
 
-   !> Shares of E G_c/strength**2 that a zone has in a large body after Hui et al.; Irwin; Dugdale
-   !> and Barenblatt; Rice and Falk et al.; Hillerborg et al.
-   real(wp), parameter, public :: zone_of_hui = 2.0_wp/(3.0_wp*pi), zone_of_irwin = 1.0_wp/pi, &
-      & zone_of_dugdale = pi/8.0_wp, zone_of_rice = 9.0_wp*pi/32.0_wp, zone_of_hillerborg = 1.0_wp
+   !> Share of E G_c/strength**2 that a zone has in a large body (Rice; Falk et al.)
+   real(wp), parameter :: zone_of_rice = 9.0_wp*pi/32.0_wp
 
-   !> Points that a zone must span, and better spans
-   integer, parameter, public :: least_points = 3, better_points = 5
+   !> Points that a zone must span
+   integer, parameter, public :: least_points = 3
 
    !> Stiffness that an interface needs, in moduli over the thickness of what it joins, for its own
    !> compliance not to matter
@@ -25,9 +23,7 @@ module plydyn_law_cohesive_length
 contains
 
    !> Length of the zone in a body that is large beside it
-   elemental real(wp) function zone_length(share, young, toughness, strength)
-      !> One of the shares above
-      real(wp), intent(in) :: share
+   elemental real(wp) function zone_length(young, toughness, strength)
       !> Modulus across the interface
       real(wp), intent(in) :: young
       !> Energy per crack area of the mode
@@ -35,7 +31,7 @@ contains
       !> Strength of the mode
       real(wp), intent(in) :: strength
 
-      zone_length = share*young*toughness/strength**2
+      zone_length = zone_of_rice*young*toughness/strength**2
    end function zone_length
 
    !> Lengths of the zones of opening and of sliding between thin layers (Yang and Cox)
@@ -54,8 +50,8 @@ contains
       length(shear) = sqrt(young*toughness(shear)*thickness)/strength(shear)
    end function slender_zone
 
-   !> Lengths of the zones of opening and of sliding: the smaller of a large body's (Rice's share)
-   !> and of thin layers'
+   !> Lengths of the zones of opening and of sliding: the smaller of a large body's and of thin
+   !> layers'
    pure function zone_lengths(across, along, thickness, toughness, strength) result(length)
       !> Modulus across the interface, and along the layers
       real(wp), intent(in) :: across, along
@@ -67,28 +63,25 @@ contains
       real(wp), intent(in) :: strength(2)
       real(wp) :: length(2)
 
-      length(:) = min(zone_length(zone_of_rice, across, toughness, strength), &
+      length(:) = min(zone_length(across, toughness, strength), &
          & slender_zone(along, thickness, toughness, strength))
    end function zone_lengths
 
-   !> Strength whose zone in a large body spans some points (Turon et al. 2007)
-   elemental real(wp) function fitting_strength(young, toughness, spacing, points) result(strength)
+   !> Strength whose zone in a large body spans `least_points` (Turon et al. 2007)
+   elemental real(wp) function fitting_strength(young, toughness, spacing) result(strength)
       !> Modulus across the interface
       real(wp), intent(in) :: young
       !> Energy per crack area of the mode
       real(wp), intent(in) :: toughness
       !> Length between points
       real(wp), intent(in) :: spacing
-      !> Points in the zone
-      integer, intent(in) :: points
 
-      strength = sqrt(zone_of_rice*young*toughness/(real(points, wp)*spacing))
+      strength = sqrt(zone_of_rice*young*toughness/(real(least_points, wp)*spacing))
    end function fitting_strength
 
-   !> Factor by which both strengths must fall for the zones of both modes to span some points;
+   !> Factor by which both strengths must fall for the zones of both modes to span `least_points`;
    !> one factor for both keeps the mix of modes. 1 where they do already
-   pure real(wp) function strength_factor(young, toughness, strength, spacing, points) &
-      & result(factor)
+   pure real(wp) function strength_factor(young, toughness, strength, spacing) result(factor)
       !> Modulus across the interface
       real(wp), intent(in) :: young
       !> Energies per crack area, normal and shear
@@ -97,11 +90,8 @@ contains
       real(wp), intent(in) :: strength(2)
       !> Length between points
       real(wp), intent(in) :: spacing
-      !> Points in the zone
-      integer, intent(in) :: points
 
-      factor = min(1.0_wp, &
-         & minval(fitting_strength(young, toughness, spacing, points)/strength))
+      factor = min(1.0_wp, minval(fitting_strength(young, toughness, spacing)/strength))
    end function strength_factor
 
    !> Stiffness of an interface in moduli over thickness; see `least_stiffness_ratio`
