@@ -2,6 +2,7 @@
 module plydyn_input_declare_damage
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, new_keyword, ours
+   use plydyn_input_declare_part, only : add_ply_elastic_cards
    implicit none
    private
 
@@ -26,31 +27,11 @@ contains
          & //"strength, and the stress then falls linearly with strain until the toughness is " &
          & //"spent over the width of the crack band, which is a length of the quad. The listing " &
          & //"prints the strains and widths made of it."
-      call add_elastic_cards(keyword)
+      call add_ply_elastic_cards(keyword)
       call add_strength_cards(keyword)
       call add_shear_card(keyword)
       call add_switch_card(keyword)
    end function mat_ply_codam2
-
-   !> Density and elastic constants
-   subroutine add_elastic_cards(keyword)
-      !> The keyword of the material
-      type(keyword_type), intent(inout) :: keyword
-
-      call keyword%add_card()
-      call keyword%add_integer("MID", "number of the material", least=1)
-      call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
-      call keyword%add_real("E1", "stress", "Young's modulus along 1", above=0.0_wp)
-      call keyword%add_real("E2", "stress", "Young's modulus along 2", above=0.0_wp)
-      call keyword%add_real("E3", "stress", "Young's modulus along 3", above=0.0_wp)
-      call keyword%add_real("NU12", "-", "Poisson's ratio: strain along 2 from stress along 1")
-      call keyword%add_real("NU13", "-", "Poisson's ratio: strain along 3 from stress along 1")
-      call keyword%add_real("NU23", "-", "Poisson's ratio: strain along 3 from stress along 2")
-      call keyword%add_card()
-      call keyword%add_real("G12", "stress", "shear modulus in the plane 1-2", above=0.0_wp)
-      call keyword%add_real("G13", "stress", "shear modulus in the plane 1-3", above=0.0_wp)
-      call keyword%add_real("G23", "stress", "shear modulus in the plane 2-3", above=0.0_wp)
-   end subroutine add_elastic_cards
 
    !> Strengths, toughnesses, width of the crack band, largest damage
    subroutine add_strength_cards(keyword)

@@ -5,7 +5,7 @@ module plydyn_input_declare_part
    implicit none
    private
 
-   public :: part_keywords
+   public :: part_keywords, add_ply_elastic_cards
 
 contains
 
@@ -167,6 +167,14 @@ contains
       keyword = new_keyword("MAT_PLY_ELASTIC", ours, &
          & "Orthotropic linear elastic ply: 1 along the fibres, 2 across in the plane, 3 normal.", &
          & suffixes="TITLE")
+      call add_ply_elastic_cards(keyword)
+   end function mat_ply_elastic
+
+   !> Number, density and elastic constants of a ply
+   subroutine add_ply_elastic_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
       call keyword%add_card()
       call keyword%add_integer("MID", "number of the material", least=1)
       call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
@@ -180,6 +188,6 @@ contains
       call keyword%add_real("G12", "stress", "shear modulus in the plane 1-2", above=0.0_wp)
       call keyword%add_real("G13", "stress", "shear modulus in the plane 1-3", above=0.0_wp)
       call keyword%add_real("G23", "stress", "shear modulus in the plane 2-3", above=0.0_wp)
-   end function mat_ply_elastic
+   end subroutine add_ply_elastic_cards
 
 end module plydyn_input_declare_part
