@@ -7,11 +7,11 @@ module plydyn_deck_deck
    use plydyn_deck_parser, only : parse
    use plydyn_deck_render, only : count_text, findings_text
    use plydyn_deck_report, only : grave_error, grave_note, grave_warning, report_type
-   use plydyn_deck_source, only : add_source, begin_source, read_source, source_type
+   use plydyn_deck_source, only : add_source, begin_source, source_type
    implicit none
    private
 
-   public :: read_deck, read_decks, conclude
+   public :: read_decks, conclude
 
    !> Everything of a deck but its meaning
    type, public :: deck_type
@@ -23,22 +23,8 @@ module plydyn_deck_deck
 
 contains
 
-   !> Read a deck: every value is checked against its declaration
-   subroutine read_deck(path, known, deck, report)
-      !> Path of the deck
-      character(*), intent(in) :: path
-      !> Declarations of the keywords that are known
-      type(keyword_type), intent(in) :: known(:)
-      !> The deck
-      type(deck_type), intent(out) :: deck
-      !> Findings
-      type(report_type), intent(inout) :: report
-
-      call read_source(path, deck%source, report)
-      call parse(deck%source, known, "", deck%keywords, report)
-   end subroutine read_deck
-
-   !> Read the decks of a run that were stored, and one more behind them
+   !> Read the decks of a run that were stored, and one more behind them: every value is checked
+   !> against its declaration
    subroutine read_decks(archive, path, known, deck, report)
       !> The stored decks, and numbers for parameters from the command line
       type(archive_type), intent(in) :: archive

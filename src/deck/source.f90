@@ -7,7 +7,7 @@ module plydyn_deck_source
    implicit none
    private
 
-   public :: add_source, begin_source, read_source
+   public :: add_source, begin_source
 
    !> A deck with its include files in place; comments are gone, blank lines are kept
    type, public :: source_type
@@ -37,19 +37,6 @@ module plydyn_deck_source
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
 
 contains
-
-   !> Read a deck and all files that it includes
-   subroutine read_source(path, source, report)
-      !> Path of the deck
-      character(*), intent(in) :: path
-      !> Its lines
-      type(source_type), intent(out) :: source
-      !> Findings
-      type(report_type), intent(inout) :: report
-
-      call begin_source(source)
-      call add_source(path, source, report)
-   end subroutine read_source
 
    !> No lines yet
    pure subroutine begin_source(source)

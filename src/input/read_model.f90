@@ -17,7 +17,7 @@ module plydyn_input_read_model
    implicit none
    private
 
-   public :: read_decks_of_run, read_model, keyword_manual
+   public :: read_decks_of_run, keyword_manual
 
    abstract interface
       !> Take the cards of one keyword into the model, if the keyword is one of the stage
@@ -34,24 +34,6 @@ module plydyn_input_read_model
    end interface
 
 contains
-
-   !> Read a deck and check it
-   subroutine read_model(path, model, messages, error)
-      !> Path of the deck
-      character(*), intent(in) :: path
-      !> The model
-      type(model_type), intent(out) :: model
-      !> Warnings and notes for the listing, empty without any
-      character(:), allocatable, intent(out) :: messages
-      !> Everything that is wrong with the deck, in one text
-      type(error_type), allocatable, intent(out) :: error
-
-      type(archive_type) :: archive
-
-      allocate (archive%bundles(0))
-      archive%parameters = ""
-      call read_decks_of_run(archive, path, model, messages, error)
-   end subroutine read_model
 
    !> Read the stored decks of a run, and one that begins or changes it
    subroutine read_decks_of_run(archive, path, model, messages, error)

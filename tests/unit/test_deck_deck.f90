@@ -1,11 +1,12 @@
 !> From the text of a deck to cards with values, states and places, and to findings as text.
 program test_deck_deck
+   use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_input
    use plydyn_base_precision, only : wp
-   use plydyn_deck_deck, only : conclude, deck_type, read_deck
+   use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, ours
    use plydyn_deck_report, only : place_type, report_type
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, check_error, finish, write_lines
    implicit none
 
    character(*), parameter :: path = "deck_test.k"
@@ -132,16 +133,13 @@ contains
       !> The deck
       character(*), intent(in) :: text
 
+      type(archive_type) :: archive
       type(report_type) :: report
-      integer :: i, unit
 
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
-         & action="write")
-      do i = 1, len(text)
-         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-      end do
-      close (unit)
-      call read_deck(path, known, deck, report)
+      allocate (archive%bundles(0))
+      archive%parameters = ""
+      call write_lines(path, text)
+      call read_decks(archive, path, known, deck, report)
       call conclude(deck, report, messages, error)
    end subroutine read_text
 

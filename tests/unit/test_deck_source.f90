@@ -1,7 +1,7 @@
 !> Lines of a deck and of its include files, each with its file and number.
 program test_deck_source
    use plydyn_deck_report, only : grave_error, grave_warning, report_type
-   use plydyn_deck_source, only : read_source, source_type
+   use plydyn_deck_source, only : add_source, begin_source, source_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -9,10 +9,10 @@ program test_deck_source
    type(source_type) :: source
    type(report_type) :: report
 
-   call begin("read_source")
+   call begin("add_source")
    call write_file("source_1.k", "*KEYWORD"//feed//"$ comment"//feed//"*NODE"//feed//feed &
       & //"  1  "//feed//"*END"//feed//"rest")
-   call read_source("source_1.k", source, report)
+   call read_alone("source_1.k")
    call check(source%line_count, 5, "comments are gone, blank lines are kept")
    call check(source%where(2) == "source_1.k:3", "lines keep their numbers")
    call check(source%line(4) == "  1" .and. source%width(4) == 3, "blanks at the end are cut")
@@ -23,12 +23,12 @@ program test_deck_source
    call begin("line ends")
    call write_file("source_2.k", char(239)//char(187)//char(191)//"*KEYWORD"//windows//"  1" &
       & //windows//"*END")
-   call read_source("source_2.k", source, report)
+   call read_alone("source_2.k")
    call check(source%line_count, 3, "lines of Windows and a last line without end")
    call check(source%line(2) == "  1" .and. source%width(2) == 3, "carry no line end")
    call check(source%line(1) == "*KEYWORD", "a byte order mark is no part of the first line")
    call write_file("source_3.k", "")
-   call read_source("source_3.k", source, report)
+   call read_alone("source_3.k")
    call check(source%line_count <= 1 .and. .not. source%ended, "an empty file has no end")
 
    call begin("include")
@@ -36,7 +36,7 @@ program test_deck_source
       & //"source_6.k"//feed//"*END"//feed)
    call write_file("source_5.k", "*NODE"//feed//"5"//feed//"*END"//feed)
    call write_file("source_6.k", "*PART"//feed//"6"//feed)
-   call read_source("source_4.k", source, report)
+   call read_alone("source_4.k")
    call check(report%count(grave_error), 0, "two files are found")
    call check(source%where(6) == "source_5.k:2", "the first one comes first")
    call check(source%where(9) == "source_6.k:2", "the second one comes second")
@@ -46,19 +46,28 @@ program test_deck_source
    call begin("include, errors")
    call write_file("source_7.k", "*KEYWORD"//feed//"*INCLUDE"//feed//"source_8.k"//feed//"*END")
    call write_file("source_8.k", "*INCLUDE"//feed//"source_7.k"//feed)
-   call read_source("source_7.k", source, report)
+   call read_alone("source_7.k")
    call check(report%count(grave_error), 1, "a cycle is an error")
    call check(source%where(report%findings(report%shown)%place%line) == "source_8.k:2", &
       & "at the line that closes it")
    call write_file("source_9.k", "*INCLUDE"//feed//"nowhere.k"//feed)
-   call read_source("source_9.k", source, report)
+   call read_alone("source_9.k")
    call check(report%count(grave_error), 2, "a missing file is an error")
-   call read_source("nowhere.k", source, report)
+   call read_alone("nowhere.k")
    call check(report%count(grave_error), 3, "also as the deck itself")
 
    call finish()
 
 contains
+
+   !> Read a deck that nothing stands before
+   subroutine read_alone(path)
+      !> Path of the deck
+      character(*), intent(in) :: path
+
+      call begin_source(source)
+      call add_source(path, source, report)
+   end subroutine read_alone
 
    !> Write a file byte by byte
    subroutine write_file(path, content)

@@ -6,7 +6,7 @@ program test_input_changes
    use plydyn_base_precision, only : wp
    use plydyn_input_read_model, only : read_decks_of_run
    use plydyn_model_model, only : model_type
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, check_error, finish, write_lines
    implicit none
 
    character(*), parameter :: path = "test_input_changes.k"
@@ -89,13 +89,7 @@ contains
    subroutine read_text(text)
       character(*), intent(in) :: text
 
-      integer :: i, unit
-
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace")
-      do i = 1, len(text)
-         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-      end do
-      close (unit)
+      call write_lines(path, text)
       call read_decks_of_run(archive, path, model, messages, error)
       call remove_file(path)
       if (allocated(error)) call drop_last()

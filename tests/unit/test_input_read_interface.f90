@@ -1,19 +1,14 @@
 !> Interfaces have the material and the options of their cards.
 program test_input_read_interface
+   use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_input_read_model, only : read_model
    use plydyn_law_cohesive, only : benzeggagh_kenane, power_law
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
-   !> A plate of one quad and three plies, and how long
-   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
-      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
-      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
-      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
    !> A bond, and one whose strengths follow from ultimate displacements
    character(*), parameter :: bond = "*MAT_COHESIVE_MIXED_MODE|6,0.,0,0,3.0e5,2.0e5,0.28,0.79|" &
       & //"-1.6,60.,90.|"
@@ -111,17 +106,7 @@ contains
       !> Lines behind those of the plate
       character(*), intent(in) :: more
 
-      integer :: i, unit
-
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
-         & action="write")
-      associate (text => plate//more//"*END")
-         do i = 1, len(text)
-            write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-         end do
-      end associate
-      close (unit)
-      call read_model(path, model, messages, error)
+      call read_lines(path, plate//more//"*END", model, messages, error)
    end subroutine read_plate
 
 end program test_input_read_interface

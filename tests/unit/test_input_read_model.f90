@@ -1,9 +1,9 @@
 !> A deck may have its keywords in any order, in several files, and be large.
 program test_input_read_model
+   use decks, only : read_file
    use plydyn_base_error, only : error_type, exit_input
-   use plydyn_input_read_model, only : read_model
    use plydyn_model_model, only : model_type
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, check_error, finish, write_lines
    implicit none
 
    character(*), parameter :: path = "test_input_read_model.k", other = "test_input_read_model_2.k"
@@ -14,53 +14,36 @@ program test_input_read_model
    character(:), allocatable :: messages
 
    call begin("order")
-   call write_text(path, "*KEYWORD|*CONTACT_IMPACTOR|1,1,1,1|*IMPACTOR_SPHERE|1,5.,1.,0.,0.,6.|" &
+   call write_lines(path, "*KEYWORD|*CONTACT_IMPACTOR|1,1,1,1|*IMPACTOR_SPHERE|1,5.,1.,0.,0.,6.|" &
       & //"0.,0.,-1.|*BOUNDARY_SPC_SET|1,0,1|*SET_NODE_LIST|1,|1,|*SECTION_LAYERWISE|1,|" &
       & //"*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|*MAT_ELASTIC|1,1.e-9,1.e5,0.|" &
       & //"*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|*CONTROL_TERMINATION|1.0,|*END")
-   call read_model(path, model, messages, error)
+   call read_file(path, model, messages, error)
    call check(.not. allocated(error), "a deck upside down is read")
    call check(len(messages), 0, "and there is nothing to say about it")
 
    call begin("include")
-   call write_text(other, "*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|")
-   call write_text(path, "*KEYWORD|*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|" &
+   call write_lines(other, "*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|")
+   call write_lines(path, "*KEYWORD|*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|" &
       & //"*MAT_ELASTIC|1,1.,1.,0.|*INCLUDE|"//other//"|*CONTROL_TERMINATION|1.0,|*END")
-   call read_model(path, model, messages, error)
+   call read_file(path, model, messages, error)
    call check(.not. allocated(error), "a deck in two files is read")
    call check(size(model%mesh%node_id), 4, "with the nodes of the second one")
 
    call begin("large decks")
    call write_large()
-   call read_model(path, model, messages, error)
+   call read_file(path, model, messages, error)
    call check(.not. allocated(error), "are read")
    call check(size(model%mesh%quad_id), many**2, "with all their elements")
 
    call begin("errors")
-   call read_model("nowhere.k", model, messages, error)
+   call read_file("nowhere.k", model, messages, error)
    call check_error(error, "the file 'nowhere.k' cannot be read", "a deck that is not there")
    call check(error%code, exit_input, "has the exit code of input")
 
    call finish()
 
 contains
-
-   !> Write a file whose lines are parted by bars
-   subroutine write_text(name, text)
-      !> Its path
-      character(*), intent(in) :: name
-      !> What is in it
-      character(*), intent(in) :: text
-
-      integer :: i, unit
-
-      open (newunit=unit, file=name, access="stream", form="unformatted", status="replace", &
-         & action="write")
-      do i = 1, len(text)
-         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-      end do
-      close (unit)
-   end subroutine write_text
 
    !> Write a large deck in fixed columns
    subroutine write_large()

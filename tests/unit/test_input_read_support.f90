@@ -1,19 +1,14 @@
 !> Supports, motions and initial velocities act where they are told.
 program test_input_read_support
+   use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_input_read_model, only : read_model
    use plydyn_model_support, only : all_planes, bottom_face, one_plane, prescribes_acceleration, &
       & prescribes_displacement, top_face
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
-   !> A plate of one quad and three plies, and how long
-   character(*), parameter :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|1,0.,0.,0.|" &
-      & //"2,1.,0.,0.|3,1.,1.,0.|4,0.,1.,0.|*ELEMENT_SHELL|11,7,1,2,3,4|*MAT_PLY_ELASTIC|" &
-      & //"5,1.6e-9,1.4e5,1.0e4,1.0e4,0.3,0.3,0.45|5000.,4000.,3500.|*PART_COMPOSITE_LONG|plate|" &
-      & //"7,|5,0.25|5,0.25,90.|5,0.5|"
    character(*), parameter :: path = "test_input_read_support.k"
    type(model_type) :: model
    type(error_type), allocatable :: error
@@ -71,23 +66,7 @@ contains
       !> Lines behind those of the plate
       character(*), intent(in) :: more
 
-      call read_text(plate//more//"*END")
+      call read_lines(path, plate//more//"*END", model, messages, error)
    end subroutine read_plate
-
-   !> Write a deck whose lines are parted by bars, and read it
-   subroutine read_text(text)
-      !> The deck
-      character(*), intent(in) :: text
-
-      integer :: i, unit
-
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
-         & action="write")
-      do i = 1, len(text)
-         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-      end do
-      close (unit)
-      call read_model(path, model, messages, error)
-   end subroutine read_text
 
 end program test_input_read_support

@@ -3,7 +3,7 @@ program test_solver_requests
    use plydyn_base_files, only : remove_file
    use plydyn_base_precision, only : wp
    use plydyn_solver_requests, only : requests_type, take_requests
-   use testing, only : begin, check, finish
+   use testing, only : begin, check, finish, write_lines
    implicit none
 
    character(*), parameter :: path = "test_solver_requests.ctl"
@@ -13,17 +13,17 @@ program test_solver_requests
    call begin("take_requests")
    call take_requests(path, 1.0_wp, requests, found)
    call check(.not. found, "no file, no request")
-   call write_lines("Dump|  plot|status|flush|end-time 2.5|")
+   call write_lines(path, "Dump|  plot|status|flush|end-time 2.5|")
    call take_requests(path, 1.0_wp, requests, found)
    call check(found .and. requests%dump .and. requests%plot .and. requests%status &
       & .and. requests%flush .and. .not. requests%stop, "all words of a file")
    call check(requests%end_time, 2.5_wp, 0.0_wp, "with the number behind one")
    inquire (file=path, exist=exists)
    call check(.not. exists, "the file is set aside")
-   call write_lines("sw1")
+   call write_lines(path, "sw1")
    call take_requests(path, 1.0_wp, requests, found)
    call check(requests%stop, "the words of LS-DYNA; a line that does not end")
-   call write_lines("please stop||end-time|end-time 0.5|end-time nan|stop now|")
+   call write_lines(path, "please stop||end-time|end-time 0.5|end-time nan|stop now|")
    call take_requests(path, 1.0_wp, requests, found)
    call check(requests%end_time < 0.0_wp, "an end that is over, or no number, is none")
    call check(index(requests%answer, "'please stop' not understood") > 0, "nonsense is told")
@@ -32,20 +32,5 @@ program test_solver_requests
       & "a word with more behind it is taken, and that is told")
    call remove_file(path//".read")
    call finish()
-
-contains
-
-   !> Write a file whose lines are parted by bars
-   subroutine write_lines(text)
-      character(*), intent(in) :: text
-
-      integer :: i, unit
-
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace")
-      do i = 1, len(text)
-         write (unit) merge(achar(10), text(i:i), text(i:i) == "|")
-      end do
-      close (unit)
-   end subroutine write_lines
 
 end program test_solver_requests

@@ -8,7 +8,7 @@ module testing
    implicit none
    private
 
-   public :: begin, check, check_error, finish
+   public :: begin, check, check_error, finish, write_lines
 
    !> A value against what it must be, or a condition that must hold
    interface check
@@ -119,6 +119,23 @@ contains
             & "says '"//error%message//"', must say '"//fragment//"'")
       end if
    end subroutine check_error
+
+   !> Write a file whose lines are parted by bars
+   subroutine write_lines(path, text)
+      !> Path of the file; one that was there is replaced
+      character(*), intent(in) :: path
+      !> What is in it, with a bar for each end of a line
+      character(*), intent(in) :: text
+
+      integer :: i, unit
+
+      open (newunit=unit, file=path, access="stream", form="unformatted", status="replace", &
+         & action="write")
+      do i = 1, len(text)
+         write (unit) merge(new_line(text), text(i:i), text(i:i) == "|")
+      end do
+      close (unit)
+   end subroutine write_lines
 
    !> Print the count; the program ends here when a check failed
    subroutine finish()
