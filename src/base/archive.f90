@@ -4,7 +4,7 @@ module plydyn_base_archive
    private
 
    !> A file
-   type, public :: document_type
+   type :: document_type
       !> Path, as the deck or the user wrote it
       character(:), allocatable :: path
       !> Everything in it

@@ -54,7 +54,7 @@ module plydyn_deck_declaration
    end type field_type
 
    !> One card
-   type, public :: card_type
+   type :: card_type
       !> Its fields
       type(field_type), allocatable :: fields(:)
       !> May be missing at the end of the keyword

@@ -24,7 +24,7 @@ module plydyn_deck_parameter
    end type parameter_type
 
    !> A number from the command line, in place of that of the deck
-   type, public :: setting_type
+   type :: setting_type
       !> Name in lower case
       character(parameter_length) :: name = ""
       !> Its number

@@ -42,7 +42,7 @@ module plydyn_deck_report
    end type finding_type
 
    !> Findings that differ in their numbers and quotations only
-   type, public :: kind_type
+   type :: kind_type
       !> Keyword and message without numbers and quotations
       character(:), allocatable :: pattern
       !> How many were found, shown or not

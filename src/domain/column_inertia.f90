@@ -18,7 +18,7 @@ module plydyn_domain_column_inertia
    integer, parameter, public :: together = 2
 
    !> Inertia between the levels of the layers of a family
-   type, public :: stretch_type
+   type :: stretch_type
       !> Pairs of levels, (2, pairs)
       integer, allocatable :: level(:, :)
       !> Inertia per area of the relative motion of both, along x, y, z,

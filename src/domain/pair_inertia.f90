@@ -18,7 +18,7 @@ module plydyn_domain_pair_inertia
    real(wp), parameter, public :: implicit_share = 0.5_wp
 
    !> Pairs between lanes side by side in a family; zero where there is none
-   type, public :: pair_table_type
+   type :: pair_table_type
       !> Inertia per area of the relative motion along x, y, z above each lane,
       !> (lanes*blocks, 3)
       real(wp), allocatable :: inertia(:, :)

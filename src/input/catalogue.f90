@@ -23,7 +23,7 @@ module plydyn_input_catalogue
    integer, parameter :: kinds = 17
 
    !> Some nodes or quads
-   type, public :: members_type
+   type :: members_type
       !> Indices into the nodes or quads of the mesh
       integer, allocatable :: list(:)
    end type members_type

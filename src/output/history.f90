@@ -16,7 +16,7 @@ module plydyn_output_history
    public :: number_text
 
    !> Longest text of a number
-   integer, parameter, public :: number_length = 18
+   integer, parameter :: number_length = 18
    !> Significant digits of a number
    integer, parameter :: significant = 10
    !> Share of an interval by which an instant may come too early

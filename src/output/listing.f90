@@ -20,7 +20,7 @@ module plydyn_output_listing
    implicit none
    private
 
-   public :: independent_freedoms, write_end, write_listing, write_restart
+   public :: write_end, write_listing, write_restart
 
    !> Bytes in a megabyte, and in a real of the results file
    real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp

@@ -6,7 +6,7 @@ module plydyn_output_places
    private
 
    !> Longest ending of a file
-   integer, parameter, public :: ending_length = 64
+   integer, parameter :: ending_length = 64
 
    !> How far a file has been written
    type, public :: place_type

@@ -22,7 +22,7 @@ module plydyn_output_vtkhdf
    private
 
    !> Longest name of a field
-   integer, parameter, public :: field_name_length = 32
+   integer, parameter :: field_name_length = 32
 
    !> Most points whose values lie together in the file
    integer, parameter :: points_per_chunk = 2**24

@@ -15,7 +15,7 @@ module plydyn_solver_contacts
    public :: new_contacts
 
    !> One contact: the pair and its work space
-   type, public :: pair_type
+   type :: pair_type
       !> Geometry and multipliers
       type(contact_pair_type) :: pair
       !> Trial positions of the surface points and what contact adds to them, (3, points)

@@ -16,7 +16,7 @@ module plydyn_solver_explicit
    implicit none
    private
 
-   public :: find_accelerations, next_step, run, seconds_per_step
+   public :: find_accelerations, run, seconds_per_step
 
    !> Share of a step by which the last one may be stretched to end the run on time
    real(wp), parameter :: stretch = 1.0e-6_wp
