@@ -1,6 +1,7 @@
 !> Small models for the tests, made without a deck.
 module sample
    use plydyn_base_precision, only : wp
+   use plydyn_fem_shape, only : local_nodes
    use plydyn_model_control, only : linear_strain, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layup, only : faces_tied, part_type, ply_type
@@ -10,9 +11,34 @@ module sample
    implicit none
    private
 
-   public :: rectangle_mesh, rectangle_model
+   public :: flat_surface, rectangle_mesh, rectangle_model
 
 contains
+
+   !> Points and facets of a flat surface around the origin: squares of side one with nine points
+   subroutine flat_surface(squares, position, facet)
+      !> Squares along an edge
+      integer, intent(in) :: squares
+      !> Surface points, (3, (2 squares + 1)**2)
+      real(wp), intent(out) :: position(:, :)
+      !> Facets
+      integer, intent(out) :: facet(9, squares**2)
+
+      integer :: f, i, j, line, place(2, 9)
+
+      line = 2*squares + 1
+      do j = 1, line
+         do i = 1, line
+            position(:, i + (j - 1)*line) = [0.5_wp*(i - 1) - 0.5_wp*squares, &
+               & 0.5_wp*(j - 1) - 0.5_wp*squares, 0.0_wp]
+         end do
+      end do
+      place(:, :) = nint(local_nodes(9)) + 1
+      do f = 1, squares**2
+         facet(:, f) = 1 + 2*modulo(f - 1, squares) + place(1, :) &
+            & + line*(2*((f - 1)/squares) + place(2, :))
+      end do
+   end subroutine flat_surface
 
    !> A rectangle of n x m quads, its inner nodes moved by a smooth map that keeps the border
    pure function rectangle_mesh(side, n, m, length, width, distortion) result(mesh)

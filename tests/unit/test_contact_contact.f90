@@ -4,7 +4,7 @@ program test_contact_contact
    use plydyn_base_precision, only : wp
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, contact_setup_type, &
       & new_contact
-   use plydyn_fem_shape, only : local_nodes
+   use sample, only : flat_surface
    use testing, only : begin, check, check_error, finish
    implicit none
 
@@ -282,7 +282,7 @@ contains
       integer :: facet(9, squares**2)
 
       call begin("new_contact")
-      call make_plate(position, facet)
+      call flat_surface(squares, position, facet)
       setup%radius = radius
       setup%mass = mass
       setup%spacing = 1.0e-4_wp
@@ -309,7 +309,7 @@ contains
       type(error_type), allocatable :: error
       integer :: facet(9, squares**2), f, i
 
-      call make_plate(position, facet)
+      call flat_surface(squares, position, facet)
       ! masses as 1 to 4 to 16 in each facet
       inverse(:, :) = 0.0_wp
       do f = 1, size(facet, 2)
@@ -328,28 +328,6 @@ contains
       call new_contact(pair, setup, facet, position, centre, error)
       call check(.not. allocated(error), "the pair can be built")
    end subroutine build
-
-   !> Points and facets of a flat plate around the origin
-   subroutine make_plate(position, facet)
-      !> Surface points
-      real(wp), intent(out) :: position(3, points)
-      !> Facets
-      integer, intent(out) :: facet(9, squares**2)
-
-      integer :: f, i, j, place(2, 9)
-
-      do j = 1, line
-         do i = 1, line
-            position(:, i + (j - 1)*line) = [0.5_wp*(i - 1) - 0.5_wp*squares, &
-               & 0.5_wp*(j - 1) - 0.5_wp*squares, 0.0_wp]
-         end do
-      end do
-      place(:, :) = nint(local_nodes(9)) + 1
-      do f = 1, squares**2
-         facet(:, f) = 1 + 2*modulo(f - 1, squares) + place(1, :) &
-            & + line*(2*((f - 1)/squares) + place(2, :))
-      end do
-   end subroutine make_plate
 
    !> Name of the discretisation
    function which(method) result(name)

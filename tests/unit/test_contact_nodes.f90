@@ -6,7 +6,7 @@ program test_contact_nodes
    use plydyn_contact_near, only : near_type, new_near
    use plydyn_contact_nodes, only : new_nodes, node_set_type
    use plydyn_contact_surface, only : new_surface, surface_type
-   use plydyn_fem_shape, only : local_nodes
+   use sample, only : flat_surface
    use testing, only : begin, check, finish
    implicit none
 
@@ -17,7 +17,7 @@ program test_contact_nodes
    integer :: facet(9, squares**2)
    type(surface_type) :: surface
 
-   call make_plate()
+   call flat_surface(squares, flat, facet)
    call new_surface(surface, facet, flat, 1)
    call check_spacing()
    call check_travel()
@@ -121,22 +121,5 @@ contains
       call nodes%collect(surface, near, position, centre, rows)
       call check(rows%count, 0, "a plate turned over is not")
    end subroutine check_folded
-
-   !> Points and facets of a flat plate around the origin, squares of side one
-   subroutine make_plate()
-      integer :: f, i, j, place(2, 9)
-
-      do j = 1, line
-         do i = 1, line
-            flat(:, i + (j - 1)*line) = [0.5_wp*(i - 1) - 0.5_wp*squares, &
-               & 0.5_wp*(j - 1) - 0.5_wp*squares, 0.0_wp]
-         end do
-      end do
-      place(:, :) = nint(local_nodes(9)) + 1
-      do f = 1, squares**2
-         facet(:, f) = 1 + 2*modulo(f - 1, squares) + place(1, :) &
-            & + line*(2*((f - 1)/squares) + place(2, :))
-      end do
-   end subroutine make_plate
 
 end program test_contact_nodes

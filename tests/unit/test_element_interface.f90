@@ -1,5 +1,6 @@
 !> Interfaces over quads: tractions times areas, linear and turned with large displacement.
 program test_element_interface
+   use bond, only : table_6
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface, only : add_lanes, history_size, interface_sums_type, &
       & interface_type, point_positions, set_damage, set_plane
@@ -63,16 +64,6 @@ contains
       call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
       self%law = new_cohesive(constants)
    end subroutine make
-
-   !> Table 6 of the paper in mm, N, MPa
-   pure function table_6() result(constants)
-      type(cohesive_constants_type) :: constants
-
-      constants%stiffness(:) = [1373.3e3_wp, 493.3e3_wp]
-      constants%strength(:) = [62.3_wp, 92.3_wp]
-      constants%toughness(:) = [0.28_wp, 0.79_wp]
-      constants%exponent = 1.45_wp
-   end function table_6
 
    !> Displacements: layer k moves by h . (x, y, 0) and k times a jump, all turned by a rotation
    pure function moved(mesh, h, jump, rotation) result(displacement)

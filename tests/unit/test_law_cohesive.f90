@@ -1,5 +1,6 @@
 !> The cohesive law of HTS40/977-2, table 6 of the paper, in mm, N, MPa.
 program test_law_cohesive
+   use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_cohesive, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
       & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, power_law, &
@@ -9,11 +10,6 @@ program test_law_cohesive
 
    !> Most history variables of a point
    integer, parameter :: most = 7
-   !> Direction of sliding in most tests
-   real(wp), parameter :: direction(2) = [0.6_wp, -0.8_wp]
-   !> Shares of shear in the energy, one a lane
-   real(wp), parameter :: mixes(lanes) = [0.0_wp, 0.1_wp, 0.2_wp, 0.25_wp, 0.5_wp, 0.75_wp, &
-      & 0.8_wp, 1.0_wp]
 
    call test_springs()
    call test_pure_modes()
@@ -29,16 +25,6 @@ program test_law_cohesive
 
 contains
 
-   !> Table 6
-   pure function table_6() result(constants)
-      type(cohesive_constants_type) :: constants
-
-      constants%stiffness(:) = [1373.3e3_wp, 493.3e3_wp]
-      constants%strength(:) = [62.3_wp, 92.3_wp]
-      constants%toughness(:) = [0.28_wp, 0.79_wp]
-      constants%exponent = 1.45_wp
-   end function table_6
-
    !> The same opening in all lanes: a size of sliding and one of opening
    pure function opened(sliding, opening) result(all_lanes)
       real(wp), intent(in) :: sliding, opening
@@ -48,21 +34,6 @@ contains
       all_lanes(:, 2) = sliding*direction(2)
       all_lanes(:, 3) = opening
    end function opened
-
-   !> Directions of openings in which shear has the shares `mixes`, of load 1
-   pure function mixed_directions(law) result(opening)
-      type(cohesive_type), intent(in) :: law
-      real(wp) :: opening(lanes, 3)
-
-      real(wp) :: load(lanes), part(lanes, 2)
-
-      part(:, normal) = sqrt((1.0_wp - mixes)/law%stiffness(normal))
-      part(:, shear) = sqrt(mixes/law%stiffness(shear))
-      load(:) = sqrt(law%onset(normal)*(1.0_wp - mixes) + law%onset(shear)*mixes)
-      opening(:, 1) = direction(1)*part(:, shear)/load
-      opening(:, 2) = direction(2)*part(:, shear)/load
-      opening(:, 3) = part(:, normal)/load
-   end function mixed_directions
 
    !> Springs resist in all directions and never fail
    subroutine test_springs()

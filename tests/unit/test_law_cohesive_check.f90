@@ -1,5 +1,6 @@
 !> Constants that cannot belong together are found, and said so.
 program test_law_cohesive_check
+   use bond, only : table_6
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive, only : cohesive_constants_type, new_cohesive, normal, shear
    use plydyn_law_cohesive_check, only : about_criterion, about_exponent, about_friction, &
@@ -12,40 +13,40 @@ program test_law_cohesive_check
    type(finding_type), allocatable :: findings(:)
 
    call begin("final_over_onset")
-   call check([final_over_onset(new_cohesive(sound()), 0.0_wp), &
-      & final_over_onset(new_cohesive(sound()), 1.0_wp)], [198.1_wp, 91.5_wp], 0.05_wp, &
+   call check([final_over_onset(new_cohesive(table_6()), 0.0_wp), &
+      & final_over_onset(new_cohesive(table_6()), 1.0_wp)], [198.1_wp, 91.5_wp], 0.05_wp, &
       & "is that of table 6")
 
    call begin("check_cohesive")
-   call check_cohesive(sound(), findings)
+   call check_cohesive(table_6(), findings)
    call check(size(findings), 0, "finds nothing in table 6")
 
-   constants = sound()
+   constants = table_6()
    constants%toughness(shear) = -0.79_wp
    call expect(about_toughness, shear, "the shear toughness is -0.79", "a negative toughness")
-   constants = sound()
+   constants = table_6()
    constants%strength(normal) = 0.0_wp
    call expect(about_strength, normal, "the normal strength is 0", "no strength")
-   constants = sound()
+   constants = table_6()
    constants%stiffness(shear) = 0.0_wp
    call expect(about_stiffness, shear, "the shear stiffness is 0", "no stiffness")
    constants%consistent = .true.
    call check_cohesive(constants, findings)
    call check(size(findings), 0, "needs no shear stiffness where it follows from the rest")
-   constants = sound()
+   constants = table_6()
    constants%exponent = 0.0_wp
    call expect(about_exponent, 0, "exponent", "an exponent of zero")
-   constants = sound()
+   constants = table_6()
    constants%criterion = 3
    call expect(about_criterion, 0, "no criterion 3", "an unknown criterion")
-   constants = sound()
+   constants = table_6()
    constants%friction = -0.1_wp
    call expect(about_friction, 0, "friction is -0.1", "a negative friction")
-   constants = sound()
+   constants = table_6()
    constants%toughness(normal) = 0.0014_wp
    call expect(about_toughness, normal, "the final opening lies below the onset", &
       & "a toughness too small for the stiffness")
-   constants = sound()
+   constants = table_6()
    constants%stiffness(:) = [62.3_wp**2/(1.9_wp*0.28_wp), 92.3_wp**2/(1.9_wp*0.79_wp)]
    constants%toughness(normal) = 0.0281_wp
    constants%stiffness(normal) = 62.3_wp**2/(1.9_wp*0.0281_wp)
@@ -59,16 +60,6 @@ program test_law_cohesive_check
    call finish()
 
 contains
-
-   !> Table 6 of the paper
-   pure function sound() result(constants)
-      type(cohesive_constants_type) :: constants
-
-      constants%stiffness(:) = [1373.3e3_wp, 493.3e3_wp]
-      constants%strength(:) = [62.3_wp, 92.3_wp]
-      constants%toughness(:) = [0.28_wp, 0.79_wp]
-      constants%exponent = 1.45_wp
-   end function sound
 
    !> The constants must give one finding
    subroutine expect(constant, mode, words, what)

@@ -2,28 +2,14 @@
 !> References: Krieg's solution for a turning path, and the rate equations integrated here in
 !> their own way.
 program test_law_plastic
+   use metals, only : aluminium, beta, hard, isotropic, load, mixed, modulus, poisson, set_lanes, &
+      & shear, slide, steel, step_to, stretch, yield, young
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_elastic, only : ply_stiffness
    use plydyn_law_plastic, only : dissipated, effective_plastic_strain
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
    use testing, only : begin, check, finish
    implicit none
-
-   !> Steel and aluminium: Young's modulus, yield stress (MPa); the same Poisson's ratio
-   real(wp), parameter :: young(2) = [210.0e3_wp, 70.0e3_wp], yield(2) = [210.0_wp, 110.0_wp]
-   real(wp), parameter :: poisson = 0.3_wp, shear = young(1)/2.6_wp
-   !> Hardening modulus of the hardening steels
-   real(wp), parameter :: modulus = 1.0e3_wp, tangent = young(1)*modulus/(young(1) + modulus)
-   !> Lanes: steel and aluminium perfect; steel isotropic, kinematic, perfect, and up to mixed
-   integer, parameter :: steel = 1, aluminium = 2, isotropic = 3, mixed = 6
-   real(wp), parameter :: beta(lanes) = &
-      & [1.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.3_wp, 0.0_wp, 0.0_wp]
-   real(wp), parameter :: hard(lanes) = [0.0_wp, 0.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 1.0_wp, 1.0_wp, &
-      & 1.0_wp]
-
-   !> Strain of one component each
-   real(wp), parameter :: stretch(6) = [1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
-   real(wp), parameter :: slide(6) = [0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp]
 
    type(plastic_kinematic_type) :: law
 
@@ -37,45 +23,6 @@ program test_law_plastic
    call finish()
 
 contains
-
-   !> The materials of the batch; lanes 7 and 8 belong to other laws
-   subroutine set_lanes(law)
-      type(plastic_kinematic_type), intent(out) :: law
-
-      integer :: l, metal
-
-      do l = 1, lanes - 2
-         metal = merge(2, 1, l == aluminium)
-         call law%set_lane(l, young(metal), poisson, yield(metal), hard(l)*tangent, beta(l))
-      end do
-   end subroutine set_lanes
-
-   !> Stress after one more step to the same strain in all lanes
-   subroutine step_to(strain, history, stress)
-      real(wp), intent(in) :: strain(6)
-      real(wp), intent(inout) :: history(lanes, dissipated)
-      real(wp), intent(inout) :: stress(lanes, 6)
-
-      real(wp) :: batch(lanes, 6)
-
-      batch(:, :) = spread(strain, 1, lanes)
-      call law%update(0.0_wp, batch, history, stress)
-   end subroutine step_to
-
-   !> Stress and history after a straight path from rest, in equal steps
-   subroutine load(strain, steps, history, stress)
-      real(wp), intent(in) :: strain(6)
-      integer, intent(in) :: steps
-      real(wp), intent(out) :: history(lanes, dissipated), stress(lanes, 6)
-
-      integer :: i
-
-      history(:, :) = 0.0_wp
-      stress(:, :) = 0.0_wp
-      do i = 1, steps
-         call step_to(strain*i/steps, history, stress)
-      end do
-   end subroutine load
 
    !> Von Mises value of a stress
    pure real(wp) function mises(stress)
@@ -95,7 +42,7 @@ contains
       history(lanes - 1:, :) = -7.0_wp
       stress(:, :) = 3.0_wp
       do l = 1, 3
-         call step_to(0.01_wp*l*slide, history, stress)
+         call step_to(law, 0.01_wp*l*slide, history, stress)
       end do
       call check(pack(stress(lanes - 1:, :), .true.), spread(3.0_wp, 1, 12), 0.0_wp, &
          & "keep their stress")
@@ -104,7 +51,7 @@ contains
       call check(all(history(:lanes - 2, effective_plastic_strain) > 0.0_wp), "the others flow")
 
       call begin("rest")
-      call load(0.0_wp*slide, 1, history, stress)
+      call load(law, 0.0_wp*slide, 1, history, stress)
       call check(maxval(abs(history)) + maxval(abs(stress)), 0.0_wp, 0.0_wp, "stays at rest")
    end subroutine test_lanes
 
@@ -117,10 +64,10 @@ contains
       integer :: l, m
 
       call begin("unloading")
-      call load(far, 10, history, stress)
+      call load(law, far, 10, history, stress)
       before(:, :) = history
       older(:, :) = stress
-      call step_to(far + some, history, stress)
+      call step_to(law, far + some, history, stress)
       do l = 1, mixed
          m = merge(2, 1, l == aluminium)
          modulus(:, :) = ply_stiffness(spread(young(m), 1, 3), spread(poisson, 1, 3), &
@@ -141,9 +88,9 @@ contains
       sheared = 0.004_wp
       angle = 2.0_wp*atan(exp(-2.0_wp*shear*sheared/sqrt(2.0_wp)/(sqrt(2.0_wp/3.0_wp)*yield(1))))
       do run = 1, 2
-         call load(3.0_wp*limit*stretch, 1, history, stress)
+         call load(law, 3.0_wp*limit*stretch, 1, history, stress)
          do i = 1, steps(run)
-            call step_to(3.0_wp*limit*stretch + sheared*i/steps(run)*slide, history, stress)
+            call step_to(law, 3.0_wp*limit*stretch + sheared*i/steps(run)*slide, history, stress)
          end do
          error(run) = stress(steel, 4) - yield(1)/sqrt(3.0_wp)*cos(angle)
          call check(stress(steel, 1) - stress(steel, 2), yield(1)*sin(angle), &
@@ -174,7 +121,7 @@ contains
             do leg = 1, 3
                do i = 1, steps(run)
                   strain(:) = strain + legs(:, leg)/steps(run)
-                  call step_to(strain, history, stress)
+                  call step_to(law, strain, history, stress)
                end do
             end do
             error(run) = norm2(stress(l, :) - expected)
@@ -260,7 +207,7 @@ contains
             strain(k) = strain(k) + 0.003_wp*number
          end do
          older(:, :) = history
-         call step_to(strain, history, stress)
+         call step_to(law, strain, history, stress)
          lost = min(lost, minval(history(:mixed, dissipated) - older(:mixed, dissipated)))
          do l = 1, mixed
             m = merge(2, 1, l == aluminium)
@@ -296,7 +243,7 @@ contains
             strain(:) = 0.01_wp*[sin(angle), 1.0_wp - cos(angle), -sin(angle), &
                & 1.0_wp - cos(2.0_wp*angle), sin(angle), sin(3.0_wp*angle)]
             older(:, :) = stress
-            call step_to(strain, history, stress)
+            call step_to(law, strain, history, stress)
             work(:) = work + 0.5_wp*matmul(older + stress, strain - last)
          end do
          call law%stored_energy(spread(strain, 1, lanes), history, energy)

@@ -1,27 +1,13 @@
 !> Linear hardening against closed forms: the numbers of the theory (steel and aluminium), tension
 !> along the tangent modulus, reversed shear; and the rise with the rate.
 program test_law_plastic_kinematic
+   use metals, only : beta, hard, isotropic, load, mixed, modulus, poisson, set_lanes, shear, &
+      & slide, step_to, stretch, tangent, yield, young
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_plastic, only : dissipated, effective_plastic_strain, plastic_strain
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
    use testing, only : begin, check, finish
    implicit none
-
-   !> Steel and aluminium: Young's modulus, yield stress (MPa); the same Poisson's ratio
-   real(wp), parameter :: young(2) = [210.0e3_wp, 70.0e3_wp], yield(2) = [210.0_wp, 110.0_wp]
-   real(wp), parameter :: poisson = 0.3_wp, shear = young(1)/2.6_wp
-   !> Hardening modulus of the hardening steels
-   real(wp), parameter :: modulus = 1.0e3_wp, tangent = young(1)*modulus/(young(1) + modulus)
-   !> Lanes: steel and aluminium perfect; steel isotropic, kinematic, perfect, and up to mixed
-   integer, parameter :: aluminium = 2, isotropic = 3, mixed = 6
-   real(wp), parameter :: beta(lanes) = &
-      & [1.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.3_wp, 0.0_wp, 0.0_wp]
-   real(wp), parameter :: hard(lanes) = [0.0_wp, 0.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 1.0_wp, 1.0_wp, &
-      & 1.0_wp]
-
-   !> Strain of one component each
-   real(wp), parameter :: stretch(6) = [1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
-   real(wp), parameter :: slide(6) = [0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp]
 
    type(plastic_kinematic_type) :: law
 
@@ -38,45 +24,6 @@ program test_law_plastic_kinematic
 
 contains
 
-   !> The materials of the batch; lanes 7 and 8 belong to other laws
-   subroutine set_lanes(law)
-      type(plastic_kinematic_type), intent(out) :: law
-
-      integer :: l, metal
-
-      do l = 1, lanes - 2
-         metal = merge(2, 1, l == aluminium)
-         call law%set_lane(l, young(metal), poisson, yield(metal), hard(l)*tangent, beta(l))
-      end do
-   end subroutine set_lanes
-
-   !> Stress after one more step to the same strain in all lanes
-   subroutine step_to(strain, history, stress)
-      real(wp), intent(in) :: strain(6)
-      real(wp), intent(inout) :: history(lanes, dissipated)
-      real(wp), intent(inout) :: stress(lanes, 6)
-
-      real(wp) :: batch(lanes, 6)
-
-      batch(:, :) = spread(strain, 1, lanes)
-      call law%update(0.0_wp, batch, history, stress)
-   end subroutine step_to
-
-   !> Stress and history after a straight path from rest, in equal steps
-   subroutine load(strain, steps, history, stress)
-      real(wp), intent(in) :: strain(6)
-      integer, intent(in) :: steps
-      real(wp), intent(out) :: history(lanes, dissipated), stress(lanes, 6)
-
-      integer :: i
-
-      history(:, :) = 0.0_wp
-      stress(:, :) = 0.0_wp
-      do i = 1, steps
-         call step_to(strain*i/steps, history, stress)
-      end do
-   end subroutine load
-
    subroutine test_uniaxial_strain()
       real(wp), parameter :: at_limit(2) = [367.5_wp, 192.5_wp], axial(2) = [1890.0_wp, 656.667_wp]
       real(wp), parameter :: lateral(2) = [1680.0_wp, 546.667_wp], bulk(2) = young/1.2_wp
@@ -86,20 +33,20 @@ contains
 
       call begin("uniaxial strain")
       do m = 1, 2
-         call load(yield(m)/(young(m)/1.3_wp)*stretch, 1, history, stress)
+         call load(law, yield(m)/(young(m)/1.3_wp)*stretch, 1, history, stress)
          call check(stress(m, 1), at_limit(m), 1.0e-9_wp, "yields at the Hugoniot elastic limit")
          call check(history(m, effective_plastic_strain), 0.0_wp, 1.0e-15_wp, "elastic up to there")
       end do
-      call load(0.005_wp*stretch, 1, history, stress)
+      call load(law, 0.005_wp*stretch, 1, history, stress)
       first(:) = stress(:2, 1)
-      call load(0.01_wp*stretch, 1, history, stress)
+      call load(law, 0.01_wp*stretch, 1, history, stress)
       call check((stress(:2, 1) - first)/0.005_wp, bulk, 1.0e-6_wp, "stiff as the bulk beyond")
       call check(stress(:2, 1), axial, 5.0e-4_wp, "axial stress")
       call check(stress(:2, 2), lateral, 5.0e-4_wp, "lateral stress")
       call check(stress(:2, 3), stress(:2, 2), 1.0e-9_wp, "the same on both sides")
       call check(history(:2, effective_plastic_strain), flowed, 5.0e-10_wp, "plastic strain")
       call check(history(:2, plastic_strain), flowed, 5.0e-10_wp, "its axial component")
-      call load(0.01_wp*stretch, 1000, history, stress)
+      call load(law, 0.01_wp*stretch, 1000, history, stress)
       call check(stress(:2, 1), axial, 5.0e-4_wp, "whatever the steps")
    end subroutine test_uniaxial_strain
 
@@ -113,7 +60,7 @@ contains
       strain(:) = 0.0_wp
       strain(1) = pulled/young(1) + flow
       strain(2:3) = -poisson*pulled/young(1) - 0.5_wp*flow
-      call load(strain, 7, history, stress)
+      call load(law, strain, 7, history, stress)
       do l = isotropic, mixed
          if (hard(l) <= 0.0_wp) cycle
          call check(stress(l, :), pulled*stretch, 1.0e-9_wp, "hardens with the tangent modulus")
@@ -128,7 +75,7 @@ contains
       integer :: l
 
       call begin("shear")
-      call load(0.02_wp*slide, 1, history, stress)
+      call load(law, 0.02_wp*slide, 1, history, stress)
       call check(stress(:2, 4), [121.244_wp, 63.509_wp], 5.0e-4_wp, "yields at yield/sqrt(3)")
       call check(history(:2, effective_plastic_strain), [1.068034e-2_wp, 1.018510e-2_wp], &
          & 5.0e-9_wp, "plastic strain")
@@ -149,9 +96,9 @@ contains
       call begin("reversal")
       do way = 1, 2
          steps = merge(1, 250, way == 1)
-         call load(there*slide, 1, history, stress)
+         call load(law, there*slide, 1, history, stress)
          do i = 1, steps
-            call step_to((there + (back - there)*i/steps)*slide, history, stress)
+            call step_to(law, (there + (back - there)*i/steps)*slide, history, stress)
          end do
          do l = isotropic, mixed
             share = hard(l)*modulus/3.0_wp
@@ -174,11 +121,11 @@ contains
          flowed = (shear*there - yield(1)/sqrt(3.0_wp))/(shear + share)
          radius = yield(1)/sqrt(3.0_wp) + beta(l)*share*flowed
          returned(:) = (there - 2.0_wp*radius/shear)*slide
-         call load(there*slide, 1, history, stress)
+         call load(law, there*slide, 1, history, stress)
          total = history(l, effective_plastic_strain)
-         call step_to((1.0_wp + 1.0e-9_wp)*returned, history, stress)
+         call step_to(law, (1.0_wp + 1.0e-9_wp)*returned, history, stress)
          call check(history(l, effective_plastic_strain), total, 0.0_wp, "still elastic")
-         call step_to((1.0_wp - 1.0e-6_wp)*returned, history, stress)
+         call step_to(law, (1.0_wp - 1.0e-6_wp)*returned, history, stress)
          call check(history(l, effective_plastic_strain) > total, "yields two radii below")
       end do
    end subroutine test_reversal
@@ -202,7 +149,7 @@ contains
          work(:) = 0.0_wp
          do i = 2, 5
             older(:, :) = stress
-            call step_to(stops(i)*slide, history, stress)
+            call step_to(law, stops(i)*slide, history, stress)
             work(:) = work + 0.5_wp*(older(:, 4) + stress(:, 4))*(stops(i) - stops(i - 1))
          end do
          call law%stored_energy(spread(stops(5)*slide, 1, lanes), history, energy)

@@ -1,0 +1,80 @@
+!> Metals that harden along a line, one a lane, and their way under strain.
+module metals
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_plastic, only : dissipated
+   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   implicit none
+   private
+
+   public :: load, set_lanes, step_to
+
+   !> Steel and aluminium: Young's modulus, yield stress (MPa); the same Poisson's ratio
+   real(wp), parameter, public :: young(2) = [210.0e3_wp, 70.0e3_wp], &
+      & yield(2) = [210.0_wp, 110.0_wp]
+   real(wp), parameter, public :: poisson = 0.3_wp, shear = young(1)/2.6_wp
+   !> Hardening modulus of the hardening steels
+   real(wp), parameter, public :: modulus = 1.0e3_wp, &
+      & tangent = young(1)*modulus/(young(1) + modulus)
+   !> Lanes: steel and aluminium perfect; steel isotropic, kinematic, perfect, and up to mixed
+   integer, parameter, public :: steel = 1, aluminium = 2, isotropic = 3, mixed = 6
+   real(wp), parameter, public :: beta(lanes) = &
+      & [1.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.3_wp, 0.0_wp, 0.0_wp]
+   real(wp), parameter, public :: hard(lanes) = [0.0_wp, 0.0_wp, 1.0_wp, 1.0_wp, 0.0_wp, 1.0_wp, &
+      & 1.0_wp, 1.0_wp]
+
+   !> Strain of one component each
+   real(wp), parameter, public :: stretch(6) = [1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
+   real(wp), parameter, public :: slide(6) = [0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp]
+
+contains
+
+   !> The materials of the batch; lanes 7 and 8 belong to other laws
+   subroutine set_lanes(law)
+      !> The law
+      type(plastic_kinematic_type), intent(out) :: law
+
+      integer :: l, metal
+
+      do l = 1, lanes - 2
+         metal = merge(2, 1, l == aluminium)
+         call law%set_lane(l, young(metal), poisson, yield(metal), hard(l)*tangent, beta(l))
+      end do
+   end subroutine set_lanes
+
+   !> Stress after one more step to the same strain in all lanes
+   subroutine step_to(law, strain, history, stress)
+      !> The law
+      type(plastic_kinematic_type), intent(in) :: law
+      !> Total strain
+      real(wp), intent(in) :: strain(6)
+      !> History and stress, from step to step
+      real(wp), intent(inout) :: history(lanes, dissipated)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: batch(lanes, 6)
+
+      batch(:, :) = spread(strain, 1, lanes)
+      call law%update(0.0_wp, batch, history, stress)
+   end subroutine step_to
+
+   !> Stress and history after a straight path from rest, in equal steps
+   subroutine load(law, strain, steps, history, stress)
+      !> The law
+      type(plastic_kinematic_type), intent(in) :: law
+      !> Strain at the end
+      real(wp), intent(in) :: strain(6)
+      !> Steps
+      integer, intent(in) :: steps
+      !> History and stress at the end
+      real(wp), intent(out) :: history(lanes, dissipated), stress(lanes, 6)
+
+      integer :: i
+
+      history(:, :) = 0.0_wp
+      stress(:, :) = 0.0_wp
+      do i = 1, steps
+         call step_to(law, strain*i/steps, history, stress)
+      end do
+   end subroutine load
+
+end module metals
