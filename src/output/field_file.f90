@@ -1,4 +1,4 @@
-!> A file of field states, of whatever grid: made with all that does not change, then state by state.
+!> A file of field states, of whatever grid: what does not change, then state by state.
 module plydyn_output_field_file
    use plydyn_base_error, only : error_type
    use plydyn_domain_domain, only : domain_type

@@ -8,7 +8,7 @@ module decks
    implicit none
    private
 
-   public :: read_file, read_lines
+   public :: read_file, read_lines, with_material
 
    !> A plate of one quad and three plies, and how long; lines parted by bars, without an end
    character(*), parameter, public :: plate = "*KEYWORD|*CONTROL_TERMINATION|1.0,|*NODE|" &
@@ -17,6 +17,15 @@ module decks
       & //"*PART_COMPOSITE_LONG|plate|7,|5,0.25|5,0.25,90.|5,0.5|"
 
 contains
+
+   !> The plate with another material, and an end
+   pure function with_material(material) result(text)
+      !> Lines of the material, number 5
+      character(*), intent(in) :: material
+      character(:), allocatable :: text
+
+      text = plate(:index(plate, "*MAT") - 1)//material//plate(index(plate, "*PART"):)//"*END"
+   end function with_material
 
    !> Write a deck and read it as a run without earlier decks does
    subroutine read_lines(path, text, model, messages, error)

@@ -1,6 +1,6 @@
 !> Materials have the constants of their cards, if these are possible.
 program test_input_read_material
-   use decks, only : plate, read_lines
+   use decks, only : plate, read_lines, with_material
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_model_model, only : model_type
@@ -68,10 +68,7 @@ contains
       !> Lines of the material
       character(*), intent(in) :: material
 
-      integer, parameter :: begin = index(plate, "*MAT"), finish = index(plate, "*PART")
-
-      call read_lines(path, plate(:begin - 1)//material//plate(finish:)//"*END", model, &
-         & messages, error)
+      call read_lines(path, with_material(material), model, messages, error)
    end subroutine read_with
 
 end program test_input_read_material

@@ -1,6 +1,6 @@
 !> Metals have the constants of their cards, the curves and the tables that they refer to.
 program test_input_read_metal
-   use decks, only : plate, read_lines
+   use decks, only : read_lines, with_material
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_model_material, only : law_plastic_curve, law_plastic_johnson_cook, &
@@ -119,10 +119,7 @@ contains
       !> Lines of the material
       character(*), intent(in) :: material
 
-      integer, parameter :: begin = index(plate, "*MAT"), finish = index(plate, "*PART")
-
-      call read_lines(path, plate(:begin - 1)//material//plate(finish:)//"*END", model, &
-         & messages, error)
+      call read_lines(path, with_material(material), model, messages, error)
    end subroutine read_with
 
 end program test_input_read_metal
