@@ -14,9 +14,10 @@ module plydyn_domain_build
    use plydyn_domain_interfaces, only : new_interfaces
    use plydyn_domain_layers, only : check_same_structure, new_layers
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
-      & new_pressure_load, new_segment_load
+      & new_pressure_load, new_segment_load, order_load
    use plydyn_domain_masses, only : add_masses
    use plydyn_domain_plates, only : new_plate
+   use plydyn_domain_share, only : own_all
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_domain_supports, only : face_point, held_freedoms, new_prescribed
    use plydyn_domain_surfaces, only : new_brick_surface, new_surface
@@ -64,6 +65,7 @@ contains
       call build_inertia(model, domain, error)
       if (allocated(error)) return
       call build_surfaces(model, domain)
+      call own_all(domain)
    end subroutine build_domain
 
    !> Plates, and what joins their layers
@@ -288,6 +290,9 @@ contains
          do i = 1, size(model%body_loads)
             k = k + 1
             domain%loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%mass)
+         end do
+         do k = 1, size(domain%loads)
+            call order_load(domain%loads(k), columns)
          end do
       end associate
    end subroutine build_loads

@@ -61,6 +61,7 @@ module plydyn_domain_columns
       procedure :: start
       procedure :: mass_start
       procedure :: freedom
+      procedure :: column_of
       procedure :: mass_of
       procedure :: levels
    end type columns_type
@@ -188,6 +189,15 @@ contains
             & + f%blocks*((level - 1) + (f%order + 1)*(direction - 1)))
       end associate
    end function freedom
+
+   !> Column in which a place in the arrays of motion lies
+   elemental integer function column_of(self, freedom) result(column)
+      class(columns_type), intent(in) :: self
+      !> The place
+      integer, intent(in) :: freedom
+
+      column = (freedom - front - 1)/self%height + 1
+   end function column_of
 
    !> Place of a point's mass in the array of masses
    elemental integer function mass_of(self, layer, level, node)

@@ -17,18 +17,23 @@ module plydyn_domain_domain
 
    !> Forces on points that vary together over time
    type, public :: load_type
-      !> Places in the arrays of motion
+      !> Places in the arrays of motion, column by column
       integer, allocatable :: freedom(:)
       !> Force at a curve value of 1
       real(wp), allocatable :: force(:)
       !> Index into `curves`
       integer :: curve = 0
+      !> Last place of each column that has any, and whether this rank counts the column
+      integer, allocatable :: last(:)
+      logical, allocatable :: own(:)
    end type load_type
 
    !> Points whose motion is prescribed together
    type, public :: prescribed_type
       !> Places in the arrays of motion, and of the masses
       integer, allocatable :: freedom(:), mass(:)
+      !> Whether this rank counts each of them
+      logical, allocatable :: own(:)
       !> As in `motion_type`
       integer :: quantity = 0, curve = 0
       real(wp) :: scale = 1.0_wp, birth = 0.0_wp, death = huge(1.0_wp)
@@ -36,8 +41,11 @@ module plydyn_domain_domain
 
    !> The points of a face of the plate that an impactor may touch
    type, public :: surface_type
-      !> Places in the arrays of motion, (3, points)
+      !> Places in the arrays of motion, 0 where another rank has them, (3, points)
       integer, allocatable :: freedom(:, :)
+      !> Points that this rank has, and whether it counts each of these
+      integer, allocatable :: here(:)
+      logical, allocatable :: own(:)
       !> Position at time zero, (3, points)
       real(wp), allocatable :: position(:, :)
       !> Inverse mass, zero in directions that are held, (3, points)
@@ -79,6 +87,10 @@ module plydyn_domain_domain
       integer :: quads(2) = 0
       !> Columns that take its forces and those of no other chunk
       integer, allocatable :: column(:)
+      !> Those of them that are the nodes' own: they are counted with this chunk
+      integer, allocatable :: own(:)
+      !> Columns of nodes that are counted by another rank, and move with this chunk here
+      integer, allocatable :: guests(:)
    end type chunk_type
 
    !> Everything the loop reads

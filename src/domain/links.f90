@@ -1,5 +1,6 @@
 !> Inertia of the relative motion of two points.
 module plydyn_domain_links
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -10,20 +11,33 @@ module plydyn_domain_links
       integer, allocatable :: place(:, :)
       !> Inertia, (links)
       real(wp), allocatable :: inertia(:)
+      !> Whether this rank counts each
+      logical, allocatable :: own(:)
    contains
-      procedure :: energy
+      procedure :: count_energy
    end type links_type
 
 contains
 
-   !> Kinetic energy
-   pure real(wp) function energy(self, velocity)
+   !> Add the kinetic energy of all links, times a factor, to a sum
+   pure subroutine count_energy(self, velocity, factor, tally, k)
       class(links_type), intent(in) :: self
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
+      !> The factor
+      real(wp), intent(in) :: factor
+      !> The sums, and which of them
+      type(exact_sums_type), intent(inout) :: tally
+      integer, intent(in) :: k
 
-      energy = 0.5_wp*sum(self%inertia*(velocity(self%place(2, :)) &
-         & - velocity(self%place(1, :)))**2)
-   end function energy
+      integer :: i
+
+      do i = 1, size(self%inertia)
+         if (.not. self%own(i)) cycle
+         associate (first => velocity(self%place(1, i)), second => velocity(self%place(2, i)))
+            call tally%add(k, 0.5_wp*factor*self%inertia(i)*(second - first)**2)
+         end associate
+      end do
+   end subroutine count_energy
 
 end module plydyn_domain_links

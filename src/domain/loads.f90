@@ -1,6 +1,7 @@
 !> Loads as forces on points.
 module plydyn_domain_loads
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : load_type
    use plydyn_domain_layers, only : layers_type
@@ -14,7 +15,8 @@ module plydyn_domain_loads
    implicit none
    private
 
-   public :: new_body_load, new_line_load, new_point_load, new_pressure_load, new_segment_load
+   public :: new_body_load, new_line_load, new_point_load, new_pressure_load, new_segment_load, &
+      & order_load
 
    !> Corners and mid-side of each side of a quad, in the order of the deck
    integer, parameter :: side_nodes(3, 4) = reshape([1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 1], [3, 4])
@@ -226,5 +228,24 @@ contains
          end do
       end do
    end function new_body_load
+
+   !> Put the forces of a load in the order of the columns
+   pure subroutine order_load(load, columns)
+      !> The load; learns the last force of each column
+      type(load_type), intent(inout) :: load
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+
+      integer, allocatable :: column(:), order(:)
+      integer :: i
+
+      column = columns%column_of(load%freedom)
+      order = sorted_order(column)
+      load%freedom(:) = load%freedom(order)
+      load%force(:) = load%force(order)
+      column(:) = column(order)
+      load%last = pack([(i, i=1, size(column))], [column(2:) /= column(:size(column) - 1), &
+         & spread(.true., 1, min(1, size(column)))])
+   end subroutine order_load
 
 end module plydyn_domain_loads

@@ -21,7 +21,7 @@ module plydyn_output_dump
 
    !> What the file says it is, and the version of its layout
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 1
+   integer, parameter, public :: dump_format = 2
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"

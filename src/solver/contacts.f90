@@ -8,7 +8,7 @@ module plydyn_solver_contacts
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : points_on_plate
    use plydyn_solver_column_inertia, only : pull_column
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : contact_power_sum, contact_sum, state_type
    implicit none
    private
 
@@ -184,12 +184,11 @@ contains
       real(wp), intent(in) :: correction(:, :)
       type(state_type), intent(inout) :: state
 
-      real(wp) :: jump, mass, power, work
-      integer :: c, k
+      real(wp) :: jump, mass
+      integer :: c, i, k
 
-      power = 0.0_wp
-      work = 0.0_wp
-      do k = 1, size(correction, 2)
+      do i = 1, size(surface%here)
+         k = surface%here(i)
          do c = 1, 3
             if (surface%inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
@@ -197,8 +196,11 @@ contains
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/surface%inverse_mass(c, k)
                jump = correction(c, k)/state%step
-               work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
-               power = power + mass*a*jump
+               if (surface%own(i)) then
+                  call state%tally%add(contact_sum, &
+                     & mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump))
+                  call state%tally%add(contact_power_sum, mass*a*jump)
+               end if
                v = v + jump
                u = u + correction(c, k)
             end associate
@@ -208,8 +210,6 @@ contains
             end if
          end do
       end do
-      state%internal_power = state%internal_power - power
-      state%energies%contact = state%energies%contact - work
    end subroutine push_plate
 
    !> Add the correction to the impactor

@@ -8,9 +8,10 @@
 module plydyn_solver_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_forces, only : load_power
-   use plydyn_solver_supports, only : support_power
-   use plydyn_state_state, only : state_type
+   use plydyn_solver_forces, only : count_load_power
+   use plydyn_solver_supports, only : count_support_power
+   use plydyn_state_state, only : contact_power_sum, contact_sum, power_after_sum, &
+      & power_before_sum, state_type, sums_of, support_sum
    implicit none
    private
 
@@ -34,10 +35,18 @@ contains
       !> Powers
       type(state_type), intent(inout) :: state
 
-      state%external_power = load_power(domain, state%load_factor, state%velocity) &
-         & + support_power(domain, state)
-      state%internal_power = state%internal_power + state%external_power
+      call count_power(domain, state, power_before_sum)
    end subroutine begin_work
+
+   !> Add the power of loads and supports to a sum
+   subroutine count_power(domain, state, sum)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(inout) :: state
+      integer, intent(in) :: sum
+
+      call count_load_power(domain, state%load_factor, state%velocity, state%tally, sum)
+      call count_support_power(domain, state%support_force, state%velocity, state%tally, sum)
+   end subroutine count_power
 
    !> Energies at the end of a step, from the accelerations there
    subroutine balance(domain, state)
@@ -46,17 +55,23 @@ contains
       !> Energies
       type(state_type), intent(inout) :: state
 
-      real(wp) :: outside, step
+      real(wp) :: inside, outside, outside_before, step
       integer :: i
 
+      call count_power(domain, state, power_after_sum)
+      state%sums = sums_of(state%tally)
       step = state%step_before
-      outside = load_power(domain, state%load_factor, state%velocity) + support_power(domain, state)
-      associate (e => state%energies, sums => state%sums)
+      associate (e => state%energies, sums => state%sums, tally => state%tally)
+         outside_before = tally%value(power_before_sum)
+         outside = tally%value(power_after_sum)
+         inside = state%internal_power + outside_before - tally%value(contact_power_sum)
          e%kinetic = 0.5_wp*sums%twice_kinetic
          e%added = 0.5_wp*sums%twice_added
          e%ripple = 0.125_wp*step**2*sums%pull
-         e%internal = e%internal + 0.5_wp*step*(state%internal_power + outside - sums%power)
-         e%external = e%external + 0.5_wp*step*(state%external_power + outside)
+         e%internal = e%internal + 0.5_wp*step*(inside + outside - sums%power)
+         e%external = e%external + 0.5_wp*step*(outside_before + outside) &
+            & + tally%value(support_sum)
+         e%contact = e%contact - tally%value(contact_sum)
          e%momentum(:) = sums%momentum
          e%impactor = 0.0_wp
          do i = 1, size(state%impactors)
@@ -66,6 +81,7 @@ contains
             end associate
          end do
          e%reference = max(e%reference, e%start + abs(e%external))
+         call tally%clear()
       end associate
    end subroutine balance
 

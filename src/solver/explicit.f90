@@ -90,8 +90,8 @@ contains
             & state%velocity, state%history, force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
-         call accelerate(domain, state%step_before, state%velocity, force, state%block_sums, &
-            & state%sums)
+         call accelerate(domain, state%step_before, state%velocity, force, state%chunk_sums, &
+            & state%tally)
          call resist_columns(domain, force, state%support_force)
       end associate
    end subroutine find_accelerations

@@ -1,5 +1,6 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_solver_forces
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
@@ -10,7 +11,7 @@ module plydyn_solver_forces
    implicit none
    private
 
-   public :: add_interface_forces, add_loads, find_internal_forces, load_power
+   public :: add_interface_forces, add_loads, count_load_power, find_internal_forces
 
 contains
 
@@ -141,28 +142,34 @@ contains
       end do
    end subroutine add_loads
 
-   !> Power of the loads
-   pure real(wp) function load_power(domain, factor, velocity) result(power)
+   !> Add the power of the loads to a sum
+   pure subroutine count_load_power(domain, factor, velocity, tally, sum)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Value of each load's curve
       real(wp), intent(in) :: factor(:)
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
+      !> The sums, and which of them
+      type(exact_sums_type), intent(inout) :: tally
+      integer, intent(in) :: sum
 
-      real(wp) :: sum
-      integer :: i, k
+      real(wp) :: power
+      integer :: c, first, i, k
 
-      power = 0.0_wp
       do k = 1, size(domain%loads)
          associate (load => domain%loads(k))
-            sum = 0.0_wp
-            do i = 1, size(load%freedom)
-               sum = sum + load%force(i)*velocity(load%freedom(i))
+            first = 1
+            do c = 1, size(load%last)
+               power = 0.0_wp
+               do i = first, load%last(c)
+                  power = power + load%force(i)*velocity(load%freedom(i))
+               end do
+               first = load%last(c) + 1
+               if (load%own(c)) call tally%add(sum, factor(k)*power)
             end do
-            power = power + factor(k)*sum
          end associate
       end do
-   end function load_power
+   end subroutine count_load_power
 
 end module plydyn_solver_forces

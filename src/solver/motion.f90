@@ -1,17 +1,17 @@
 !> The central difference scheme (de Borst et al., 2012), column by column.
 module plydyn_solver_motion
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_column_inertia, only : couple_column
    use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
-   use plydyn_state_state, only : state_type, sums_type
+   use plydyn_state_state, only : kinetic_sum, momentum_sum, power_sum, pull_sum, state_type, &
+      & sums_type, added_sum
    implicit none
    private
 
-   public :: accelerate, advance, node_blocks
+   public :: accelerate, advance
 
-   !> Columns whose sums one thread makes
-   integer, parameter :: block_nodes = 64
    !> Sums of a block, lane by lane: momentum along x, y, z, then these
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
 
@@ -49,18 +49,10 @@ contains
       end associate
    end subroutine advance
 
-   !> How many blocks the columns have
-   pure integer function node_blocks(domain)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-
-      node_blocks = (domain%columns%count + block_nodes - 1)/block_nodes
-   end function node_blocks
-
    !> Forces to accelerations, in place, with the sums that the energies need.
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
    !> their accelerations are the same to the last bit.
-   subroutine accelerate(domain, step, velocity, force, block_sums, sums)
+   subroutine accelerate(domain, step, velocity, force, chunk_sums, tally)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
@@ -69,12 +61,13 @@ contains
       real(wp), intent(in), contiguous :: velocity(:)
       !> Force in, acceleration out
       real(wp), intent(inout), contiguous :: force(:)
-      !> Sums over the points of each block of nodes, the same for any number of threads
-      type(sums_type), intent(out) :: block_sums(:)
-      !> Sums over all points
-      type(sums_type), intent(out) :: sums
+      !> Sums over the points that each chunk has first, the same for any number of threads
+      type(sums_type), intent(out) :: chunk_sums(:)
+      !> Gets the sums over all points of this rank that no other counts
+      type(exact_sums_type), intent(inout) :: tally
 
-      integer :: b, k
+      type(sums_type) :: counted_elsewhere
+      integer :: c, k
 
       if (size(domain%far_ties, 2) > 0) then
          !$omp parallel do schedule(static) default(shared) private(k)
@@ -83,28 +76,34 @@ contains
          end do
          !$omp end parallel do
       end if
-      !$omp parallel do schedule(static) default(shared) private(b)
-      do b = 1, node_blocks(domain)
-         call accelerate_block(domain, b, 0.5_wp*step, velocity, force, block_sums(b))
+      !$omp parallel do schedule(static) default(shared) private(c, counted_elsewhere)
+      do c = 1, size(domain%chunks)
+         call accelerate_columns(domain, domain%chunks(c)%own, 0.5_wp*step, velocity, force, &
+            & chunk_sums(c))
+         call accelerate_columns(domain, domain%chunks(c)%guests, 0.5_wp*step, velocity, force, &
+            & counted_elsewhere)
       end do
       !$omp end parallel do
-      sums = total(block_sums)
+      do c = 1, size(domain%chunks)
+         call count_sums(chunk_sums(c), tally)
+      end do
    end subroutine accelerate
 
-   !> `accelerate` for a block of nodes
-   pure subroutine accelerate_block(domain, block, half_step, velocity, force, sums)
+   !> `accelerate` for some columns
+   pure subroutine accelerate_columns(domain, columns, half_step, velocity, force, sums)
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: block
+      integer, intent(in) :: columns(:)
       real(wp), intent(in) :: half_step
       real(wp), intent(in), contiguous :: velocity(:)
       real(wp), intent(inout), contiguous :: force(:)
       type(sums_type), intent(inout) :: sums
 
       real(wp) :: part(lanes, parts)
-      integer :: f, first, mass, n
+      integer :: f, first, i, mass, n
 
       part(:, :) = 0.0_wp
-      do n = 1 + block_nodes*(block - 1), min(block_nodes*block, domain%columns%count)
+      do i = 1, size(columns)
+         n = columns(i)
          do f = 1, size(domain%columns%families)
             associate (family => domain%columns%families(f))
                first = domain%columns%start(f, n)
@@ -123,7 +122,22 @@ contains
       sums%twice_kinetic = sums%twice_kinetic + sum(part(:, kinetic_at))
       sums%power = sums%power + sum(part(:, power_at))
       sums%pull = sums%pull + sum(part(:, pull_at))
-   end subroutine accelerate_block
+   end subroutine accelerate_columns
+
+   !> Add sums over some points to those over all
+   pure subroutine count_sums(sums, tally)
+      type(sums_type), intent(in) :: sums
+      type(exact_sums_type), intent(inout) :: tally
+      integer :: c
+
+      do c = 1, 3
+         call tally%add(momentum_sum + c, sums%momentum(c))
+      end do
+      call tally%add(kinetic_sum, sums%twice_kinetic)
+      call tally%add(added_sum, sums%twice_added)
+      call tally%add(pull_sum, sums%pull)
+      call tally%add(power_sum, sums%power)
+   end subroutine count_sums
 
    !> Inertia that the points of a column share, where the scheme adds any
    pure subroutine couple(domain, node, half_step, velocity, acceleration, sums)
@@ -214,20 +228,5 @@ contains
          part(l, pull_at) = pull
       end do
    end subroutine divide
-
-   !> Sums over all points, block by block
-   pure function total(block_sums) result(sums)
-      type(sums_type), intent(in) :: block_sums(:)
-      type(sums_type) :: sums
-      integer :: b
-
-      do b = 1, size(block_sums)
-         sums%momentum(:) = sums%momentum + block_sums(b)%momentum
-         sums%twice_kinetic = sums%twice_kinetic + block_sums(b)%twice_kinetic
-         sums%power = sums%power + block_sums(b)%power
-         sums%pull = sums%pull + block_sums(b)%pull
-         sums%twice_added = sums%twice_added + block_sums(b)%twice_added
-      end do
-   end function total
 
 end module plydyn_solver_motion

@@ -1,13 +1,13 @@
 !> The state at time zero.
 module plydyn_solver_start
+   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_histories, only : start_histories
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
-   use plydyn_solver_motion, only : node_blocks
    use plydyn_solver_supports, only : support_points
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : state_type, tally_sums
    implicit none
    private
 
@@ -31,7 +31,8 @@ contains
          allocate (state%displacement(n), state%velocity(n))
       end associate
       allocate (state%acceleration(domain%columns%forces))
-      allocate (state%block_sums(node_blocks(domain)))
+      allocate (state%chunk_sums(size(domain%chunks)))
+      state%tally = new_exact_sums(tally_sums)
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp

@@ -1,13 +1,14 @@
 !> Points that do not move, and points that move as told.
 module plydyn_solver_supports
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type, prescribed_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : state_type, support_sum
    implicit none
    private
 
-   public :: hold_supports, move_supports, resist_columns, support_points, support_power
+   public :: count_support_power, hold_supports, move_supports, resist_columns, support_points
 
 contains
 
@@ -84,13 +85,13 @@ contains
    subroutine move_supports(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Velocity and displacement, already advanced without the supports
+      !> Velocity and displacement, already advanced without the supports; their work is counted
       type(state_type), intent(inout) :: state
 
-      real(wp) :: before, unbraked, velocity, work
+      real(wp) :: before, unbraked, velocity
       integer :: i, k, m
 
-      work = -domain%moved_links%energy(state%velocity)
+      call domain%moved_links%count_energy(state%velocity, -1.0_wp, state%tally, support_sum)
       k = 0
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m))
@@ -104,15 +105,15 @@ contains
                   before = u - state%step*v
                   velocity = prescribed_velocity(domain, motion, state, before, unbraked)
                   last = velocity
-                  work = work + 0.5_wp*domain%mass(motion%mass(i))*(velocity**2 - v**2)
+                  if (motion%own(i)) call state%tally%add(support_sum, &
+                     & 0.5_wp*domain%mass(motion%mass(i))*(velocity**2 - v**2))
                   u = before + state%step*velocity
                   v = velocity
                end associate
             end do
          end associate
       end do
-      work = work + domain%moved_links%energy(state%velocity)
-      state%energies%external = state%energies%external + work
+      call domain%moved_links%count_energy(state%velocity, 1.0_wp, state%tally, support_sum)
    end subroutine move_supports
 
    !> Velocity in the middle of the coming step
@@ -136,24 +137,31 @@ contains
       end associate
    end function prescribed_velocity
 
-   !> Power that prescribed points take from the plate: it passes through the supports
-   pure real(wp) function support_power(domain, state) result(power)
+   !> Add the power that prescribed points take from the plate to a sum: it passes through the
+   !> supports
+   pure subroutine count_support_power(domain, support_force, velocity, tally, sum)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Support forces and velocities
-      type(state_type), intent(in) :: state
+      !> As in the state
+      real(wp), intent(in) :: support_force(:)
+      !> Velocity of all points
+      real(wp), intent(in) :: velocity(:)
+      !> The sums, and which of them
+      type(exact_sums_type), intent(inout) :: tally
+      integer, intent(in) :: sum
 
-      integer :: first, m
+      integer :: first, i, m
 
-      power = 0.0_wp
       first = size(domain%held)
       do m = 1, size(domain%motions)
-         associate (freedom => domain%motions(m)%freedom)
-            power = power - dot_product(state%support_force(first + 1:first + size(freedom)), &
-               & state%velocity(freedom))
-            first = first + size(freedom)
+         associate (motion => domain%motions(m))
+            do i = 1, size(motion%freedom)
+               if (motion%own(i)) call tally%add(sum, &
+                  & -support_force(first + i)*velocity(motion%freedom(i)))
+            end do
+            first = first + size(motion%freedom)
          end associate
       end do
-   end function support_power
+   end subroutine count_support_power
 
 end module plydyn_solver_supports

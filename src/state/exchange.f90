@@ -65,7 +65,7 @@ contains
       call exchange_contacts(exchange, state%contacts)
    end subroutine exchange_state
 
-   !> Time, steps, powers
+   !> Time and steps
    subroutine exchange_clock(exchange, state)
       class(exchange_type), intent(inout) :: exchange
       type(state_type), intent(inout) :: state
@@ -73,16 +73,13 @@ contains
       real(wp), allocatable :: clock(:)
       integer, allocatable :: counts(:)
 
-      clock = [state%time, state%step, state%step_before, state%first_step, state%end_time, &
-         & state%internal_power, state%external_power]
+      clock = [state%time, state%step, state%step_before, state%first_step, state%end_time]
       call exchange%reals("clock", clock)
       state%time = clock(1)
       state%step = clock(2)
       state%step_before = clock(3)
       state%first_step = clock(4)
       state%end_time = clock(5)
-      state%internal_power = clock(6)
-      state%external_power = clock(7)
       counts = [state%cycle, state%end_cycle]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)

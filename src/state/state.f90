@@ -1,8 +1,22 @@
 !> All that changes during a run; exactly what a restart must hold.
 module plydyn_state_state
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    implicit none
    private
+
+   public :: sums_of
+
+   !> Sums of `state_type%tally`: momentum along x, y, z is behind the first; then those of
+   !> `sums_type`
+   integer, parameter, public :: momentum_sum = 0, kinetic_sum = 4, added_sum = 5, pull_sum = 6, &
+      & power_sum = 7
+   !> Power of loads and supports at the beginning of the step and at its end; work of prescribed
+   !> motions; work of contact on the plate, and what contact changes of the power at the beginning
+   integer, parameter, public :: power_before_sum = 8, power_after_sum = 9, support_sum = 10, &
+      & contact_sum = 11, contact_power_sum = 12
+   !> How many sums there are
+   integer, parameter, public :: tally_sums = 12
 
    !> Energies at the present time
    type, public :: energies_type
@@ -94,11 +108,13 @@ module plydyn_state_state
       real(wp), allocatable :: support_force(:)
       !> Velocity of the prescribed points over the last step, in the order of `domain%motions`
       real(wp), allocatable :: support_velocity(:)
-      !> Sums over all points, at this time, and those over each block of nodes
+      !> Sums over all points, at this time, and those over the points of each chunk
       type(sums_type) :: sums
-      type(sums_type), allocatable :: block_sums(:)
-      !> Power of the inner forces and of loads and supports at the beginning of the last step
-      real(wp) :: internal_power = 0.0_wp, external_power = 0.0_wp
+      type(sums_type), allocatable :: chunk_sums(:)
+      !> What this rank has counted in this step; zero between two steps
+      type(exact_sums_type) :: tally
+      !> Power of all forces at the beginning of the step under way, with the velocity over it
+      real(wp) :: internal_power = 0.0_wp
       !> Energies
       type(energies_type) :: energies
    contains
@@ -106,6 +122,20 @@ module plydyn_state_state
    end type state_type
 
 contains
+
+   !> Sums over all points
+   pure function sums_of(tally) result(sums)
+      !> What all ranks have counted
+      type(exact_sums_type), intent(in) :: tally
+      type(sums_type) :: sums
+      integer :: c
+
+      sums%momentum(:) = [(tally%value(momentum_sum + c), c=1, 3)]
+      sums%twice_kinetic = tally%value(kinetic_sum)
+      sums%twice_added = tally%value(added_sum)
+      sums%pull = tally%value(pull_sum)
+      sums%power = tally%value(power_sum)
+   end function sums_of
 
    !> Whether the end has come
    pure logical function is_finished(self)

@@ -4,15 +4,16 @@
 !> Values are the best of many short windows, so that other work on the machine disturbs little.
 program bench
    use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
-   use plydyn_solver_motion, only : accelerate, advance, node_blocks
+   use plydyn_solver_motion, only : accelerate, advance
    use plydyn_solver_threads, only : set_threads
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : state_type, tally_sums
    implicit none
 
    !> Windows, and the time that one is to take at least, seconds
@@ -110,8 +111,9 @@ contains
       state%displacement = displacement
       state%acceleration = force
       state%step = 1.0e-12_wp
-      if (allocated(state%block_sums)) deallocate (state%block_sums)
-      allocate (state%block_sums(node_blocks(domain)))
+      if (allocated(state%chunk_sums)) deallocate (state%chunk_sums)
+      allocate (state%chunk_sums(size(domain%chunks)))
+      state%tally = new_exact_sums(tally_sums)
    end subroutine rest
 
    !> Do a piece of work
@@ -127,7 +129,8 @@ contains
       case (joints)
          call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
       case (acceleration)
-         call accelerate(domain, 0.0_wp, displacement, force, state%block_sums, state%sums)
+         call accelerate(domain, 0.0_wp, displacement, force, state%chunk_sums, &
+            & state%tally)
       case default
          call advance(domain, state)
       end select

@@ -1,6 +1,7 @@
 !> The stable step against the eigenvalues of a whole small mesh.
 program test_element_stable_step
    use plydyn_base_error, only : error_type
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -8,8 +9,8 @@ program test_element_stable_step
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
    use plydyn_solver_forces, only : find_internal_forces
-   use plydyn_solver_motion, only : accelerate, node_blocks
-   use plydyn_state_state, only : sums_type
+   use plydyn_solver_motion, only : accelerate
+   use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -78,7 +79,7 @@ contains
    real(wp) function largest_eigenvalue(domain) result(lambda)
       type(domain_type), intent(in) :: domain
 
-      type(sums_type) :: blocks(node_blocks(domain)), sums
+      type(sums_type) :: sums
       integer, allocatable :: free(:)
       real(wp), allocatable :: a(:), k(:, :), left(:, :), right(:, :), u(:), wi(:), work(:), wr(:)
       integer :: i, info, n
@@ -93,7 +94,7 @@ contains
          a(:) = 0.0_wp
          call find_internal_forces(domain, 0.0_wp, u, &
             & 0.0_wp*u, history, a)
-         call accelerate(domain, 0.0_wp, u, a, blocks, sums)
+         call accelerate_points(domain, 0.0_wp, u, a, sums)
          k(:, i) = -a(free)
       end do
       call dgeev("N", "N", n, k, n, wr, wi, left, 1, right, 1, work, size(work), info)
@@ -133,5 +134,20 @@ contains
          end do
       end do
    end function twins
+
+   !> Accelerations of all points, and their sums
+   subroutine accelerate_points(domain, step, velocity, force, sums)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: step, velocity(:)
+      real(wp), intent(inout) :: force(:)
+      type(sums_type), intent(out) :: sums
+
+      type(exact_sums_type) :: tally
+      type(sums_type) :: chunk_sums(size(domain%chunks))
+
+      tally = new_exact_sums(tally_sums)
+      call accelerate(domain, step, velocity, force, chunk_sums, tally)
+      sums = sums_of(tally)
+   end subroutine accelerate_points
 
 end program test_element_stable_step

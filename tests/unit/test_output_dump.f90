@@ -63,7 +63,6 @@ contains
       state%end_time = 2.0_wp
       state%step = 3.0_wp
       state%step_before = 4.0_wp
-      state%internal_power = tiny(1.0_wp)
       state%sums%pull = 5.0_wp
       state%energies%momentum = [6.0_wp, 7.0_wp, 8.0_wp]
       state%displacement = [1.0_wp/3.0_wp, 2.0_wp, -0.0_wp]
@@ -106,7 +105,6 @@ contains
       call check(other%displacement, state%displacement, 0.0_wp, "motion")
       call check(other%energies%momentum, state%energies%momentum, 0.0_wp, "energies")
       call check(other%sums%pull, 5.0_wp, 0.0_wp, "sums")
-      call check(other%internal_power, tiny(1.0_wp), 0.0_wp, "powers")
       call check(other%cycle == 17 .and. other%impactors(1)%contacts == 15, "whole numbers")
       call check(all(other%contacts(1)%places == [16, 17]), "memory of a contact")
    end subroutine read_one

@@ -1,6 +1,7 @@
 !> Inertia through the thickness: closed forms, symmetry, momentum, supports, sums.
 program test_solver_column_inertia
    use plydyn_base_error, only : error_type
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -13,7 +14,7 @@ program test_solver_column_inertia
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate
    use plydyn_solver_supports, only : resist_columns
-   use plydyn_state_state, only : sums_type
+   use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -70,7 +71,7 @@ contains
    !> One layer of order 1: two masses with half of the spring C/h between them, times step squared
    subroutine test_two_masses()
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: k
       integer :: c, place(2)
@@ -83,7 +84,7 @@ contains
          place(:) = [domain%columns%freedom(1, 1, c, 4), domain%columns%freedom(1, 2, c, 4)]
          a(:) = 0.0_wp
          a(place) = domain%mass(domain%columns%mass_of(1, 1, 4))*[2.0_wp, -5.0_wp]
-         call accelerate(domain, 0.0_wp, v, a, blocks, sums)
+         call accelerate_points(domain, 0.0_wp, v, a, sums)
          ! added inertia over the mass of one face
          k = 0.5_wp*domain%step**2*merge(c33, g13, c == 3)/ply/(0.5_wp*rho*ply)
          call check(a(place), -1.5_wp + [3.5_wp, -3.5_wp]/(1.0_wp + 2.0_wp*k), 1.0e-12_wp, &
@@ -96,7 +97,7 @@ contains
       integer, intent(in) :: order(3)
 
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), b(:), force(:, :), v(:)
       integer :: c, i, k
 
@@ -109,7 +110,7 @@ contains
       v(:) = 0.0_wp
       a(:) = force(:, 1)
       b(:) = force(:, 2)
-      call accelerate(domain, 2.0_wp, v, a, blocks, sums)
+      call accelerate_points(domain, 2.0_wp, v, a, sums)
       do c = 1, 3
          call check(sums%momentum(c), sum(force(:, 1)*points(domain, order, [c])), &
             & 1.0e-12_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
@@ -117,7 +118,7 @@ contains
       ! forces on tied points act on both: every force moves its own point
       call check(sums%pull, dot_product(a, force(:, 1)), 1.0e-11_wp*sums%pull, &
          & "positive: the work of the forces")
-      call accelerate(domain, 2.0_wp, v, b, blocks, sums)
+      call accelerate_points(domain, 2.0_wp, v, b, sums)
       call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-11_wp*sums%pull, &
          & "symmetric")
       do i = 1, 3
@@ -146,7 +147,7 @@ contains
    !> Energies of one layer of order 1 against two masses and a spring at every node
    subroutine test_sums()
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, kinetic, mass
       integer :: c, i, n, place(2)
@@ -156,7 +157,7 @@ contains
       allocate (a(domain%columns%freedoms), v(domain%columns%freedoms))
       v(:) = [(sin(real(3*i*i, wp)), i=1, size(v))]*points(domain, [1], [1, 2, 3])
       a(:) = [(1.0e-9_wp*cos(real(11*i*i, wp)), i=1, size(a))]*points(domain, [1], [1, 2, 3])
-      call accelerate(domain, 1.0_wp, v, a, blocks, sums)
+      call accelerate_points(domain, 1.0_wp, v, a, sums)
       v(:) = v + 0.5_wp*a
       added = 0.0_wp
       kinetic = 0.0_wp
@@ -179,7 +180,7 @@ contains
       integer, parameter :: steps = 40
       type(domain_type) :: domain
       type(model_type) :: model
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), u(:), v(:)
       real(wp) :: k, stretch(0:steps)
       integer :: i, n
@@ -197,7 +198,7 @@ contains
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
          call find_internal_forces(domain, 0.0_wp, u, v, history, a)
          a(domain%held) = 0.0_wp
-         call accelerate(domain, domain%step, v, a, blocks, sums)
+         call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
          u(:) = u + domain%step*v
       end do
@@ -211,7 +212,7 @@ contains
    subroutine test_held()
       type(domain_type) :: domain
       type(model_type) :: model
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: k, mass, support(3)
       integer :: place(2)
@@ -228,7 +229,7 @@ contains
       place(:) = [domain%columns%freedom(1, 1, 3, 5), domain%columns%freedom(1, 2, 3, 5)]
       mass = domain%mass(domain%columns%mass_of(1, 1, 5))
       a(place(2)) = mass
-      call accelerate(domain, 2.0_wp, v, a, blocks, sums)
+      call accelerate_points(domain, 2.0_wp, v, a, sums)
       call resist_columns(domain, a, support)
       k = 0.5_wp*domain%step**2*c33/ply/(0.5_wp*rho*ply)
       call check(a(place), [0.0_wp, 1.0_wp/(1.0_wp + k)], 1.0e-13_wp, "closed form")
@@ -249,5 +250,20 @@ contains
       call build_domain(model, domain, error)
       call check_error(error, "BOUNDARY_FACE_MOTION", "one face that moves as told")
    end subroutine test_refused
+
+   !> Accelerations of all points, and their sums
+   subroutine accelerate_points(domain, step, velocity, force, sums)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: step, velocity(:)
+      real(wp), intent(inout) :: force(:)
+      type(sums_type), intent(out) :: sums
+
+      type(exact_sums_type) :: tally
+      type(sums_type) :: chunk_sums(size(domain%chunks))
+
+      tally = new_exact_sums(tally_sums)
+      call accelerate(domain, step, velocity, force, chunk_sums, tally)
+      sums = sums_of(tally)
+   end subroutine accelerate_points
 
 end program test_solver_column_inertia

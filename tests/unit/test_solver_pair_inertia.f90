@@ -1,6 +1,7 @@
 !> Inertia across interfaces: closed forms, symmetry, momentum, and what it does to springs.
 program test_solver_pair_inertia
    use plydyn_base_error, only : error_type
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -11,7 +12,7 @@ program test_solver_pair_inertia
    use plydyn_model_model, only : model_type
    use plydyn_solver_forces, only : add_interface_forces
    use plydyn_solver_motion, only : accelerate
-   use plydyn_state_state, only : sums_type
+   use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -61,7 +62,7 @@ contains
       integer, intent(in) :: below, above
 
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, inverse(2, 2), m(2)
       integer :: c, n, place(2)
@@ -83,7 +84,7 @@ contains
          a(:) = 0.0_wp
          v(:) = 0.0_wp
          a(place) = [2.0_wp, -5.0_wp]
-         call accelerate(domain, 0.0_wp, v, a, blocks, sums)
+         call accelerate_points(domain, 0.0_wp, v, a, sums)
          call check(a(place)*m, matmul(inverse, [2.0_wp, -5.0_wp])*m, 1.0e-13_wp, &
             & "in closed form")
          a(place) = 0.0_wp
@@ -94,7 +95,7 @@ contains
    !> The inverse of the inertia is symmetric and positive, and keeps the momentum
    subroutine test_operator()
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), b(:), force(:, :), v(:)
       integer :: i, k
 
@@ -110,14 +111,14 @@ contains
       v(:) = 0.0_wp
       a(:) = force(:, 1)
       b(:) = force(:, 2)
-      call accelerate(domain, 2.0_wp, v, a, blocks, sums)
+      call accelerate_points(domain, 2.0_wp, v, a, sums)
       do i = 1, 3
          call check(sums%momentum(i), sum(force(:, 1), along(domain, i)), &
             & 1.0e-13_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
       end do
       call check(sums%pull, dot_product(a, force(:, 1)), 1.0e-12_wp*sums%pull, &
          & "positive: the work of the forces")
-      call accelerate(domain, 2.0_wp, v, b, blocks, sums)
+      call accelerate_points(domain, 2.0_wp, v, b, sums)
       call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-12_wp*sums%pull, &
          & "symmetric")
    end subroutine test_operator
@@ -125,7 +126,7 @@ contains
    !> Sums of the energies against those of the points one by one
    subroutine test_sums()
       type(domain_type) :: domain
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, kinetic
       integer :: c, i, n, place(2)
@@ -139,7 +140,7 @@ contains
          v = 0.0_wp
          a = 0.0_wp
       end where
-      call accelerate(domain, 1.0_wp, v, a, blocks, sums)
+      call accelerate_points(domain, 1.0_wp, v, a, sums)
       v(:) = v + 0.5_wp*a
       kinetic = sum(spread_mass(domain)*v**2)
       added = 0.0_wp
@@ -161,7 +162,7 @@ contains
       integer, parameter :: steps = 50
       type(domain_type) :: domain
       type(error_type), allocatable :: error
-      type(sums_type) :: blocks(1), sums
+      type(sums_type) :: sums
       real(wp), allocatable :: a(:), u(:), v(:)
       real(wp) :: k, opening(0:steps)
       integer :: i, n
@@ -179,7 +180,7 @@ contains
          opening(i) = u(domain%columns%freedom(2, 1, 3, 8)) - u(domain%columns%freedom(1, 3, 3, 8))
          a(:) = 0.0_wp
          call add_interface_forces(domain, domain%chunks(1), u, history, a)
-         call accelerate(domain, domain%step, v, a, blocks, sums)
+         call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
          u(:) = u + domain%step*v
       end do
@@ -271,5 +272,20 @@ contains
          end do
       end do
    end function spread_mass
+
+   !> Accelerations of all points, and their sums
+   subroutine accelerate_points(domain, step, velocity, force, sums)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: step, velocity(:)
+      real(wp), intent(inout) :: force(:)
+      type(sums_type), intent(out) :: sums
+
+      type(exact_sums_type) :: tally
+      type(sums_type) :: chunk_sums(size(domain%chunks))
+
+      tally = new_exact_sums(tally_sums)
+      call accelerate(domain, step, velocity, force, chunk_sums, tally)
+      sums = sums_of(tally)
+   end subroutine accelerate_points
 
 end program test_solver_pair_inertia

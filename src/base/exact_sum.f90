@@ -1,0 +1,130 @@
+!> Sums without round-off: the same bits in whatever order the terms come, and however many ranks
+!> and threads have a part of them.
+!>
+!> A sum is a long fixed-point number (Kulisch, 1971) in limbs of 32 bits, each kept in a word of
+!> 64: two thousand million terms fit before a carry is due. What is below 2**-384 counts as zero.
+module plydyn_base_exact_sum
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: new_exact_sums
+
+   !> Bits of a limb, and limbs of a sum
+   integer, parameter :: limb_bits = 32, limbs = 24
+   !> Binary exponent of the lowest bit
+   integer, parameter :: lowest = -384
+   !> Bits of a double: those behind the point, the mask of its exponent, and what is to be taken
+   !> from that to get the power of two of its last bit
+   integer, parameter :: fraction_bits = 52, exponent_mask = 2047, exponent_offset = 1075
+   !> A limb of ones, the fraction's bits, and the bit before the point
+   integer(int64), parameter :: limb_mask = 2_int64**limb_bits - 1_int64
+   integer(int64), parameter :: fraction_mask = 2_int64**fraction_bits - 1_int64
+   integer(int64), parameter :: hidden_bit = 2_int64**fraction_bits
+
+   !> Some sums
+   type, public :: exact_sums_type
+      !> Limbs from the lowest up; before them, in row 0, how many terms were too large or no
+      !> numbers, (0:limbs, sums). Sums of parts are sums of these
+      integer(int64), allocatable :: limb(:, :)
+   contains
+      procedure :: clear
+      procedure :: add
+      procedure :: value
+   end type exact_sums_type
+
+contains
+
+   !> Sums that are zero
+   pure function new_exact_sums(sums) result(self)
+      !> How many
+      integer, intent(in) :: sums
+      type(exact_sums_type) :: self
+
+      allocate (self%limb(0:limbs, sums), source=0_int64)
+   end function new_exact_sums
+
+   !> Make all sums zero
+   pure subroutine clear(self)
+      class(exact_sums_type), intent(inout) :: self
+
+      self%limb(:, :) = 0_int64
+   end subroutine clear
+
+   !> Add a term
+   pure subroutine add(self, k, term)
+      class(exact_sums_type), intent(inout) :: self
+      !> Which sum
+      integer, intent(in) :: k
+      !> The term
+      real(wp), intent(in) :: term
+
+      integer(int64) :: bits, high, low, sign_of
+      integer :: first, place
+
+      bits = transfer(term, bits)
+      place = int(iand(shiftr(bits, fraction_bits), int(exponent_mask, int64))) &
+         & - exponent_offset - lowest
+      if (place < 0) return
+      first = place/limb_bits + 1
+      if (first > limbs - 2) then
+         self%limb(0, k) = self%limb(0, k) + 1_int64
+         return
+      end if
+      sign_of = merge(-1_int64, 1_int64, bits < 0_int64)
+      bits = ior(iand(bits, fraction_mask), hidden_bit)
+      place = mod(place, limb_bits)
+      low = shiftl(iand(bits, limb_mask), place)
+      high = shiftl(shiftr(bits, limb_bits), place) + shiftr(low, limb_bits)
+      associate (limb => self%limb)
+         limb(first, k) = limb(first, k) + sign_of*iand(low, limb_mask)
+         limb(first + 1, k) = limb(first + 1, k) + sign_of*iand(high, limb_mask)
+         limb(first + 2, k) = limb(first + 2, k) + sign_of*shiftr(high, limb_bits)
+      end associate
+   end subroutine add
+
+   !> A sum, to the last bit but one; not a number where a term was none
+   pure real(wp) function value(self, k)
+      class(exact_sums_type), intent(in) :: self
+      !> Which sum
+      integer, intent(in) :: k
+
+      real(wp), parameter :: limb_size = 2.0_wp**limb_bits
+      integer(int64) :: digit(-1:limbs)
+      integer :: top
+
+      if (self%limb(0, k) /= 0_int64) then
+         value = ieee_value(value, ieee_quiet_nan)
+         return
+      end if
+      digit(-1:0) = 0_int64
+      digit(1:) = self%limb(1:, k)
+      call carry(digit(1:))
+      value = 1.0_wp
+      if (digit(limbs) < 0_int64) then
+         value = -1.0_wp
+         digit(1:) = -self%limb(1:, k)
+         call carry(digit(1:))
+      end if
+      do top = limbs, 2, -1
+         if (digit(top) /= 0_int64) exit
+      end do
+      ! of three limbs at least 65 bits are there
+      value = value*scale((real(digit(top), wp)*limb_size + real(digit(top - 1), wp))*limb_size &
+         & + real(digit(top - 2), wp), limb_bits*(top - 3) + lowest)
+   end function value
+
+   !> Let every limb but the last be from 0 to 2**32 - 1
+   pure subroutine carry(digit)
+      integer(int64), intent(inout) :: digit(:)
+      integer :: i
+
+      do i = 1, size(digit) - 1
+         digit(i + 1) = digit(i + 1) + shifta(digit(i), limb_bits)
+         digit(i) = iand(digit(i), limb_mask)
+      end do
+   end subroutine carry
+
+end module plydyn_base_exact_sum
