@@ -39,6 +39,7 @@ module plydyn_law_law
       real(wp) :: band_width(lanes) = 0.0_wp
    contains
       procedure(update_batch), deferred :: update
+      procedure :: update_points
       procedure :: recall
       procedure :: start_history
       procedure :: show
@@ -71,6 +72,28 @@ module plydyn_law_law
    end interface
 
 contains
+
+   !> `update` for the points of a layer above each other; a law that takes less time over all of
+   !> them at once overrides this
+   pure subroutine update_points(self, points, histories, step, strain, history, stress)
+      class(law_type), intent(in) :: self
+      !> Number of points; history variables of each, at least those of the law
+      integer, intent(in) :: points, histories
+      !> Time step
+      real(wp), intent(in) :: step
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      !> History of the points, old in and new out
+      real(wp), intent(inout) :: history(lanes, histories, points)
+      !> Stress; lanes of other laws keep theirs
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+
+      integer :: m
+
+      do m = 1, points
+         call self%update(step, strain(:, :, m), history(:, :, m), stress(:, :, m))
+      end do
+   end subroutine update_points
 
    !> Stress that belongs to a strain and its history: nothing goes on
    pure subroutine recall(self, strain, history, stress)

@@ -7,7 +7,6 @@
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_damage_growth, only : grow
-   use plydyn_law_damage_onset, only : onset_type
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
@@ -16,26 +15,20 @@ module plydyn_law_ply_damage
       & matrix_energy, matrix_finish, matrix_length, matrix_onset, shear_energy, shear_peak, &
       & shear_set, swap_closed, take_own, to_compression
    use plydyn_law_ply_quiet, only : quiet_type
-   use plydyn_law_secant, only : secant_type
-   use plydyn_law_shear_curve, only : shear_lanes_type
    implicit none
    private
 
    !> A law with the constants of the lanes
    type, public, extends(law_type) :: ply_damage_type
       private
-      !> Stiffness, curve of shear, onset of damage
-      type(secant_type) :: secant
-      type(shear_lanes_type) :: curve
-      type(onset_type) :: onset
       !> Share of the strength that crushed fibres keep, and crushed matrix: none
       real(wp) :: plateau(lanes, 2) = 0.0_wp
       !> Least part of a stiffness that remains
       real(wp) :: residual(lanes) = 1.0_wp
       !> 1 where damage weakens G13 and G23, else 0
       real(wp) :: across(lanes) = 0.0_wp
-      !> Lanes that the law owns; whether it owns all
-      type(quiet_type) :: quiet
+      !> The intact ply; whether the law owns all lanes
+      type(quiet_type) :: ply
       logical :: whole = .false.
       !> 1 in lanes where tension and compression have damage of their own; whether in any
       real(wp) :: closes(lanes) = 0.0_wp
@@ -45,6 +38,7 @@ module plydyn_law_ply_damage
       logical :: any_intact = .false.
    contains
       procedure :: update
+      procedure :: update_points
       procedure :: set_lane
       procedure :: start_history
       procedure :: show
@@ -77,17 +71,17 @@ contains
       type(ply_constants_type), intent(in) :: constants
 
       self%owns(lane) = .true.
-      self%quiet%own(lane) = 1.0_wp
+      self%ply%own(lane) = 1.0_wp
       self%whole = all(self%owns)
-      call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
-      call self%curve%set_lane(lane, constants%shear(1), constants%curve)
-      call self%onset%set_lane(lane, constants)
+      call self%ply%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
+      call self%ply%curve%set_lane(lane, constants%shear(1), constants%curve)
+      call self%ply%onset%set_lane(lane, constants)
       self%plateau(lane, 1) = constants%plateau
       self%residual(lane) = constants%residual
       self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
-      self%quiet%closes = self%any_closes
+      self%ply%closes = self%any_closes
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
       self%any_intact = any(self%intact > 0.0_wp)
       self%histories = merge(histories_closing, histories_open, self%any_closes)
@@ -141,19 +135,34 @@ contains
       real(wp), intent(inout) :: history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
 
+      call self%update_points(1, self%histories, step, strain, history, stress)
+   end subroutine update
+
+   !> The same for the points of a layer above each other: of an intact ply, or one by one
+   pure subroutine update_points(self, points, histories, step, strain, history, stress)
+      class(ply_damage_type), intent(in) :: self
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, histories, points)
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+
       real(wp) :: e(lanes, 6), h(lanes, histories_closing), s(lanes, 6)
+      integer :: m
       logical :: quiet
 
-      call self%quiet%stay(self%secant, self%curve, self%onset, strain, history, stress, quiet)
+      call self%ply%stay(points, histories, strain, history, stress, quiet)
       if (quiet) return
-      if (self%whole) then
-         call advance(self, strain, history, stress)
-      else
-         call take_own(self%quiet%own, self%histories, strain, history, e, h)
-         call advance(self, e, h, s)
-         call give_own(self%quiet%own, self%histories, h, s, history, stress)
-      end if
-   end subroutine update
+      do m = 1, points
+         if (self%whole) then
+            call advance(self, strain(:, :, m), history(:, :, m), stress(:, :, m))
+         else
+            call take_own(self%ply%own, self%histories, strain(:, :, m), history(:, :, m), e, h)
+            call advance(self, e, h, s)
+            call give_own(self%ply%own, self%histories, h, s, history(:, :, m), stress(:, :, m))
+         end if
+      end do
+   end subroutine update_points
 
    !> Stress and history after a step, of all lanes
    pure subroutine advance(self, e, h, s)
@@ -193,15 +202,14 @@ contains
       integer :: l
       logical :: grows
 
-      size(:) = abs(strain)
       cracked(:) = h(:, matrix_finish)
       if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
-      cracked(:) = merge(1.0_wp, 0.0_wp, cracked > 0.0_wp)
-      call self%curve%advance(size, cracked, h(:, shear_peak), h(:, shear_set), now%work, grows)
-      associate (modulus => self%secant%shear, shear => now%shear)
+      size(:) = merge(0.0_wp, abs(strain), cracked > 0.0_wp)
+      call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, grows)
+      associate (modulus => self%ply%secant%shear, shear => now%shear)
          !$omp simd
          do l = 1, lanes
-            shear(l, 2) = max(size(l) - h(l, shear_set), 0.0_wp)
+            shear(l, 2) = max(abs(strain(l)) - h(l, shear_set), 0.0_wp)
             shear(l, 1) = modulus(l, 1)*shear(l, 2)
          end do
       end associate
@@ -219,11 +227,11 @@ contains
 
       real(wp) :: remains(lanes, 4), stress(lanes, 3)
 
-      call self%secant%intact_stress(e(:, 1:3), stress)
+      call self%ply%secant%intact_stress(e(:, 1:3), stress)
       sense(:, :) = stress(:, 1:2)
       call swap_closed(self%closes, sense, h)
       call find_remains(self%residual, self%any_closes, h, sense, remains)
-      call self%secant%damaged_stress(e(:, 1:3), remains(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e(:, 1:3), remains(:, 1:2), stress)
       call swap_closed(self%closes, sense, h)
       sense(:, :) = stress(:, 1:2)
       call swap_closed(self%closes, sense, h)
@@ -251,7 +259,7 @@ contains
       ! where cracks close, another damage may meet the strain of the step at once
       if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
       call find_remains(self%residual, self%any_closes, h, now%sense, now%after)
-      call self%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), stress)
    end subroutine soften
 
    !> Freeze the strains of the modes that begin in this step
@@ -269,10 +277,10 @@ contains
 
       trial(:, :) = stress(:, 1:2)
       if (self%any_intact) then
-         call self%secant%intact_stress(e(:, 1:3), intact)
+         call self%ply%secant%intact_stress(e(:, 1:3), intact)
          trial(:, :) = merge(intact(:, 1:2), trial, spread(self%intact > 0.0_wp, 2, 2))
       end if
-      call self%onset%find_onset(trial, e(:, 1:2), now%shear, &
+      call self%ply%onset%find_onset(trial, e(:, 1:2), now%shear, &
          & abs(h(:, fibre_length:matrix_length)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
@@ -290,14 +298,14 @@ contains
       do l = 1, lanes
          if (now%excess(l, 1) >= 0.0_wp) then
             length = abs(h(l, fibre_length))
-            call self%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
+            call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
                & h(l, fibre_finish))
             h(l, fibre_length) = -length
          end if
          if (now%excess(l, 2) >= 0.0_wp) then
             length = abs(h(l, matrix_length))
             in_plane(:) = now%shear(l, :)
-            call self%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
+            call self%ply%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
                & h(l, matrix_onset), h(l, matrix_finish))
             h(l, matrix_length) = -length
          end if
@@ -313,7 +321,7 @@ contains
 
       integer :: l
 
-      associate (modulus => self%secant%shear, across => self%across, r => now%after, &
+      associate (modulus => self%ply%secant%shear, across => self%across, r => now%after, &
          & shear => now%shear)
          !$omp simd
          do l = 1, lanes
@@ -339,7 +347,7 @@ contains
       integer :: l, last
 
       last = self%histories
-      associate (compliance => self%secant%compliance, g => self%secant%shear, &
+      associate (compliance => self%ply%secant%compliance, g => self%ply%secant%shear, &
          & across => self%across, before => now%before, after => now%after, share => now%share)
          !$omp simd private(loss, mean, plane)
          do l = 1, lanes

@@ -41,8 +41,11 @@ module plydyn_law_shear_curve
       logical :: has(shape_exponential:shape_power) = .false.
       !> Modulus at the origin, and its inverse
       real(wp) :: modulus(lanes) = 1.0_wp, compliance(lanes) = 1.0_wp
-      !> Stress that an exponential tends to, and the rate at which it does: modulus/asymptote
-      real(wp) :: asymptote(lanes) = 1.0_wp, rate(lanes) = 1.0_wp
+      !> Modulus where the curve is a line, 0 elsewhere
+      real(wp) :: straight(lanes) = 0.0_wp
+      !> Stress that an exponential tends to, 0 for other shapes, and the rate at which it does:
+      !> modulus/asymptote
+      real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp
       !> Ramberg and Osgood
       real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
       !> Strains where a table bends, and change of its slope there, (lanes, points)
@@ -60,6 +63,10 @@ module plydyn_law_shear_curve
    !> Relative change of stress that ends the search on a power curve, and most steps of it
    real(wp), parameter :: close_enough = 1.0e-13_wp
    integer, parameter :: most_steps = 100
+   !> Where 1 - exp(-x) is 1 to the last digit, and the series of (1 - exp(-x))/x: -1/2!, 1/3!, ...
+   real(wp), parameter :: beyond_rise = 40.0_wp
+   real(wp), parameter :: series(9) = 1.0_wp/[-2.0_wp, 6.0_wp, -24.0_wp, 120.0_wp, -720.0_wp, &
+      & 5040.0_wp, -40320.0_wp, 362880.0_wp, -3628800.0_wp]
 
 contains
 
@@ -191,6 +198,7 @@ contains
       self%shape(lane) = curve%shape
       self%modulus(lane) = modulus
       self%compliance(lane) = 1.0_wp/modulus
+      self%straight(lane) = merge(modulus, 0.0_wp, curve%shape == shape_line)
       if (curve%shape == shape_line) return
       self%has(curve%shape) = .true.
       self%bends = .true.
@@ -239,79 +247,107 @@ contains
    end subroutine set_table
 
    !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
-   pure subroutine advance(self, strain, frozen, peak, set, work, grows)
+   pure subroutine advance(self, points, strain, peak, set, work, grows)
       class(shear_lanes_type), intent(in) :: self
-      !> Size of the shear strain
-      real(wp), intent(in) :: strain(lanes)
-      !> 1 where the matrix has cracked, else 0: nothing changes there, nor along a line
-      real(wp), intent(in) :: frozen(lanes)
+      !> Number of points
+      integer, intent(in) :: points
+      !> Size of the shear strain; 0 where nothing is to change
+      real(wp), intent(in) :: strain(lanes, points)
       !> Largest size of the shear strain so far
-      real(wp), intent(inout) :: peak(lanes)
+      real(wp), intent(inout) :: peak(lanes, points)
       !> Shear strain that stays on unloading
-      real(wp), intent(inout) :: set(lanes)
+      real(wp), intent(inout) :: set(lanes, points)
       !> Work per volume spent on what stays
-      real(wp), intent(out) :: work(lanes)
+      real(wp), intent(out) :: work(lanes, points)
       !> Whether any strain is larger than it has been
       logical, intent(out) :: grows
 
-      real(wp) :: grown(lanes), stress(lanes), growth, kept, most
-      integer :: l
+      real(wp) :: ahead(lanes), grown(lanes, points), kept, most, stress(lanes, points)
+      integer :: l, m
 
+      ahead(:) = 0.0_wp
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            work(l, m) = 0.0_wp
+            ! nothing changes along a line
+            grown(l, m) = max(peak(l, m), self%curved(l)*strain(l, m))
+            ahead(l) = max(ahead(l), grown(l, m) - peak(l, m))
+         end do
+      end do
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
-         work(l) = 0.0_wp
-         grown(l) = merge(max(peak(l), strain(l)), peak(l), frozen(l) < self%curved(l))
-         most = max(most, grown(l) - peak(l))
+         most = max(most, ahead(l))
       end do
       grows = most > 0.0_wp
       if (.not. grows) return
 
-      call self%curve_stress(grown, set, stress)
-      associate (modulus => self%modulus, compliance => self%compliance)
-         !$omp simd private(growth, kept)
+      call self%curve_stress(points, grown, set, stress)
+      do m = 1, points
+         !$omp simd private(kept)
          do l = 1, lanes
-            kept = max(set(l), grown(l) - stress(l)*compliance(l))
-            growth = merge(kept - set(l), 0.0_wp, grown(l) > peak(l))
-            work(l) = 0.5_wp*growth*(stress(l) + modulus(l)*(peak(l) - set(l)))
-            set(l) = set(l) + growth
-            peak(l) = grown(l)
+            kept = max(set(l, m), grown(l, m) - stress(l, m)*self%compliance(l))
+            kept = merge(kept, set(l, m), grown(l, m) > peak(l, m))
+            work(l, m) = 0.5_wp*(kept - set(l, m)) &
+               & *(stress(l, m) + self%modulus(l)*(peak(l, m) - set(l, m)))
+            set(l, m) = kept
+            peak(l, m) = grown(l, m)
          end do
-      end associate
+      end do
    end subroutine advance
 
-   !> Stress on the curve
-   pure subroutine curve_stress(self, strain, set, stress)
+   !> Stress on the curve: a sum, in which what belongs to other shapes is zero
+   pure subroutine curve_stress(self, points, strain, set, stress)
       class(shear_lanes_type), intent(in) :: self
+      !> Number of points
+      integer, intent(in) :: points
       !> Size of the shear strain
-      real(wp), intent(in) :: strain(lanes)
+      real(wp), intent(in) :: strain(lanes, points)
       !> A strain that the curve leaves behind on the way there, to start a search from
-      real(wp), intent(in) :: set(lanes)
+      real(wp), intent(in) :: set(lanes, points)
       !> Stress
-      real(wp), intent(out) :: stress(lanes)
+      real(wp), intent(out) :: stress(lanes, points)
 
-      real(wp) :: bent(lanes)
-      integer :: k, l
+      integer :: k, l, m
 
-      stress(:) = self%modulus*strain
-      if (self%has(shape_exponential)) then
-         associate (asymptote => self%asymptote, rate => self%rate)
-            !$omp simd
-            do l = 1, lanes
-               bent(l) = asymptote(l)*(1.0_wp - exp(-rate(l)*strain(l)))
-            end do
-         end associate
-         stress(:) = merge(bent, stress, self%shape == shape_exponential)
-      end if
-      if (self%has(shape_table)) then
-         bent(:) = 0.0_wp
-         do k = 1, size(self%bend, 2)
-            bent(:) = bent + self%change(:, k)*max(strain - self%bend(:, k), 0.0_wp)
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            stress(l, m) = self%straight(l)*strain(l, m) &
+               & + self%asymptote(l)*rise_to_one(self%rate(l)*strain(l, m))
          end do
-         stress(:) = merge(bent, stress, self%shape == shape_table)
-      end if
-      if (self%has(shape_power)) call find_power_stress(self, strain, set, stress)
+         if (self%has(shape_table)) then
+            do k = 1, size(self%bend, 2)
+               stress(:, m) = stress(:, m) &
+                  & + self%change(:, k)*max(strain(:, m) - self%bend(:, k), 0.0_wp)
+            end do
+         end if
+         if (self%has(shape_power)) then
+            call find_power_stress(self, strain(:, m), set(:, m), stress(:, m))
+         end if
+      end do
    end subroutine curve_stress
+
+   !> 1 - exp(-x) for x of 0 or more, with all digits but the last two, be x ever so small: the
+   !> series for a 32nd part of x, then 1 - exp(-2y) = (1 - exp(-y))*(2 - (1 - exp(-y))) five times.
+   !> Arithmetic alone, the same in every lane, where a function of the library would be a call
+   pure real(wp) function rise_to_one(x) result(rise)
+      !> A number, 0 or more
+      real(wp), intent(in) :: x
+
+      real(wp) :: part
+
+      part = min(x, beyond_rise)/32.0_wp
+      rise = part*(1.0_wp + part*(series(1) + part*(series(2) + part*(series(3) + part*(series(4) &
+         & + part*(series(5) + part*(series(6) + part*(series(7) + part*(series(8) &
+         & + part*series(9))))))))))
+      rise = rise*(2.0_wp - rise)
+      rise = rise*(2.0_wp - rise)
+      rise = rise*(2.0_wp - rise)
+      rise = rise*(2.0_wp - rise)
+      rise = rise*(2.0_wp - rise)
+   end function rise_to_one
 
    !> Stress of Ramberg and Osgood by Newton's method, from the elastic guess above it
    pure subroutine find_power_stress(self, strain, set, stress)

@@ -77,9 +77,9 @@ def kernels() -> str:
     peak = times.pop("peak GFLOP/s")
     rows, others = [], []
     for name, value in times.items():
-        kind = name.split()[0]
-        if kind not in ("linear", "large", "damage"):
-            unit = "us" if kind == "step" else "ns"
+        kind = " ".join(name.split()[:-2])
+        if kind not in ("linear", "large", "damage linear", "damage large"):
+            unit = "us" if kind.startswith("step") else "ns"
             others.append([name, f"{value:.1f} {unit}"])
             continue
         nodes, order = (int(word.lstrip("qle")) for word in name.split()[-2:])

@@ -1,13 +1,11 @@
 !> Steps without damage: stress of the intact ply, little history; all else is left alone.
 program test_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_onset, only : onset_type
    use plydyn_law_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_length, histories_open, matrix_length, shear_energy, &
       & shear_peak, shear_set
    use plydyn_law_ply_quiet, only : quiet_type
-   use plydyn_law_secant, only : secant_type
    use plydyn_law_shear_curve, only : shear_lanes_type
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
@@ -19,10 +17,9 @@ program test_law_ply_quiet
    !> A lane that another law owns
    integer, parameter :: foreign = 3
    type(quiet_type) :: quiet
-   type(secant_type) :: secant
-   type(shear_lanes_type) :: curve
-   type(onset_type) :: onset
-   real(wp) :: history(lanes, histories_open), stress(lanes, 6)
+   !> Points above each other
+   integer, parameter :: points = 2
+   real(wp) :: history(lanes, histories_open, points), stress(lanes, 6, points)
    logical :: stays
 
    call test_intact()
@@ -43,9 +40,10 @@ contains
       call rest(.false.)
       call move(small)
       call check(stays, "is quiet")
-      call check(stress(1, :), matmul(c, small), 1.0e-9_wp, "stress of Hooke's law")
-      call check(stress(foreign, :), spread(7.0_wp, 1, 6), 0.0_wp, "not in lanes of other laws")
-      call check(maxval(abs(history(:, :fibre_length - 1))), 0.0_wp, 0.0_wp, "no history")
+      call check(stress(1, :, points), matmul(c, small), 1.0e-9_wp, "stress of Hooke's law")
+      call check(stress(foreign, :, points), spread(7.0_wp, 1, 6), 0.0_wp, &
+         & "not in lanes of other laws")
+      call check(maxval(abs(history(:, :fibre_length - 1, :))), 0.0_wp, 0.0_wp, "no history")
    end subroutine test_intact
 
    !> Shear that grows leaves its history
@@ -56,15 +54,16 @@ contains
       call begin("curve")
       call rest(.true.)
       call move(sheared)
-      tau = -stress(1, 4)
+      tau = -stress(1, 4, points)
       call check(stays .and. tau > 40.0_wp .and. tau < 45.0_wp, "follows the curve")
-      call check(history(1, shear_peak), 0.01_wp, 0.0_wp, "largest strain")
-      call check(history(1, shear_set), 0.01_wp - tau/6000.0_wp, 1.0e-15_wp, "what stays")
-      call check(history(1, shear_energy) > 0.0_wp, "work spent")
-      call check(history(1, histories_open), history(1, shear_energy), 0.0_wp, "also in the sum")
-      call check(history(foreign, shear_peak), 0.0_wp, 0.0_wp, "not in lanes of other laws")
+      call check(history(1, shear_peak, points), 0.01_wp, 0.0_wp, "largest strain")
+      call check(history(1, shear_set, points), 0.01_wp - tau/6000.0_wp, 1.0e-15_wp, "what stays")
+      call check(history(1, shear_energy, points) > 0.0_wp, "work spent")
+      call check(history(1, histories_open, points), history(1, shear_energy, points), &
+         & 0.0_wp, "also in the sum")
+      call check(history(foreign, shear_peak, points), 0.0_wp, 0.0_wp, "not in lanes of other laws")
       call move(0.5_wp*sheared)
-      call check(history(1, shear_peak), 0.01_wp, 0.0_wp, "unloading changes nothing")
+      call check(history(1, shear_peak, points), 0.01_wp, 0.0_wp, "unloading changes nothing")
    end subroutine test_curve
 
    !> Damage that begins or has begun is left to others
@@ -75,23 +74,23 @@ contains
       call rest(.true.)
       call move(large)
       call check(.not. stays, "beyond the strength of fibres")
-      call check(stress(1, 1), 7.0_wp, 0.0_wp, "stress untouched")
-      call check(maxval(abs(history(:, :fibre_length - 1))), 0.0_wp, 0.0_wp, "history too")
-      history(5, matrix_length) = -history(5, matrix_length)
+      call check(maxval(abs(history(:, :fibre_length - 1, :))), 0.0_wp, 0.0_wp, "history untouched")
+      history(5, matrix_length, points) = -history(5, matrix_length, points)
       call move(small)
-      call check(.not. stays, "a lane is damaged")
+      call check(.not. stays, "a lane of a point is damaged")
       call rest(.true.)
-      history(foreign, matrix_length) = -1.0_wp
+      history(foreign, matrix_length, :) = -1.0_wp
       call move(small)
       call check(stays, "what other laws remember does not count")
    end subroutine test_loud
 
-   !> A step
+   !> A step, the same at all points
    subroutine move(strain)
       real(wp), intent(in) :: strain(6)
 
-      stress(:, :) = 7.0_wp
-      call quiet%stay(secant, curve, onset, spread(strain, 1, lanes), history, stress, stays)
+      stress(:, :, :) = 7.0_wp
+      call quiet%stay(points, histories_open, spread(spread(strain, 1, lanes), 3, points), &
+         & history, stress, stays)
    end subroutine move
 
    !> All lanes but one have the ply of the paper
@@ -103,18 +102,18 @@ contains
 
       ply = paper_ply()
       if (curved) ply = paper_ply(curved=.true.)
-      curve = shear_lanes_type()
+      quiet%curve = shear_lanes_type()
       do l = 1, lanes
          if (l == foreign) cycle
          quiet%own(l) = 1.0_wp
-         call secant%set_lane(l, ply%young, ply%poisson, ply%shear)
-         call curve%set_lane(l, ply%shear(1), ply%curve)
-         call onset%set_lane(l, ply)
+         call quiet%secant%set_lane(l, ply%young, ply%poisson, ply%shear)
+         call quiet%curve%set_lane(l, ply%shear(1), ply%curve)
+         call quiet%onset%set_lane(l, ply)
       end do
-      history(:, :) = 0.0_wp
-      history(:, fibre_length) = 1.0_wp
-      history(:, matrix_length) = 0.1_wp
-      history(foreign, fibre_length:matrix_length) = 0.0_wp
+      history(:, :, :) = 0.0_wp
+      history(:, fibre_length, :) = 1.0_wp
+      history(:, matrix_length, :) = 0.1_wp
+      history(foreign, fibre_length:matrix_length, :) = 0.0_wp
    end subroutine rest
 
 end program test_law_ply_quiet

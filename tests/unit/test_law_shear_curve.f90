@@ -22,7 +22,8 @@ program test_law_shear_curve
    call test_cycle()
    call test_shapes()
    call test_energy()
-   call test_frozen()
+   call test_unloading()
+   call test_digits()
    call test_check_curve()
    call finish()
 
@@ -133,21 +134,53 @@ contains
       call check(loss, 2.68_wp, 5.0e-3_wp, "is the 2.68 MJ/m3 of theory 2.3")
    end subroutine test_energy
 
-   !> Nothing changes once the matrix has cracked
-   subroutine test_frozen()
-      real(wp) :: frozen(lanes), strain(lanes)
+   !> Nothing changes below the largest strain, nor along a line
+   subroutine test_unloading()
+      real(wp) :: before(lanes), strain(lanes)
       logical :: grows
 
-      call begin("frozen")
+      call begin("unloading")
       call rest()
-      strain(:) = 0.02_wp
-      frozen(:) = 0.0_wp
-      frozen(exponential) = 1.0_wp
-      call law%advance(strain, frozen, peak, set, lost, grows)
-      call check(peak(exponential) + set(exponential) + lost(exponential), 0.0_wp, 0.0_wp, &
-         & "a cracked lane keeps its history")
-      call check(set(table), 0.02_wp - 70.0_wp/modulus, 1.0e-15_wp, "the others go on")
-   end subroutine test_frozen
+      call law%advance(1, spread(0.02_wp, 1, lanes), peak, set, lost, grows)
+      call check(grows, "tells that a strain has grown")
+      before(:) = set
+      call law%advance(1, spread(0.01_wp, 1, lanes), peak, set, lost, grows)
+      call check(.not. grows .and. maxval(abs(lost)) <= 0.0_wp, "and that none has")
+      call check(set, before, 0.0_wp, "what stays stays to the last bit")
+      call check(peak(line) + set(line), 0.0_wp, 0.0_wp, "a line remembers nothing")
+      strain(:) = 0.0_wp
+      strain(exponential) = 0.03_wp
+      call law%advance(1, strain, peak, set, lost, grows)
+      call check(lost(exponential) > 0.0_wp, "a lane goes on")
+      call check(peak(table), 0.02_wp, 0.0_wp, "where another, held at 0, keeps its history")
+   end subroutine test_unloading
+
+   !> The exponential has its digits from the smallest strain to the largest
+   subroutine test_digits()
+      integer, parameter :: steps = 2000
+      real(wp), parameter :: asymptote = 93.6_wp
+      real(wp) :: exact, none(lanes), strain(lanes), stress(lanes), worst
+      integer :: i
+
+      call begin("digits")
+      none(:) = 0.0_wp
+      worst = 0.0_wp
+      do i = 1, steps
+         ! up to 50 asymptotes, where the curve has long been flat
+         strain(:) = asymptote/modulus*(0.5_wp**mod(i, 40))*50.0_wp*real(i, wp)/real(steps, wp)
+         call law%curve_stress(1, strain, none, stress)
+         exact = rise(modulus*strain(1)/asymptote)
+         worst = max(worst, abs(stress(exponential)/asymptote - exact)/exact)
+      end do
+      call check(worst < 4.0_wp*epsilon(1.0_wp), "no error beyond four of the last digit")
+   end subroutine test_digits
+
+   !> 1 - exp(-x) without cancellation: 2 exp(-x/2) sinh(x/2)
+   pure real(wp) function rise(x)
+      real(wp), intent(in) :: x
+
+      rise = 2.0_wp*exp(-0.5_wp*x)*sinh(0.5_wp*x)
+   end function rise
 
    !> Curves that cannot be are refused
    subroutine test_check_curve()
@@ -191,12 +224,11 @@ contains
       !> Lane to look at
       integer, intent(in) :: lane
 
-      real(wp) :: none(lanes), size(lanes)
+      real(wp) :: size(lanes)
       logical :: grows
 
-      none(:) = 0.0_wp
       size(:) = abs(strain)
-      call law%advance(size, none, peak, set, lost, grows)
+      call law%advance(1, size, peak, set, lost, grows)
       stress = sign(merge(power_modulus, modulus, lane == power) &
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after
