@@ -49,7 +49,9 @@ def check_energy(results: Results) -> None:
     assert spent[-1] == pytest.approx(TOUGHNESS * AREA, rel=TOLERANCE)
     assert energy["internal"][-1] == pytest.approx(spent[-1], rel=1.0e-4)
     assert np.all(np.diff(spent) >= 0.0)
-    assert np.all(spent == energy["dissipated"])
+    # shear of round-off, 1e-16, leaves work on its curve by the cube of it
+    nothing = 1.0e-40 * spent[-1]
+    assert np.all(np.abs(energy["dissipated"] - spent) <= nothing)
     for other in (
         "matrix damage",
         "ply plasticity",
@@ -57,7 +59,7 @@ def check_energy(results: Results) -> None:
         "delamination",
         "friction",
     ):
-        assert np.all(energy[other] == 0.0)
+        assert np.all(energy[other] <= nothing)
     waiting = (energy["time"] > 1.0e-3) & (energy["time"] < 2.0e-3)
     assert np.ptp(spent[waiting]) <= 2.0e-3 * spent[-1]
     assert np.abs(energy["error"]).max() < 1.0e-9
