@@ -50,7 +50,8 @@ CHOICES = (
     Choice("whole", "closing of failed faces", "full stiffness", (f"{BOND}.closing=whole",)),
     Choice("fit", "strengths of the interfaces", "lowered to fit the mesh",
            (f"{BOND}.fit=strengths",)),
-    Choice("core_10", "side of the core", "10 mm", ("mesh.core=10",)),
+    Choice("core_12", "side of the core", "12 mm", ("mesh.core=12",)),
+    Choice("core_15", "side of the core", "15 mm", ("mesh.core=15",)),
     Choice("core_22", "side of the core", "22 mm", ("mesh.core=22",)),
     Choice("points", "contact", "points of the plate", ("contact.method=points_on_plate",)),
 )  # fmt: skip

@@ -7,6 +7,7 @@ module plydyn_domain_bands
    use plydyn_domain_histories, only : band_lengths
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_law_ply_constants, only : modes, snap_refuse
+   use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -127,6 +128,7 @@ contains
                band%ply(k) = ply
             end do
             band%points = band%points + levels
+            if (model%materials(material)%law /= law_ply_damage) return
             where (model%materials(material)%ply%snaps_back(length))
                band%too_wide(:) = band%too_wide + levels
             end where

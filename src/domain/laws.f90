@@ -1,16 +1,18 @@
 !> Laws of the layers, batch by batch.
 module plydyn_domain_laws
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_crack_band, only : rule_band
    use plydyn_law_law, only : block_law_type, law_type
    use plydyn_law_orthotropic, only : orthotropic_type
    use plydyn_law_plastic_curve, only : plastic_curve_type
    use plydyn_law_plastic_johnson_cook, only : plastic_johnson_cook_type
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
    use plydyn_law_ply_damage, only : ply_damage_type
+   use plydyn_law_strain_damage, only : strain_damage_type
    use plydyn_law_yield_curve, only : yield_curve_type
    use plydyn_model_material, only : last_law, law_elastic, law_plastic_curve, &
-      & law_plastic_johnson_cook, law_plastic_kinematic, law_ply_damage, material_type, &
-      & plasticity_type
+      & law_plastic_johnson_cook, law_plastic_kinematic, law_ply_damage, &
+      & law_strain_damage, material_type, plasticity_type
    implicit none
    private
 
@@ -37,6 +39,7 @@ contains
          call add_law(laws, k, b, curve_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, johnson_cook_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, damage_lanes(materials, lane_material(:, b)))
+         call add_law(laws, k, b, strain_lanes(materials, lane_material(:, b)))
       end do
    end function new_laws
 
@@ -181,5 +184,20 @@ contains
          end associate
       end do
    end function damage_lanes
+
+   !> The lanes of a block whose damage begins and ends at strains of the deck
+   function strain_lanes(materials, lane_material) result(law)
+      type(material_type), intent(in) :: materials(:)
+      integer, intent(in) :: lane_material(:)
+      type(strain_damage_type) :: law
+      integer :: l
+
+      do l = 1, lanes
+         if (lane_material(l) == 0) cycle
+         associate (material => materials(lane_material(l)))
+            if (material%law == law_strain_damage) call law%set_lane(l, material%strains, rule_band)
+         end associate
+      end do
+   end function strain_lanes
 
 end module plydyn_domain_laws

@@ -1,7 +1,7 @@
 !> Keywords of plies that are damaged.
 module plydyn_input_declare_damage
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
    use plydyn_input_declare_part, only : add_ply_elastic_cards
    implicit none
    private
@@ -12,9 +12,10 @@ contains
 
    !> Keywords of plies that are damaged
    function damage_keywords() result(keywords)
-      type(keyword_type) :: keywords(1)
+      type(keyword_type) :: keywords(2)
 
       keywords(1) = mat_ply_codam2()
+      keywords(2) = mat_codam2()
    end function damage_keywords
 
    !> Ply whose fibres and matrix are damaged
@@ -111,5 +112,102 @@ contains
       call keyword%add_integer("GZ", "shear across the thickness: 0 weakened by damage; 1 not", &
          & default=0, allowed=[0, 1])
    end subroutine add_switch_card
+
+   !> Ply whose damage begins and ends at strains of the deck
+   function mat_codam2() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_CODAM2", standard, "Ply whose damage begins and is complete at " &
+         & //"strains that the deck gives.", suffixes="TITLE", alias="MAT_219")
+      keyword%remark = "One ply, alike in all directions across its fibres (a): EC = EB, PRCA = " &
+         & //"PRBA, GCA = GAB, GBC = EB/(2 (1 + PRCB)). Each ply of *PART_COMPOSITE has damage " &
+         & //"of its own, so the sub-laminate has one layer. Strains are those of the point: " &
+         & //"without the average over neighbours the energy of a crack grows with the size of " &
+         & //"the quads; the listing prints it. *MAT_PLY_CODAM2 takes toughnesses instead. " &
+         & //"Nothing is deleted."
+      call add_layer_cards(keyword)
+      call add_axis_cards(keyword)
+      call add_strain_card(keyword, "T", "tension")
+      call add_strain_card(keyword, "C", "compression")
+      call keyword%add_card(optional=.true.)
+      call keyword%add_unused("ERODE")
+      call keyword%add_real("ERPAR1", "-", "without effect, for ERODE is 0", default=0.0_wp)
+      call keyword%add_real("ERPAR2", "-", "without effect, for ERODE is 0", default=0.0_wp)
+      call keyword%add_unused("RESIDS")
+   end function mat_codam2
+
+   !> Density, elastic constants, layers of the sub-laminate
+   subroutine add_layer_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_integer("MID", "number of the material", least=1)
+      call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
+      call keyword%add_real("EA", "stress", "Young's modulus along the fibres", above=0.0_wp)
+      call keyword%add_real("EB", "stress", "Young's modulus across the fibres", above=0.0_wp)
+      call keyword%add_unused("UNUSED1")
+      call keyword%add_real("PRBA", "-", "strain along the fibres from stress across")
+      call keyword%add_unused("UNUSED2")
+      call keyword%add_real("PRCB", "-", "strain across the fibres from stress across, the other " &
+         & //"way")
+      call keyword%add_card()
+      call keyword%add_real("GAB", "stress", "shear modulus along the fibres", above=0.0_wp)
+      call keyword%add_unused("UNUSED3 UNUSED4")
+      call keyword%add_integer("NLAYER", "layers of the sub-laminate: 1", least=1)
+      call keyword%add_unused("R1 R2 NFREQ")
+   end subroutine add_layer_cards
+
+   !> Axes of the material, and the angle of its layer
+   subroutine add_axis_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_unused("XP YP ZP")
+      call keyword%add_real("A1", "-", "x of a")
+      call keyword%add_real("A2", "-", "y of a")
+      call keyword%add_real("A3", "-", "z of a, zero", default=0.0_wp, least=0.0_wp, most=0.0_wp)
+      call keyword%add_real("AOPT", "-", "2: a and d are given", least=2.0_wp, most=2.0_wp)
+      call keyword%add_card()
+      call keyword%add_unused("V1 V2 V3")
+      call keyword%add_real("D1", "-", "x of d")
+      call keyword%add_real("D2", "-", "y of d")
+      call keyword%add_real("D3", "-", "z of d, zero", default=0.0_wp, least=0.0_wp, most=0.0_wp)
+      call keyword%add_unused("BETA")
+      call keyword%add_unused("MACF", neutral=[0.0_wp, 1.0_wp])
+      call keyword%add_card()
+      call keyword%add_real("ANGLE1", "degrees", "angle of the fibres from a, added to that of " &
+         & //"the ply", default=0.0_wp)
+      call keyword%add_unused("ANGLE2 ANGLE3 ANGLE4 ANGLE5 ANGLE6 ANGLE7 ANGLE8")
+   end subroutine add_axis_cards
+
+   !> Strains at which damage begins and is complete
+   subroutine add_strain_card(keyword, letter, sense)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+      !> T or C
+      character(1), intent(in) :: letter
+      !> Tension or compression
+      character(*), intent(in) :: sense
+
+      character(*), parameter :: pictures = "without effect, as in LS-DYNA, which shows it"
+
+      call keyword%add_card()
+      call keyword%add_real("IMAT"//letter, "-", "strain at onset of matrix damage in "//sense, &
+         & above=0.0_wp)
+      call keyword%add_real("IFIB"//letter, "-", "strain at onset of fibre damage in "//sense, &
+         & above=0.0_wp)
+      call keyword%add_real("ILOC"//letter, "-", "principal strain in "//sense//" from which on " &
+         & //"the rest of the ply gives way; in LS-DYNA's advice SFIB"//letter, above=0.0_wp)
+      call keyword%add_real("IDEL"//letter, "-", pictures, default=0.0_wp)
+      call keyword%add_real("SMAT"//letter, "-", "strain at which matrix damage is complete", &
+         & above=0.0_wp)
+      call keyword%add_real("SFIB"//letter, "-", "strain at which fibre damage is complete", &
+         & above=0.0_wp)
+      call keyword%add_real("SLOC"//letter, "-", "principal strain at which nothing of the ply " &
+         & //"is left in its plane", above=0.0_wp)
+      call keyword%add_real("SDEL"//letter, "-", pictures, default=0.0_wp)
+   end subroutine add_strain_card
 
 end module plydyn_input_declare_damage

@@ -29,7 +29,7 @@ module plydyn_input_declare_known
       & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: other_damage(*) = [character(longest_name) :: &
-      & "MAT_CODAM2", "MAT_219", "MAT_054", "MAT_055", "MAT_058", "MAT_022", &
+      & "MAT_054", "MAT_055", "MAT_058", "MAT_022", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
       & "MAT_COHESIVE_TH"]

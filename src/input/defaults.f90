@@ -4,7 +4,6 @@ module plydyn_input_defaults
    use plydyn_deck_deck, only : deck_type
    use plydyn_input_read_mesh, only : new_mesh
    use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
-   use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -52,7 +51,7 @@ contains
          if (size(request%fields) == 0) then
             request%fields = [character(len(request%fields)) :: &
                & "displacement", "velocity", "stress"]
-            if (any(model%materials%law == law_ply_damage)) request%fields = [request%fields, &
+            if (any(model%materials%is_damaged())) request%fields = [request%fields, &
                & scalar_names(shows_fibre_damage:shows_shear_damage)]
          end if
          if (request%field_interval <= 0.0_wp) then

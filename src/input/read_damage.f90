@@ -2,21 +2,24 @@
 module plydyn_input_read_damage
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, catalogue_type
-   use plydyn_input_read_material, only : begin_material, check_stability
+   use plydyn_input_read_material, only : begin_material, check_stability, &
+      & read_axes
    use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
    use plydyn_law_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
       & new_table_curve
+   use plydyn_law_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_material, only : law_ply_damage, material_type
+   use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
    implicit none
    private
 
-   public :: read_mat_ply_codam2
+   public :: read_mat_codam2, read_mat_ply_codam2
 
    !> Numbers of the card to those of the law, which begin where the card says 0
    integer, parameter :: rules(0:3) = [rule_band, rule_gauss_point, rule_root_point, rule_root_quad]
@@ -176,5 +179,71 @@ contains
       call catalogue%refuse(cards, trim(name), error%message, "stress over strain from 0, 0, " &
          & //"rising with a slope of G12 = "//number_words(ply%shear(1))//" at most")
    end subroutine check_shear
+
+   !> *MAT_CODAM2: damage between strains of the deck, for a ply alike in all directions across
+   subroutine read_mat_codam2(cards, catalogue, materials)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), allocatable, intent(inout) :: materials(:)
+
+      type(material_type) :: material
+      real(wp) :: along, across
+
+      call begin_material(cards, catalogue, material)
+      material%law = law_strain_damage
+      along = cards%real("EA")
+      across = cards%real("EB")
+      material%young(:) = [along, across, across]
+      material%poisson(3) = cards%real("PRCB")
+      material%shear(:2) = cards%real("GAB")
+      if (along > 0.0_wp .and. across > 0.0_wp) then
+         material%poisson(:2) = cards%real("PRBA")*along/across
+         call check_stability(cards, ["PRBA", "PRBA", "PRCB"], material, catalogue)
+      end if
+      if (abs(material%poisson(3)) < 1.0_wp) then
+         material%shear(3) = across/(2.0_wp*(1.0_wp + material%poisson(3)))
+      end if
+      call read_axes(cards, catalogue, material)
+      material%axis_angle = material%axis_angle + cards%real("ANGLE1")
+      if (cards%is_fine("NLAYER") .and. cards%integer("NLAYER") /= 1) then
+         call catalogue%refuse(cards, "NLAYER", "a sub-laminate of " &
+            & //text(cards%integer("NLAYER"))//" layers is not supported", &
+            & "1, and each layer a ply of *PART_COMPOSITE with an angle of its own")
+      end if
+      associate (strains => material%strains)
+         strains%young(:) = material%young
+         strains%poisson(:) = material%poisson
+         strains%shear(:) = material%shear
+      end associate
+      call read_strains(cards, catalogue, material%strains)
+      materials = [materials, material]
+   end subroutine read_mat_codam2
+
+   !> Strains between which damage grows
+   subroutine read_strains(cards, catalogue, strains)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The ply
+      type(strain_constants_type), intent(inout) :: strains
+
+      character(3), parameter :: names(strain_mechanisms) = ["FIB", "MAT", "LOC"]
+      character(1), parameter :: senses(2) = ["T", "C"]
+      character(5) :: first, last
+      integer :: i, j
+
+      do j = 1, size(senses)
+         do i = 1, size(names)
+            first = "I"//names(i)//senses(j)
+            last = "S"//names(i)//senses(j)
+            if (.not. (cards%is_fine(first) .and. cards%is_fine(last))) cycle
+            strains%onset(i, j) = cards%real(first)
+            strains%finish(i, j) = cards%real(last)
+            if (strains%finish(i, j) > strains%onset(i, j)) cycle
+            call catalogue%refuse(cards, last, "damage would be complete at " &
+               & //number_words(strains%finish(i, j))//" and begin at " &
+               & //number_words(strains%onset(i, j)), "a strain above "//first)
+         end do
+      end do
+   end subroutine read_strains
 
 end module plydyn_input_read_damage

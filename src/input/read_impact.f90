@@ -8,7 +8,7 @@ module plydyn_input_read_impact
       & an_impactor, catalogue_type
    use plydyn_model_control, only : profile_type, request_type
    use plydyn_model_impactor, only : contact_type, impactor_type
-   use plydyn_model_material, only : law_elastic, law_ply_damage, material_type
+   use plydyn_model_material, only : law_elastic, material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
@@ -136,11 +136,11 @@ contains
 
       select case (name)
       case ("plastic_strain")
-         if (any(materials%law /= law_elastic .and. materials%law /= law_ply_damage)) return
+         if (any(materials%law /= law_elastic .and. .not. materials%is_damaged())) return
          call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
             & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
       case ("damage_fibre", "damage_matrix", "damage_shear")
-         if (any(materials%law == law_ply_damage)) return
+         if (any(materials%is_damaged())) return
          call catalogue%refuse(cards, "NAME", "no material is damaged: there is no " &
             & //upper_case(name), "a material with damage, such as *MAT_PLY_CODAM2, or not this " &
             & //"field")

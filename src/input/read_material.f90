@@ -10,7 +10,7 @@ module plydyn_input_read_material
    private
 
    public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
-      & begin_material, check_stability, read_isotropic
+      & begin_material, check_stability, read_axes, read_isotropic
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -73,7 +73,7 @@ contains
       type(material_type), allocatable, intent(inout) :: materials(:)
 
       type(material_type) :: material
-      real(wp) :: a(2), d(2), minor(3)
+      real(wp) :: minor(3)
 
       call begin_material(cards, catalogue, material)
       material%young(:) = cards%reals(["EA", "EB", "EC"])
@@ -83,16 +83,32 @@ contains
          material%poisson(:) = minor*material%young([1, 1, 2])/material%young([2, 3, 3])
          call check_stability(cards, ["PRBA", "PRCA", "PRCB"], material, catalogue)
       end if
+      call read_axes(cards, catalogue, material)
+      materials = [materials, material]
+   end subroutine read_mat_orthotropic_elastic
+
+   !> Direction of the axis a of a material whose vectors a and d lie in the plane of the plate
+   subroutine read_axes(cards, catalogue, material)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets its axis angle
+      type(material_type), intent(inout) :: material
+
+      real(wp) :: a(2), d(2)
+
+      if (.not. (cards%is_fine("A1") .and. cards%is_fine("A2") .and. cards%is_fine("D1") &
+         & .and. cards%is_fine("D2"))) return
       a(:) = cards%reals(["A1", "A2"])
       d(:) = cards%reals(["D1", "D2"])
       if (a(1)*d(2) - a(2)*d(1) > 0.0_wp) then
          material%axis_angle = degrees*atan2(a(2), a(1))
-      else if (norm2(a) > 0.0_wp .and. norm2(d) > 0.0_wp) then
+      else if (norm2(a) <= 0.0_wp) then
+         call catalogue%refuse(cards, "A1", "a is zero", "a vector in the plane of the plate")
+      else
          call catalogue%refuse(cards, "D1", "d is not counter-clockwise from a", &
             & "a and d in the plane of the plate, d between 0 and 180 degrees from a")
       end if
-      materials = [materials, material]
-   end subroutine read_mat_orthotropic_elastic
+   end subroutine read_axes
 
    !> Number, title and density of a ply material
    subroutine begin_material(cards, catalogue, material)

@@ -7,7 +7,7 @@ module plydyn_input_read_solid
       & a_solid_section, an_hourglass, catalogue_type
    use plydyn_model_layup, only : brick_section_type, part_type, ply_type
    use plydyn_model_load, only : segment_load_type
-   use plydyn_model_material, only : law_ply_damage, material_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
@@ -76,7 +76,7 @@ contains
       call catalogue%find(a_material, cards, "MID", part%plies(1)%material)
       if (part%plies(1)%material > 0) then
          part%plies(1)%angle = materials(part%plies(1)%material)%axis_angle
-         if (materials(part%plies(1)%material)%law == law_ply_damage) then
+         if (materials(part%plies(1)%material)%is_damaged()) then
             call catalogue%refuse(cards, "MID", "the material is damaged, and bricks are not", &
                & "an elastic material or a metal, or plates")
          end if

@@ -5,7 +5,7 @@ module plydyn_input_stages_of_plate
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_input_check_solid, only : refuse_for_bricks
    use plydyn_input_read_control, only : read_control_units
-   use plydyn_input_read_damage, only : read_mat_ply_codam2
+   use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
    use plydyn_input_read_impact, only : read_contact_impactor, read_impactor_sphere
    use plydyn_input_read_interface, only : read_interface_cohesive, read_mat_cohesive_elastic, &
       & read_mat_cohesive_general, read_mat_cohesive_mixed_mode
@@ -77,6 +77,8 @@ contains
          call read_mat_orthotropic_elastic(cards, catalogue, model%materials)
       case ("MAT_PLY_ELASTIC")
          call read_mat_ply_elastic(cards, catalogue, model%materials)
+      case ("MAT_CODAM2")
+         call read_mat_codam2(cards, catalogue, model%materials)
       case ("MAT_COHESIVE_ELASTIC")
          call read_mat_cohesive_elastic(cards, catalogue, model%interface_materials)
       case ("MAT_COHESIVE_MIXED_MODE")

@@ -3,6 +3,7 @@ module plydyn_model_material
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive, only : cohesive_constants_type
    use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_strain_damage, only : strain_constants_type
    use plydyn_model_curve, only : curve_type
    implicit none
    private
@@ -10,7 +11,7 @@ module plydyn_model_material
    !> What a material does beyond elasticity
    integer, parameter, public :: law_elastic = 0, law_plastic_kinematic = 1, &
       & law_plastic_curve = 2, law_plastic_johnson_cook = 3, law_ply_damage = 4, &
-      & last_law = law_ply_damage
+      & law_strain_damage = 5, last_law = law_strain_damage
 
    !> Metal plasticity
    type, public :: plasticity_type
@@ -60,8 +61,12 @@ module plydyn_model_material
       type(plasticity_type) :: plasticity
       !> For `law_ply_damage`: all constants, the elastic ones too
       type(ply_constants_type) :: ply
+      !> For `law_strain_damage`: all constants, the elastic ones too
+      type(strain_constants_type) :: strains
       !> Direction from which ply angles are measured, degrees from the x axis
       real(wp) :: axis_angle = 0.0_wp
+   contains
+      procedure :: is_damaged
    end type material_type
 
    !> What lies between the faces of two plies: springs, or a bond that softens and fails
@@ -79,5 +84,14 @@ module plydyn_model_material
       !> Strengths lowered until the mesh resolves the zone that softens
       logical :: fitted = .false.
    end type interface_material_type
+
+contains
+
+   !> Whether fibres and matrix lose their stiffness
+   elemental logical function is_damaged(self)
+      class(material_type), intent(in) :: self
+
+      is_damaged = self%law == law_ply_damage .or. self%law == law_strain_damage
+   end function is_damaged
 
 end module plydyn_model_material

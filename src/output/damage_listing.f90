@@ -7,8 +7,9 @@ module plydyn_output_damage_listing
    use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
       & ply_constants_type, snap_drop
+   use plydyn_law_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
-   use plydyn_model_material, only : law_ply_damage, material_type
+   use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
    use plydyn_model_model, only : model_type
    use plydyn_output_table, only : table_type, write_section
    implicit none
@@ -30,12 +31,16 @@ contains
       type(band_type) :: bands(size(model%materials))
       integer :: i
 
-      if (all(model%materials%law /= law_ply_damage)) return
+      if (.not. any(model%materials%is_damaged())) return
       bands(:) = find_bands(model, domain)
       do i = 1, size(bands)
-         if (model%materials(i)%law /= law_ply_damage) cycle
+         if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
+         if (model%materials(i)%law == law_strain_damage) then
+            call write_strains(unit, model%materials(i)%strains, bands(i), model%control%units)
+            cycle
+         end if
          call write_bands(unit, model%materials(i)%ply, bands(i), model%control%units)
          call write_modes(unit, model%materials(i)%ply, bands(i), model%control%units)
          call write_snap_back(unit, model%materials(i), bands(i))
@@ -157,5 +162,55 @@ contains
             & //"wide damage starts early and the toughness stays right (SNAP 0)"
       end if
    end subroutine write_snap_back
+
+   !> Strains of each mode of damage between given strains, and what a crack costs in uniaxial
+   !> stress at the narrowest and widest band of the mesh
+   subroutine write_strains(unit, ply, band, units)
+      integer, intent(in) :: unit
+      type(strain_constants_type), intent(in) :: ply
+      type(band_type), intent(in) :: band
+      type(units_type), intent(in) :: units
+
+      integer, parameter :: mechanism(modes) = [by_fibres, by_fibres, by_matrix, &
+         & by_matrix, by_matrix]
+      ! shear counts by half, with the strains of tension
+      integer, parameter :: sense(modes) = [1, 2, 1, 2, 1]
+      real(wp), parameter :: factor(modes) = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp]
+      type(table_type) :: table
+      real(wp) :: limits(2), modulus(modes)
+      integer :: direction, mode
+
+      call table%start(unit)
+      call table%add_column("mode", 18, "a")
+      call table%add_column("onset strain", 12, "es12.5")
+      call table%add_column("complete at", 12, "es12.5")
+      call table%add_column("stress at onset ["//trim(units%stress)//"]", 12, "g12.5")
+      call table%add_column("crack, narrow band ["//energy_per_area(units)//"]", 12, "g12.5")
+      call table%add_column("crack, wide band ["//energy_per_area(units)//"]", 12, "g12.5")
+      call table%write_heads()
+      modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
+      do mode = 1, modes
+         direction = merge(1, 2, mode <= in_compression)
+         limits(:) = factor(mode)*[ply%onset(mechanism(mode), sense(mode)), &
+            & ply%finish(mechanism(mode), sense(mode))]
+         call table%put(trim(mode_names(mode)))
+         call table%put(limits(1))
+         call table%put(limits(2))
+         call table%put(modulus(mode)*limits(1))
+         call table%put(0.5_wp*modulus(mode)*product(limits)*band%narrowest(direction))
+         call table%put(0.5_wp*modulus(mode)*product(limits)*band%widest(direction))
+      end do
+      write (unit, "(/,4(a,es12.5))") "locking from a principal strain of", &
+         & ply%onset(by_locking, 1), " to", ply%finish(by_locking, 1), ", in compression of", &
+         & ply%onset(by_locking, 2), " to", ply%finish(by_locking, 2)
+   end subroutine write_strains
+
+   !> Unit of energy over area
+   pure function energy_per_area(units) result(name)
+      type(units_type), intent(in) :: units
+      character(:), allocatable :: name
+
+      name = trim(units%energy)//"/"//trim(units%length)//"2"
+   end function energy_per_area
 
 end module plydyn_output_damage_listing

@@ -1,0 +1,224 @@
+!> Damage of a ply by strains at which it begins and ends: the law of LS-DYNA's *MAT_CODAM2 for one
+!> ply, without its average over neighbours.
+!>
+!> Each of three mechanisms has a damage that grows with an equivalent strain from 0 at onset to 1
+!> at saturation, so that the stress of a straight path falls along a line. Fibres reduce what is
+!> left of E1, matrix that of E2 and G12, locking all of them; stiffness across the thickness stays.
+module plydyn_law_strain_damage
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
+      & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
+   use plydyn_law_secant, only : secant_type
+   implicit none
+   private
+
+   !> Mechanisms, and the history variables of their damage
+   integer, parameter, public :: by_fibres = 1, by_matrix = 2, by_locking = 3
+   integer, parameter, public :: strain_mechanisms = 3
+   !> History variables of the energies dissipated per volume along and across the fibres; the last
+   !> is that of both
+   integer, parameter, public :: along_energy = 4, across_energy = 5
+   integer, parameter :: histories = 6
+   !> Places of tension and of compression in pairs of constants
+   integer, parameter :: in_tension = 1, in_compression = 2
+
+   !> Least part of a stiffness that remains
+   real(wp), parameter, public :: strain_residual = 1.0e-6_wp
+   !> Compression up to this share of the shear counts as tension: in pure shear round-off must not
+   !> choose between two sets of strains
+   real(wp), parameter :: idle_push = 1.0e-3_wp
+
+   !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
+   type, public :: strain_constants_type
+      !> E1, E2, E3; nu12, nu13, nu23; G12, G13, G23
+      real(wp) :: young(3) = 0.0_wp, poisson(3) = 0.0_wp, shear(3) = 0.0_wp
+      !> Equivalent strains at which each mechanism begins and is complete, in tension and in
+      !> compression
+      real(wp) :: onset(strain_mechanisms, 2) = 0.0_wp, finish(strain_mechanisms, 2) = 0.0_wp
+   end type strain_constants_type
+
+   !> A law with the constants of the lanes
+   type, public, extends(law_type) :: strain_damage_type
+      private
+      !> Stiffness
+      type(secant_type) :: secant
+      !> Strains at which each mechanism begins and is complete, (lanes, mechanisms, senses)
+      real(wp) :: onset(lanes, strain_mechanisms, 2) = 1.0_wp
+      real(wp) :: finish(lanes, strain_mechanisms, 2) = 2.0_wp
+   contains
+      procedure :: update
+      procedure :: set_lane
+      procedure :: show
+   end type strain_damage_type
+
+contains
+
+   !> Give a lane its ply; it is the law's own from then on
+   pure subroutine set_lane(self, lane, constants, band_rule)
+      class(strain_damage_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Its ply, checked
+      type(strain_constants_type), intent(in) :: constants
+      !> Rule for the width of the band in which a crack opens, for the listing only
+      integer, intent(in) :: band_rule
+
+      self%owns(lane) = .true.
+      call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
+      self%onset(lane, :, :) = constants%onset
+      self%finish(lane, :, :) = constants%finish
+      self%histories = histories
+      self%energy_at(by_fibre_damage) = along_energy
+      self%energy_at(by_matrix_damage) = across_energy
+      self%band_rule(lane) = band_rule
+   end subroutine set_lane
+
+   !> What is lost along the fibres, across them and in shear, and the energy
+   pure function show(self, history) result(values)
+      class(strain_damage_type), intent(in) :: self
+      real(wp), intent(in) :: history(:)
+      real(wp) :: values(scalars)
+
+      real(wp) :: remains(strain_mechanisms)
+
+      remains(:) = 1.0_wp - history(:strain_mechanisms)
+      values(:) = 0.0_wp
+      values(shows_fibre_damage) = 1.0_wp - remains(by_fibres)*remains(by_locking)
+      values(shows_matrix_damage) = 1.0_wp - remains(by_matrix)*remains(by_locking)
+      values(shows_shear_damage) = values(shows_matrix_damage)
+      values(shows_dissipated) = history(self%histories)
+   end function show
+
+   !> Stress and history after a step
+   pure subroutine update(self, step, strain, history, stress)
+      class(strain_damage_type), intent(in) :: self
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
+      real(wp) :: remains(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3)
+
+      before(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
+      call grow(self, strain, history, share)
+      after(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
+      remains(:, 1) = after(:, by_fibres)*after(:, by_locking)
+      remains(:, 2) = after(:, by_matrix)*after(:, by_locking)
+      call self%secant%damaged_stress(strain(:, 1:3), remains, normal)
+      call add_energies(self, strain(:, 4), normal, before, after, share, history)
+      call give_stress(self, strain, normal, remains, stress)
+   end subroutine update
+
+   !> Let damage grow with the strain of the step; it never heals
+   pure subroutine grow(self, strain, history, share)
+      type(strain_damage_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *)
+      !> Mean of the driving force over its value at the end, when all strains grow in proportion
+      real(wp), intent(out) :: share(lanes, strain_mechanisms)
+
+      real(wp) :: damage, finish, from, last, now, onset, sense(lanes, strain_mechanisms)
+      real(wp) :: size(lanes, strain_mechanisms)
+      integer :: k, l
+
+      call find_strains(strain, size, sense)
+      associate (t => in_tension, c => in_compression)
+         do k = 1, strain_mechanisms
+            !$omp simd private(damage, finish, from, last, now, onset)
+            do l = 1, lanes
+               onset = merge(self%onset(l, k, t), self%onset(l, k, c), sense(l, k) >= 0.0_wp)
+               finish = merge(self%finish(l, k, t), self%finish(l, k, c), sense(l, k) >= 0.0_wp)
+               damage = history(l, k)
+               now = max(size(l, k), onset)
+               last = min(now, finish)
+               ! strain at which the old damage was reached
+               from = finish*onset/(finish - damage*(finish - onset))
+               share(l, k) = min(from*last/now**2, 1.0_wp)
+               damage = max(damage, finish*(last - onset)/(last*(finish - onset)))
+               history(l, k) = merge(damage, history(l, k), self%owns(l))
+            end do
+         end do
+      end associate
+   end subroutine grow
+
+   !> Sizes of the equivalent strains, and what their signs are those of: strain along the fibres;
+   !> strain and half the shear across them; the larger principal strain in the plane
+   pure subroutine find_strains(strain, size, sense)
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(out) :: size(lanes, strain_mechanisms), sense(lanes, strain_mechanisms)
+
+      real(wp) :: half, mean, radius
+      integer :: l
+
+      !$omp simd private(half, mean, radius)
+      do l = 1, lanes
+         half = 0.5_wp*strain(l, 4)
+         mean = 0.5_wp*(strain(l, 1) + strain(l, 2))
+         radius = sqrt((0.5_wp*(strain(l, 1) - strain(l, 2)))**2 + half**2)
+         size(l, by_fibres) = abs(strain(l, 1))
+         size(l, by_matrix) = sqrt(strain(l, 2)**2 + half**2)
+         size(l, by_locking) = abs(mean) + radius
+         sense(l, by_fibres) = strain(l, 1)
+         sense(l, by_matrix) = strain(l, 2) + idle_push*abs(half)
+         sense(l, by_locking) = mean + idle_push*radius
+      end do
+   end subroutine find_strains
+
+   !> Energy that the loss of stiffness sets free: of E1, and of E2 and G12
+   pure subroutine add_energies(self, shear, normal, before, after, share, history)
+      type(strain_damage_type), intent(in) :: self
+      !> Shear strain 12
+      real(wp), intent(in) :: shear(lanes)
+      !> Normal stresses on what remains
+      real(wp), intent(in) :: normal(lanes, 3)
+      !> What remained and what remains, by mechanism
+      real(wp), intent(in) :: before(lanes, strain_mechanisms), after(lanes, strain_mechanisms)
+      real(wp), intent(in) :: share(lanes, strain_mechanisms)
+      real(wp), intent(inout) :: history(lanes, *)
+
+      real(wp) :: force(2), lost(2), mean(strain_mechanisms), own, loss(strain_mechanisms)
+      integer :: l
+
+      !$omp simd private(force, lost, mean, own, loss)
+      do l = 1, lanes
+         loss(:) = share(l, :)*(before(l, :) - after(l, :))
+         mean(:) = 0.5_wp*(before(l, :) + after(l, :))
+         lost(:) = loss(:by_matrix)*mean(by_locking) + mean(:by_matrix)*loss(by_locking)
+         force(1) = 0.5_wp*self%secant%compliance(l, 1)*normal(l, 1)**2
+         force(2) = 0.5_wp*(self%secant%compliance(l, 2)*normal(l, 2)**2 &
+            & + self%secant%shear(l, 1)*shear(l)**2)
+         own = merge(1.0_wp, 0.0_wp, self%owns(l))
+         history(l, along_energy) = history(l, along_energy) + own*lost(1)*force(1)
+         history(l, across_energy) = history(l, across_energy) + own*lost(2)*force(2)
+         history(l, histories) = history(l, histories) &
+            & + own*(lost(1)*force(1) + lost(2)*force(2))
+      end do
+   end subroutine add_energies
+
+   !> Stress of the lanes that the law owns
+   pure subroutine give_stress(self, strain, normal, remains, stress)
+      type(strain_damage_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes, 6), normal(lanes, 3)
+      !> R1 and R2
+      real(wp), intent(in) :: remains(lanes, 2)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: new(6)
+      integer :: k, l
+
+      !$omp simd private(k, new)
+      do l = 1, lanes
+         new(1) = remains(l, 1)*normal(l, 1)
+         new(2) = remains(l, 2)*normal(l, 2)
+         new(3) = normal(l, 3)
+         new(4) = remains(l, 2)*self%secant%shear(l, 1)*strain(l, 4)
+         new(5) = self%secant%shear(l, 2)*strain(l, 5)
+         new(6) = self%secant%shear(l, 3)*strain(l, 6)
+         do k = 1, 6
+            stress(l, k) = merge(new(k), stress(l, k), self%owns(l))
+         end do
+      end do
+   end subroutine give_stress
+
+end module plydyn_law_strain_damage
