@@ -12,7 +12,6 @@ module plydyn_domain_build
    use plydyn_domain_columns, only : new_columns, new_solid_columns
    use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_interfaces, only : new_interfaces
-   use plydyn_domain_layers, only : check_same_structure, new_layers
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
       & new_pressure_load, new_segment_load, order_load
    use plydyn_domain_masses, only : add_masses
@@ -23,6 +22,7 @@ module plydyn_domain_build
    use plydyn_domain_surfaces, only : new_brick_surface, new_surface
    use plydyn_element_interface, only : history_size, interface_type
    use plydyn_element_plate, only : plate_type, quad_histories
+   use plydyn_model_layers, only : new_layers
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
@@ -53,8 +53,7 @@ contains
          call build_laminates(model, domain, error)
          if (allocated(error)) return
       end if
-      call build_supports(model, domain, error)
-      if (allocated(error)) return
+      call build_supports(model, domain)
       call build_loads(model, domain)
       if (size(domain%bricks) > 0) then
          domain%limit = find_brick_limit(model, domain)
@@ -74,8 +73,6 @@ contains
       type(domain_type), intent(inout) :: domain
       type(error_type), allocatable, intent(out) :: error
 
-      call check_same_structure(model%parts, error)
-      if (allocated(error)) return
       domain%layers = new_layers(model%parts(1))
       domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
       allocate (domain%bricks(0))
@@ -220,45 +217,17 @@ contains
    end subroutine tie_layers
 
    !> Held places and prescribed motions
-   subroutine build_supports(model, domain, error)
+   subroutine build_supports(model, domain)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
-      type(error_type), allocatable, intent(out) :: error
       integer :: i
 
-      call held_freedoms(model%holds, domain%layers, domain%columns, domain%held, error)
-      if (allocated(error)) return
+      domain%held = held_freedoms(model%holds, domain%layers, domain%columns)
       allocate (domain%motions(size(model%motions)))
       do i = 1, size(model%motions)
          domain%motions(i) = new_prescribed(model%motions(i), domain%layers, domain%columns)
       end do
-      call check_motions(model, domain, error)
    end subroutine build_supports
-
-   !> A point cannot be held and moved, or moved twice, in one direction
-   subroutine check_motions(model, domain, error)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: taken(domain%columns%freedoms)
-      integer :: m, n
-
-      taken(:) = .false.
-      taken(domain%held) = .true.
-      do m = 1, size(domain%motions)
-         associate (motion => model%motions(m), freedom => domain%motions(m)%freedom)
-            do n = 1, size(freedom)
-               if (.not. taken(freedom(n))) cycle
-               call fail(error, exit_input, "node "//text(model%mesh%node_id(motion%nodes( &
-                  & 1 + mod(n - 1, size(motion%nodes)))))//" is held and moved, or moved twice, " &
-                  & //"in direction "//text(motion%direction)//": leave it in one of them")
-               return
-            end do
-            taken(freedom) = .true.
-         end associate
-      end do
-   end subroutine check_motions
 
    !> Forces on points
    subroutine build_loads(model, domain)

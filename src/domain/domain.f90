@@ -3,7 +3,6 @@ module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
    use plydyn_domain_columns, only : columns_type, front
-   use plydyn_domain_layers, only : layers_type
    use plydyn_domain_links, only : links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_brick, only : bricks_type
@@ -12,6 +11,7 @@ module plydyn_domain_domain
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_layers, only : layers_type
    implicit none
    private
 

@@ -4,10 +4,10 @@ module plydyn_domain_loads
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : load_type
-   use plydyn_domain_layers, only : layers_type
    use plydyn_domain_supports, only : face_point
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
+   use plydyn_model_layers, only : layers_type
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
       & pressure_type, segment_load_type
    use plydyn_model_mesh, only : mesh_type

@@ -4,9 +4,9 @@ module plydyn_domain_masses
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_layers, only : layers_type
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_node_area
+   use plydyn_model_layers, only : layers_type
    use plydyn_model_model, only : model_type
    implicit none
    private

@@ -6,12 +6,12 @@ module plydyn_domain_plates
    use plydyn_domain_chunks, only : divide_quads
    use plydyn_domain_columns, only : columns_type, family_type
    use plydyn_domain_laws, only : new_laws
-   use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type

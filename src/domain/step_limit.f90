@@ -2,13 +2,13 @@
 module plydyn_domain_step_limit
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type, step_limit_type
-   use plydyn_domain_layers, only : layers_type, new_layers
    use plydyn_domain_masses, only : surface_density
    use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness
+   use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_model, only : model_type
    implicit none
    private

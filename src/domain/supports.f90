@@ -1,20 +1,14 @@
 !> Supports and prescribed motions as places in the arrays of motion.
 module plydyn_domain_supports
-   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : prescribed_type
-   use plydyn_domain_layers, only : layers_type
-   use plydyn_model_support, only : all_planes, bottom_face, hold_type, motion_type, one_plane, &
-      & top_face
+   use plydyn_model_layers, only : layers_type
+   use plydyn_model_support, only : bottom_face, hold_type, motion_type, one_plane, top_face
    implicit none
    private
 
    public :: face_point, held_freedoms, new_prescribed
-
-   !> Share of the laminate's thickness within which a plane meets a thickness node
-   real(wp), parameter :: on_plane = 1.0e-6_wp
 
 contains
 
@@ -37,20 +31,18 @@ contains
       real(wp), intent(in) :: height
       integer, allocatable :: points(:, :)
 
-      real(wp) :: margin
       integer :: k, t
 
       if (face == bottom_face .or. face == top_face) then
          points = reshape(face_point(layers, face), [2, 1])
          return
       end if
-      margin = on_plane*(layers%top(size(layers%top)) - layers%bottom(1))
       allocate (points(2, 0))
       do k = 1, size(layers%order)
          do t = 1, layers%order(k) + 1
             ! the node of a brick has no height within a layer
             if (face == one_plane) then
-               if (abs(layers%height(k, t) - height) > margin) cycle
+               if (.not. layers%coincide(layers%height(k, t), height)) cycle
             end if
             points = reshape([points, k, t], [2, size(points, 2) + 1])
          end do
@@ -58,17 +50,14 @@ contains
    end function points_of
 
    !> Places in the arrays of motion that do not move, each once, in rising order
-   subroutine held_freedoms(holds, layers, columns, held, error)
+   pure function held_freedoms(holds, layers, columns) result(held)
       !> Supports
       type(hold_type), intent(in) :: holds(:)
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The places
-      integer, allocatable, intent(out) :: held(:)
-      !> A plane on which there are no points
-      type(error_type), allocatable, intent(out) :: error
+      integer, allocatable :: held(:)
 
       logical, allocatable :: is_held(:)
       integer, allocatable :: points(:, :)
@@ -78,11 +67,6 @@ contains
       is_held(:) = .false.
       do h = 1, size(holds)
          points = points_of(layers, holds(h)%face, holds(h)%height)
-         if (size(points) == 0) then
-            call fail(error, exit_input, "a support holds the plane at height " &
-               & //text(holds(h)%height)//", but no thickness node lies there")
-            return
-         end if
          do c = 1, 3
             if (.not. holds(h)%direction(c)) cycle
             do k = 1, size(points, 2)
@@ -91,7 +75,7 @@ contains
          end do
       end do
       held = pack([(i, i=1, size(is_held))], is_held)
-   end subroutine held_freedoms
+   end function held_freedoms
 
    !> A prescribed motion on its points
    pure function new_prescribed(motion, layers, columns) result(self)
@@ -111,7 +95,7 @@ contains
       self%scale = motion%scale
       self%birth = motion%birth
       self%death = motion%death
-      points = points_of(layers, merge(motion%face, all_planes, motion%face /= one_plane), 0.0_wp)
+      points = points_of(layers, motion%face, 0.0_wp)
       allocate (self%freedom(0), self%mass(0))
       do k = 1, size(points, 2)
          self%freedom = [self%freedom, &

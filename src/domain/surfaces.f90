@@ -3,9 +3,9 @@ module plydyn_domain_surfaces
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
-   use plydyn_domain_layers, only : layers_type
    use plydyn_domain_supports, only : face_point
    use plydyn_model_impactor, only : contact_type
+   use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_outer_faces, only : faces_of_part
    implicit none

@@ -10,7 +10,7 @@ module plydyn_input_check_model
    use plydyn_input_check_mesh, only : check_mesh
    use plydyn_input_check_solid, only : check_bricks
    use plydyn_input_check_units, only : check_units
-   use plydyn_model_layup, only : faces_tied, part_type
+   use plydyn_model_layers, only : is_same_structure, new_layers
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -142,7 +142,7 @@ contains
       end do
       if (size(model%mesh%brick_id) > 0) return
       do i = 2, size(model%parts)
-         if (is_alike(model%parts(1), model%parts(i))) cycle
+         if (is_same_structure(new_layers(model%parts(1)), new_layers(model%parts(i)))) cycle
          place%line = catalogue%registers(a_part)%line(i)
          call catalogue%report%refuse(place, "part "//text(model%parts(i)%id) &
             & //" has other layers than part "//text(model%parts(1)%id), "plies of the same " &
@@ -150,39 +150,5 @@ contains
             & //"materials may differ", catalogue%registers(a_part)%line(1))
       end do
    end subroutine check_parts
-
-   !> True when two parts have their points at the same heights and the same joints
-   pure logical function is_alike(one, other)
-      type(part_type), intent(in) :: one, other
-
-      !> Share of a thickness by which layers may differ
-      real(wp), parameter :: slack = 1.0e-9_wp
-      real(wp), allocatable :: a(:, :), b(:, :)
-
-      a = numerical_layers(one)
-      b = numerical_layers(other)
-      is_alike = size(a) == size(b) .and. (one%lobatto .eqv. other%lobatto) &
-         & .and. abs(one%bottom_offset - other%bottom_offset) <= slack
-      if (is_alike) is_alike = all(abs(a - b) <= slack*spread(a(1, :), 1, 3))
-   end function is_alike
-
-   !> Thickness, order and what joins each numerical layer to the next one, (3, layers)
-   pure function numerical_layers(part) result(layers)
-      type(part_type), intent(in) :: part
-      real(wp), allocatable :: layers(:, :)
-
-      integer :: k, n, ply
-
-      allocate (layers(3, sum(part%plies%layers)))
-      n = 0
-      do ply = 1, size(part%plies)
-         do k = 1, part%plies(ply)%layers
-            n = n + 1
-            layers(:, n) = [part%plies(ply)%thickness/part%plies(ply)%layers, &
-               & real(part%plies(ply)%order, wp), real(faces_tied, wp)]
-         end do
-         if (ply < size(part%plies)) layers(3, n) = real(part%joint(ply), wp)
-      end do
-   end function numerical_layers
 
 end module plydyn_input_check_model

@@ -3,11 +3,14 @@ module plydyn_input_read_support
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, catalogue_type
    use plydyn_input_read_load, only : find_curve
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_support, only : all_planes, hold_type, initial_velocity_type, motion_type, &
-      & one_plane
+   use plydyn_model_layers, only : layers_type, new_layers
+   use plydyn_model_layup, only : part_type
+   use plydyn_model_support, only : all_planes, bottom_face, hold_type, initial_velocity_type, &
+      & motion_type, one_plane, top_face
    implicit none
    private
 
@@ -43,9 +46,11 @@ contains
    end subroutine read_boundary_spc_set
 
    !> *BOUNDARY_FACE: one face or plane held
-   subroutine read_boundary_face(cards, catalogue, holds)
+   subroutine read_boundary_face(cards, catalogue, parts, holds)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      !> All laminates, with their layers
+      type(part_type), intent(in) :: parts(:)
       type(hold_type), allocatable, intent(inout) :: holds(:)
 
       type(hold_type) :: hold
@@ -59,9 +64,38 @@ contains
             call catalogue%refuse(cards, "Z", "Z is given for a face", &
                & "0; a height is for FACE 0 only", nth)
          end if
+         call find_plane(cards, nth, catalogue, parts, hold)
          holds = [holds, hold]
       end do
    end subroutine read_boundary_face
+
+   !> A plane meets thickness nodes; one at a face of the laminate is that face
+   subroutine find_plane(cards, nth, catalogue, parts, hold)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      !> All laminates: their points are at the same heights
+      type(part_type), intent(in) :: parts(:)
+      !> The support
+      type(hold_type), intent(inout) :: hold
+
+      type(layers_type) :: layers
+
+      ! parts may not be whole where something was refused
+      if (hold%face /= one_plane .or. size(parts) == 0 .or. catalogue%report%has_errors()) return
+      layers = new_layers(parts(1))
+      associate (nearest => layers%nearest_node(hold%height))
+         if (.not. layers%coincide(nearest, hold%height)) then
+            call catalogue%refuse(cards, "Z", "no thickness node lies at this height", &
+               & "the height of one, such as "//number_words(nearest), nth)
+         else if (layers%coincide(nearest, layers%bottom(1))) then
+            hold%face = bottom_face
+         else if (layers%coincide(nearest, layers%top(size(layers%top)))) then
+            hold%face = top_face
+         end if
+      end associate
+   end subroutine find_plane
 
    !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
    subroutine read_boundary_prescribed_motion_set(cards, catalogue, holds, motions)
@@ -212,7 +246,7 @@ contains
          & nth)
    end subroutine check_free
 
-   !> True when two choices of faces surely have points in common; planes may have or not
+   !> True when two choices of faces have points in common; planes are none of the faces
    pure logical function share_points(one, other)
       !> Which thickness points
       integer, intent(in) :: one, other

@@ -33,7 +33,7 @@ contains
       case ("BOUNDARY_SPC_SET")
          call read_boundary_spc_set(cards, catalogue, model%holds)
       case ("BOUNDARY_FACE")
-         call read_boundary_face(cards, catalogue, model%holds)
+         call read_boundary_face(cards, catalogue, model%parts, model%holds)
       case ("INITIAL_DELAMINATION", "INITIAL_DAMAGE")
          call read_initial_damage(cards, catalogue, model)
       case ("INITIAL_VELOCITY")

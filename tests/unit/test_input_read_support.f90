@@ -31,6 +31,11 @@ program test_input_read_support
    call check(model%holds(2)%height, 0.25_wp, 0.0_wp, "height")
    call check(all(model%holds(1)%direction .eqv. [.false., .false., .true.]), "directions")
 
+   call read_plate(edge//"*BOUNDARY_FACE|1,0,-0.5,0,0,1|1,0,0.5,1,0,0|")
+   call check(all(model%holds%face == [bottom_face, top_face]), "planes at faces are faces")
+   call read_plate(edge//"*BOUNDARY_FACE|1,0,0.3,1,0,0|")
+   call check_error(error, "no thickness node lies at this height", "a plane between nodes")
+
    call begin("read_boundary_prescribed_motion_set")
    call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,-2.0,0,0.5,0.1|1,1,1,3|")
    call check(.not. allocated(error), "is read")

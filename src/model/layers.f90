@@ -1,14 +1,12 @@
 !> The numerical layers of a laminate, and how they meet.
-module plydyn_domain_layers
-   use plydyn_base_error, only : error_type, exit_input, fail
+module plydyn_model_layers
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
    use plydyn_fem_expansion, only : thickness_nodes
    use plydyn_model_layup, only : faces_tied, part_type
    implicit none
    private
 
-   public :: check_same_structure, new_layers
+   public :: is_same_structure, new_layers
 
    !> Numerical layers from the bottom up
    type, public :: layers_type
@@ -24,10 +22,14 @@ module plydyn_domain_layers
       logical :: lobatto = .false.
    contains
       procedure :: height
+      procedure :: nearest_node
+      procedure :: coincide
    end type layers_type
 
-   !> Relative difference below which two heights are the same
+   !> Share of a layer's thickness below which two parts have a face at the same height
    real(wp), parameter :: same_height = 1.0e-9_wp
+   !> Share of the laminate's thickness within which a plane meets a thickness node
+   real(wp), parameter :: on_plane = 1.0e-6_wp
 
 contains
 
@@ -75,29 +77,36 @@ contains
          & + (1.0_wp + place(level))*self%top(layer))
    end function height
 
-   !> All parts of a model share one arrangement of points through the thickness
-   subroutine check_same_structure(parts, error)
-      !> The laminates
-      type(part_type), intent(in) :: parts(:)
-      !> Names the first part that differs
-      type(error_type), allocatable, intent(out) :: error
+   !> Height of the thickness node that is nearest to a plane
+   pure real(wp) function nearest_node(self, plane) result(nearest)
+      class(layers_type), intent(in) :: self
+      !> Height above the plane of the nodes
+      real(wp), intent(in) :: plane
 
-      type(layers_type) :: first, other
-      integer :: p
+      integer :: k, t
 
-      first = new_layers(parts(1))
-      do p = 2, size(parts)
-         other = new_layers(parts(p))
-         if (is_same_structure(first, other)) cycle
-         call fail(error, exit_input, "part "//text(parts(p)%id)//" has other layers than part " &
-            & //text(parts(1)%id)//": the parts of a model must agree in the thickness, order and" &
-            & //" number of their layers and in their joints; angles and materials may differ")
-         return
+      nearest = self%bottom(1)
+      do k = 1, size(self%order)
+         do t = 1, self%order(k) + 1
+            associate (here => self%height(k, t))
+               if (abs(here - plane) < abs(nearest - plane)) nearest = here
+            end associate
+         end do
       end do
-   end subroutine check_same_structure
+   end function nearest_node
+
+   !> Whether two heights are one
+   elemental logical function coincide(self, one, other)
+      class(layers_type), intent(in) :: self
+      !> Heights above the plane of the nodes
+      real(wp), intent(in) :: one, other
+
+      coincide = abs(one - other) <= on_plane*(self%top(size(self%top)) - self%bottom(1))
+   end function coincide
 
    !> Whether two stacks have their points at the same heights, joined alike
    pure logical function is_same_structure(a, b) result(same)
+      !> The stacks
       type(layers_type), intent(in) :: a, b
 
       same = size(a%order) == size(b%order) .and. (a%lobatto .eqv. b%lobatto)
@@ -107,4 +116,4 @@ contains
          & .and. all(abs(a%top - b%top) <= same_height*(a%top - a%bottom))
    end function is_same_structure
 
-end module plydyn_domain_layers
+end module plydyn_model_layers
