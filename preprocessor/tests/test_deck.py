@@ -287,6 +287,7 @@ def test_a_ply_that_is_damaged_says_all_that_it_is(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
     ply = replace(ply, shear="exponential", width_rule="gauss_point", closure=True, G2S=0.79)
+    ply = replace(ply, brittle=0.4)
     cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
     assert [line.split() for line in cards] == [
         ["ply"],
@@ -296,6 +297,7 @@ def test_a_ply_that_is_damaged_says_all_that_it_is(
         ["91.6", "79.9", "0.22", "1.1", "0.0", "0.999999", "0.79"],
         ["1", "0", "0.05", "0.0", "0.0"],
         ["1", "0", "1.05", "0", "0", "1", "0.0", "0"],
+        ["0.4"],
     ]
 
 

@@ -111,6 +111,10 @@ contains
          & //"below 1", default=0.0_wp, least=0.0_wp, most=0.99_wp)
       call keyword%add_integer("GZ", "shear across the thickness: 0 weakened by damage; 1 not", &
          & default=0, allowed=[0, 1])
+      call keyword%add_card(optional=.true.)
+      call keyword%add_real("BRITTLE", "-", "share of XC from which the stress of crushed fibres " &
+         & //"drops to nothing, from 0 (never) to below 1; 0 with PLATEAU", default=0.0_wp, &
+         & least=0.0_wp, most=0.99_wp)
    end subroutine add_switch_card
 
    !> Ply whose damage begins and ends at strains of the deck

@@ -104,6 +104,11 @@ contains
       ply%intact_onset = choice(cards, "TRIAL") == 1
       ply%closes = choice(cards, "CLOSE") == 1
       ply%plateau = cards%real("PLATEAU")
+      ply%brittle = cards%real("BRITTLE")
+      if (min(ply%plateau, ply%brittle) > 0.0_wp) then
+         call catalogue%refuse(cards, "BRITTLE", "crushed fibres cannot keep PLATEAU "// &
+            & number_words(ply%plateau)//" and drop", "0 for one of the two")
+      end if
       ply%weakens_across = choice(cards, "GZ") == 0
       if (ply%onset == onset_hashin .and. cards%is_fine("ST") &
          & .and. ply%cross_strength <= 0.0_wp) then

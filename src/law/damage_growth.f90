@@ -1,4 +1,5 @@
-!> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau.
+!> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau, or
+!> drops to zero from somewhere along the line.
 module plydyn_law_damage_growth
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -16,10 +17,13 @@ module plydyn_law_damage_growth
 contains
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
-   !> (finish - strain)/(finish - onset) or the plateau, whichever is more (theory 1.5 and 1.10 ii).
-   pure subroutine grow(plateau, strain, mode, share)
+   !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
+   !> less than the brittle share (theory 1.5 and 1.10).
+   pure subroutine grow(plateau, brittle, strain, mode, share)
       !> Share of the strength that remains, by mode, when onset was in compression
       real(wp), intent(in) :: plateau(lanes, 2)
+      !> Share of the strength from which it drops to zero, likewise
+      real(wp), intent(in) :: brittle(lanes, 2)
       !> Equivalent strain of each mode
       real(wp), intent(in) :: strain(lanes, 2)
       !> History of each mode
@@ -28,17 +32,19 @@ contains
       !> makes the end value of the driving force its mean when all strains grow in proportion
       real(wp), intent(out) :: share(lanes, 2)
 
-      real(wp) :: damage, fall, floor, intact, last, left, now, onset, part, rise
+      real(wp) :: cut, damage, fall, floor, intact, last, left, now, onset, part, rise
       integer :: k, l
 
       do k = 1, 2
-         !$omp simd private(damage, fall, floor, intact, last, left, now, onset, part, rise)
+         !$omp simd private(cut, damage, fall, floor, intact, last, left, now, onset, part, &
+         !$omp& rise)
          do l = 1, lanes
             damage = mode(l, of_damage, k)
             onset = abs(mode(l, of_onset, k))
             last = mode(l, of_finish, k)
             fall = last - onset
             floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
 
             ! the old damage stands for the strain rise/part, on the line or on the plateau
             left = max(last - damage*fall, small)
@@ -48,7 +54,9 @@ contains
             share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
 
             now = max(strain(l, k), onset, small)
-            damage = max(damage, 1.0_wp - onset*max(last - now, floor*fall)/max(now*fall, small))
+            left = max(last - now, floor*fall)
+            left = merge(0.0_wp, left, left < cut*fall)
+            damage = max(damage, 1.0_wp - onset*left/max(now*fall, small))
             mode(l, of_damage, k) = merge(min(damage, 1.0_wp), mode(l, of_damage, k), &
                & fall > 0.0_wp)
          end do

@@ -27,6 +27,8 @@ module plydyn_law_damage_onset
       real(wp) :: shear_toughness(lanes, 2) = 1.0_wp
       !> Least ratio of the strains at the end and at onset; 0: any
       real(wp) :: ratio(lanes) = 0.0_wp
+      !> Square of the share of strength from which the stress of crushed fibres drops
+      real(wp) :: brittle(lanes) = 0.0_wp
    contains
       procedure :: set_lane
       procedure :: find_onset
@@ -72,6 +74,7 @@ contains
       self%fibre_toughness(lane, :) = 2.0_wp*constants%fibre_toughness
       self%fibre_toughness(lane, in_compression) = &
          & self%fibre_toughness(lane, in_compression)/(1.0_wp - constants%plateau)**2
+      self%brittle(lane) = constants%brittle**2
       self%matrix_toughness(lane, :) = 2.0_wp*constants%matrix_toughness
       self%shear_toughness(lane, :) = self%matrix_toughness(lane, :)
       if (constants%shear_toughness > 0.0_wp) then
@@ -144,7 +147,7 @@ contains
       !> Strain at onset, negative in compression, and strain at the end, positive
       real(wp), intent(out) :: onset, finish
 
-      real(wp) :: criterion, scale, size, toughness
+      real(wp) :: criterion, cut, scale, size, toughness
       integer :: sense
 
       sense = merge(in_tension, in_compression, stress >= 0.0_wp)
@@ -155,6 +158,9 @@ contains
          & self%ratio(lane)*abs(stress)*size/toughness)
       scale = 1.0_wp/sqrt(criterion)
       finish = max(toughness/(scale*abs(stress)), scale*size*at_once)
+      ! a drop leaves out the end of the line, which must then end later
+      cut = merge(0.0_wp, self%brittle(lane), sense == in_tension)
+      finish = (finish - cut*scale*size)/(1.0_wp - cut)
       onset = sign(scale*size, stress)
    end subroutine begin_fibre
 

@@ -52,6 +52,8 @@ module plydyn_law_ply_constants
       logical :: closes = .false.
       !> Share of the strength that crushed fibres keep in compression
       real(wp) :: plateau = 0.0_wp
+      !> Share of the strength from which their stress drops to zero; one of the two is 0
+      real(wp) :: brittle = 0.0_wp
       !> Damage also weakens the shear across the thickness
       logical :: weakens_across = .true.
       !> Least part of a stiffness that remains
@@ -94,6 +96,10 @@ contains
          words = "Hashin's onset in compression needs S23 above 0"
       else if (self%plateau < 0.0_wp .or. self%plateau >= 1.0_wp) then
          words = "the share of strength kept in compression must be from 0 to below 1"
+      else if (self%brittle < 0.0_wp .or. self%brittle >= 1.0_wp &
+         & .or. min(self%plateau, self%brittle) > 0.0_wp) then
+         words = "the share of strength from which stress drops must be from 0 to below 1, and 0 " &
+            & //"with a plateau"
       else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp) then
          words = "the least part of a stiffness that remains must be between 0 and 1"
       else if (self%snap_ratio < 1.0_wp) then

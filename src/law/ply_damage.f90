@@ -23,6 +23,8 @@ module plydyn_law_ply_damage
       private
       !> Share of the strength that crushed fibres keep, and crushed matrix: none
       real(wp) :: plateau(lanes, 2) = 0.0_wp
+      !> Share of the strength from which their stress drops to zero
+      real(wp) :: brittle(lanes, 2) = 0.0_wp
       !> Least part of a stiffness that remains
       real(wp) :: residual(lanes) = 1.0_wp
       !> 1 where damage weakens G13 and G23, else 0
@@ -77,6 +79,7 @@ contains
       call self%ply%curve%set_lane(lane, constants%shear(1), constants%curve)
       call self%ply%onset%set_lane(lane, constants)
       self%plateau(lane, 1) = constants%plateau
+      self%brittle(lane, 1) = constants%brittle
       self%residual(lane) = constants%residual
       self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
@@ -255,7 +258,7 @@ contains
          size(l, 1) = abs(e(l, 1))
          size(l, 2) = sqrt(e(l, 2)**2 + now%shear(l, 2)**2)
       end do
-      call grow(self%plateau, size, h(:, fibre_damage:matrix_finish), share)
+      call grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish), share)
       ! where cracks close, another damage may meet the strain of the step at once
       if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
       call find_remains(self%residual, self%any_closes, h, now%sense, now%after)

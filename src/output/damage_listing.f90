@@ -103,8 +103,8 @@ contains
          call table%put(strength(mode)*minval(early))
          call table%put(strength(mode)*early(1)/modulus(mode))
          do k = 1, 2
-            call table%put(end_share(longest(mode), width(k), early(k))*strength(mode) &
-               & /modulus(mode))
+            call table%put(last_share(ply, mode, end_share(longest(mode), width(k), early(k)), &
+               & early(k))*strength(mode)/modulus(mode))
          end do
          call table%put(band%too_wide(mode))
       end do
@@ -146,6 +146,17 @@ contains
 
       share = max(longest/(width*early), early)
    end function end_share
+
+   !> Strain at which no stress is left, likewise: where the stress drops, that of the drop
+   pure real(wp) function last_share(ply, mode, share, early) result(last)
+      type(ply_constants_type), intent(in) :: ply
+      integer, intent(in) :: mode
+      !> Share where the line of softening would meet zero, and that at onset
+      real(wp), intent(in) :: share, early
+
+      last = share
+      if (mode == in_compression) last = (share + ply%brittle*early)/(1.0_wp + ply%brittle)
+   end function last_share
 
    !> What is done where the band is too wide
    subroutine write_snap_back(unit, material, band)

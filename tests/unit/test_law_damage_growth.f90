@@ -15,6 +15,7 @@ program test_law_damage_growth
 
    call test_grow()
    call test_plateau()
+   call test_brittle()
    call finish()
 
 contains
@@ -22,15 +23,17 @@ contains
    !> One mode from onset to the end and back, and one that has not begun
    subroutine test_grow()
       real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp
-      real(wp) :: damage, mode(lanes, 3, 2), plateau(lanes, 2), share(lanes, 2), strain(lanes, 2)
+      real(wp) :: brittle(lanes, 2), damage, mode(lanes, 3, 2), plateau(lanes, 2)
+      real(wp) :: share(lanes, 2), strain(lanes, 2)
 
       call begin("grow")
       mode(:, :, :) = 0.0_wp
       mode(:, 2, 1) = onset
       mode(:, 3, 1) = last
       plateau(:, :) = 0.3_wp
+      brittle(:, :) = 0.0_wp
       strain(:, :) = 0.03_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       ! half of the strength at three times the strain
       call check(mode(:, 1, 1), spread(5.0_wp/6.0_wp, 1, lanes), 1.0e-15_wp, &
          & "leaves the secant to the falling line; a plateau is for compression")
@@ -38,27 +41,27 @@ contains
       call check(maxval(abs(mode(:, 1, 2))), 0.0_wp, 0.0_wp, "does nothing before onset")
       damage = mode(1, 1, 1)
       strain(:, 1) = 0.02_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(mode(1, 1, 1), damage, 0.0_wp, "does not heal")
       strain(:, 1) = 0.04_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(share(1, 1), 0.75_wp, 1.0e-14_wp, "goes on from where it was")
       strain(:, 1) = 0.07_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "ends with all")
       call check(share(1, 1), 4.0_wp/7.0_wp, 1.0e-14_wp, "from the last strain that it knew")
       strain(:, 1) = 0.09_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "and not with more")
 
       mode(:, 2, 1) = -onset
       mode(:, 1, 1) = 0.0_wp
       strain(:, 1) = 0.06_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp - 0.3_wp*onset/0.06_wp, 1.0e-15_wp, &
          & "keeps the plateau in compression")
       strain(:, 1) = 0.08_wp
-      call grow(plateau, strain, mode, share)
+      call grow(plateau, brittle, strain, mode, share)
       call check(share(1, 1), 0.75_wp, 1.0e-14_wp, "goes on along the plateau")
    end subroutine test_grow
 
@@ -95,6 +98,43 @@ contains
       call point%pull(1, 1.05_wp*2.0_wp*91.6_wp/2537.0_wp, 0.0_wp)
       call check(damage(point), 1.0_wp, 0.0_wp, "is not there in tension")
    end subroutine test_plateau
+
+   !> Crushed fibres lose the rest of their stress at once (theory 1.10 iii)
+   subroutine test_brittle()
+      real(wp), parameter :: share = 0.4_wp, strength = 1580.0_wp, toughness = 79.9_wp
+      type(point_type) :: point
+      type(ply_constants_type) :: ply
+      real(wp) :: onset, shed
+      integer :: i
+
+      call begin("brittle")
+      ply = paper_ply()
+      ply%brittle = share
+      ply%residual = 1.0e-9_wp
+      onset = strength/153.0e3_wp
+      ! triangle up to onset and trapezium beyond it are the toughness
+      shed = onset + 2.0_wp*(toughness/narrow(1) - 0.5_wp*strength*onset) &
+         & /(strength*(1.0_wp + share))
+      point = new_point(ply, narrow)
+      call point%pull(1, -0.5_wp*(onset + shed), 0.0_wp)
+      call check(point%stress(1), -0.5_wp*(1.0_wp + share)*strength, 1.0e-6_wp, "falls by a line")
+      call point%pull(1, -shed*(1.0_wp - 1.0e-9_wp), 0.0_wp)
+      call check(point%stress(1), -share*strength, 1.0e-5_wp, "to its share of the strength")
+      call point%pull(1, -shed*(1.0_wp + 1.0e-9_wp), 0.0_wp)
+      call check(point%stress(1), 0.0_wp, 1.01_wp*ply%residual*153.0e3_wp*shed, "and drops")
+      call check(damage(point), 1.0_wp, 0.0_wp, "broken")
+
+      point = new_point(ply, narrow)
+      do i = 1, steps
+         call point%pull(1, -1.1_wp*shed*real(i, wp)/real(steps, wp), 0.0_wp)
+      end do
+      ! the drop falls somewhere into one step
+      call check(point%dissipated()*narrow(1)/toughness, 1.0_wp, 4.0_wp/real(steps, wp), &
+         & "dissipates the toughness")
+      point = new_point(ply, narrow)
+      call point%pull(1, 2.0_wp*91.6_wp/2537.0_wp*(1.0_wp - 1.0e-6_wp), 0.0_wp)
+      call check(damage(point) < 1.0_wp, "is not there in tension")
+   end subroutine test_brittle
 
    !> Damage of the fibres of a point
    pure real(wp) function damage(point)

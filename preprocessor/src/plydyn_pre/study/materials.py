@@ -77,6 +77,7 @@ class PlyCodam2:
     onset: Literal["remaining", "intact"] = "remaining"  # whose stress starts damage
     closure: bool = False  # cracks close in compression, which has damage of its own
     plateau: float = 0.0  # share of XC that crushed fibres keep
+    brittle: float = 0.0  # share of XC from which their stress drops to nothing
     weakens_across: bool = True  # damage weakens G13 and G23
     title: str = ""
 
@@ -88,6 +89,7 @@ class PlyCodam2:
         require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
         hashin = self.matrix_compression == "hashin"
         require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
+        require(min(self.plateau, self.brittle) <= 0.0, "brittle", "0 with a plateau")
 
 
 @dataclass(frozen=True)
