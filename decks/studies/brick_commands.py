@@ -32,33 +32,40 @@ from studies.markdown import insert
 Models = Annotated[
     str, typer.Option("--models", help="Names of the recipes, such as le1,bricks_1; else all.")
 ]
-Core = Annotated[int, typer.Option("--core", help="Core to run on.")]
+Core = Annotated[
+    int | None, typer.Option("--core", help="Core to run on; else any.", show_default=False)
+]
+Kept = Annotated[bool, typer.Option("--kept", help="Run nothing: print what lies there.")]
 
 
 @app.command()
 def table2(
     output: Folder = DEFAULT / "table2",
     models: Models = "",
-    core: Core = 0,
+    kept: Kept = False,
+    core: Core = None,
     into: Into = None,
     plydyn: Solver = None,
     overrides: Overrides = None,
 ) -> None:
-    """The elastic plate of layers and of bricks; all models take hours on one core."""
-    _compare("table2", pick(TABLE_2, models), (output, core, into, plydyn, overrides))
+    """The elastic plate of layers and of bricks; all models take about an hour on one core."""
+    wanted = [] if kept else pick(TABLE_2, models)
+    _compare("table2", (TABLE_2, wanted), (output, core, into, plydyn, overrides))
 
 
 @app.command()
 def table4(
     output: Folder = DEFAULT / "table4",
     models: Models = "",
-    core: Core = 0,
+    kept: Kept = False,
+    core: Core = None,
     into: Into = None,
     plydyn: Solver = None,
     overrides: Overrides = None,
 ) -> None:
     """The bimetallic plate of layers and of bricks; all models take about an hour on one core."""
-    _compare("table4", pick(TABLE_4, models), (output, core, into, plydyn, overrides))
+    wanted = [] if kept else pick(TABLE_4, models)
+    _compare("table4", (TABLE_4, wanted), (output, core, into, plydyn, overrides))
 
 
 @app.command()
@@ -90,20 +97,24 @@ def pick(rows: Sequence[Row], names: str) -> list[Row]:
     return [row for name, row in known.items() if name in wanted]
 
 
-_Common = tuple[Path, int, Path | None, Path | None, list[str] | None]
+_Common = tuple[Path, int | None, Path | None, Path | None, list[str] | None]
 
 
-def _compare(name: str, rows: Sequence[Row], common: _Common) -> None:
-    """Run the models of a table, one after the other, and tell what came out."""
+def _compare(name: str, rows: tuple[Sequence[Row], Sequence[Row]], common: _Common) -> None:
+    """Run the wanted models of a table, and tell what came out of all that have run."""
     output, core, into, plydyn, overrides = common
+    table, wanted = rows
     tools = find_tools(plydyn)
     with progress() as bar:
-        line = bar.add_task("", total=len(rows))
+        line = bar.add_task("", total=len(wanted))
 
         def tick(model: str, done: float) -> None:
             bar.update(line, completed=done, description=model)
 
-        found = bricks.measure(tools, output, rows, core, overrides or (), tick)
+        bricks.measure(tools, output, wanted, core, overrides or (), tick)
+    found = bricks.collect(output, table)
+    if not found:
+        raise StudyError(f"no model of {name} has run to its end in {output}")
     text = bricks.bricks_text(found, tools.version())
     tell(output / f"{name}.md", [(f"Table {name[-1]}", text)])
     if into:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -110,6 +111,8 @@ def run_job(
     words = [tools.solver, "run", deck, "-j", job.name, "-o", folder, f"ncpu={threads}"]
     if core is not None and shutil.which("taskset"):
         words = ["taskset", "-c", str(core), *words]
+    kept = folder / f"{job.name}.effort"
+    kept.unlink(missing_ok=True)
     start = time.perf_counter()
     with subprocess.Popen(
         words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
@@ -120,7 +123,9 @@ def run_job(
         process.returncode = os.waitstatus_to_exitcode(status)
     if process.returncode:
         raise StudyError(f"{job.name}: the solver left with {process.returncode}: {last.strip()}")
-    return read_effort(folder / f"{job.name}.out", wall, usage.ru_utime + usage.ru_stime)
+    took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
+    kept.write_text(json.dumps(took), encoding="utf-8")
+    return read_effort(folder / f"{job.name}.out", took["wall"], took["processor"])
 
 
 def _follow(process: subprocess.Popen[str], log: Path, tick: Tick) -> str:
@@ -145,6 +150,17 @@ def read_effort(listing: Path, wall: float, processor: float) -> Effort:
         steps=int(_number(listing, text, r"cycle (\d+), time")),
         freedoms=int(_number(listing, text, r"degrees of freedom\s+(\d+)")),
     )
+
+
+def kept_effort(job: Job, folder: Path) -> Effort | None:
+    """What the run of a job took that lies in a folder, if it came to its end."""
+    kept, listing = folder / f"{job.name}.effort", folder / f"{job.name}.out"
+    if not (kept.is_file() and listing.is_file()):
+        return None
+    if "\nnormal end" not in listing.read_text(encoding="utf-8"):
+        return None
+    took = json.loads(kept.read_text(encoding="utf-8"))
+    return read_effort(listing, took["wall"], took["processor"])
 
 
 def freedoms_of(results: Results) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 import subprocess
 from pathlib import Path
@@ -25,6 +26,12 @@ CARBON = pre.PlyElastic(
     G23=2800.0,
 )
 METAL = pre.PlasticKinematic(density=7.8e-9, young=210e3, poisson=0.3, yield_stress=210.0)
+
+DAMAGED = pre.PlyCodam2(
+    **dataclasses.asdict(CARBON)
+    | {"XT": 2500.0, "XC": 1500.0, "YT": 80.0, "YC": 230.0, "SL": 90.0}
+    | {"G1T": 90.0, "G1C": 80.0, "G2T": 0.2, "G2C": 1.1}
+)
 
 
 def plate(**changes: object) -> pre.Study:
@@ -70,6 +77,21 @@ def test_plies_of_one_direction_are_one_part() -> None:
     assert re.search(r"cid +iid +pid.*\n +1 +1 +1 ", deck)
     rows = deck[deck.index("*ELEMENT_SOLID") :].splitlines()[2:-1]
     assert [int(row[8:16]) for row in rows] == [1] * 16 + [2] * 16 + [1] * 16
+
+
+def test_bricks_of_damaged_plies_tell_their_axes() -> None:
+    """Along the fibres, and to the left of them."""
+    deck = text(plate(materials={"carbon": DAMAGED}))
+    assert deck.count("*MAT_PLY_CODAM2") == 2
+    rows = deck[deck.index("*ELEMENT_SOLID_ORTHO") :].splitlines()[2:-1]
+    assert len(rows) == 3 * 48
+    assert [int(row[8:16]) for row in rows[::3]] == [1] * 16 + [2] * 16 + [1] * 16
+    turned = [
+        [float(row[i : i + 16]) for i in (0, 16, 32)] for row in rows[16 * 3 + 1 : 16 * 3 + 3]
+    ]
+    half = np.sqrt(0.5)
+    assert turned[0] == pytest.approx([half, half, 0.0])
+    assert turned[1] == pytest.approx([-half, half, 0.0])
 
 
 def test_sets_stand_on_all_levels_or_on_one() -> None:

@@ -3,8 +3,10 @@ module plydyn_domain_bands
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_domain_brick_bands, only : brick_band_lengths
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_histories, only : band_lengths
+   use plydyn_element_brick, only : bricks_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_law_ply_constants, only : modes, snap_refuse
    use plydyn_model_material, only : law_ply_damage
@@ -18,7 +20,7 @@ module plydyn_domain_bands
    type, public :: band_type
       !> Narrowest and widest
       real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
-      !> Quad of the mesh and ply from the bottom of its part where the widest is
+      !> Quad or brick of the mesh, and ply from the bottom of its part, where the widest is
       integer :: quad(2) = 0, ply(2) = 0
       !> Gauss points, and those of them where the band is too wide, by mode
       integer :: points = 0, too_wide(modes) = 0
@@ -30,9 +32,9 @@ contains
    subroutine check_bands(model, domain, error)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain with its plates
+      !> The domain with its plates or bricks
       type(domain_type), intent(in) :: domain
-      !> Names the quad, the mode and the width that would be right
+      !> Names the quad or brick, the mode and the width that would be right
       type(error_type), allocatable, intent(out) :: error
 
       type(band_type) :: bands(size(model%materials))
@@ -51,24 +53,42 @@ contains
                call material%ply%refuse_snap_back(length, cause)
                if (.not. allocated(cause)) cycle
                call fail(error, exit_input, "error: "//material%place//": *"//material%keyword &
-                  & //" SNAP: in quad "//text(model%mesh%quad_id(band%quad(k)))//", ply " &
-                  & //text(band%ply(k))//" from the bottom, "//cause%message)
+                  & //" SNAP: in "//place_of(model, band, k)//", "//cause%message)
                return
             end do
          end associate
       end do
    end subroutine check_bands
 
+   !> Where the widest band is, in the user's numbers
+   pure function place_of(model, band, k) result(words)
+      type(model_type), intent(in) :: model
+      type(band_type), intent(in) :: band
+      !> Fibres or matrix
+      integer, intent(in) :: k
+      character(:), allocatable :: words
+
+      if (size(model%mesh%brick_id) > 0) then
+         words = "brick "//text(model%mesh%brick_id(band%quad(k)))
+      else
+         words = "quad "//text(model%mesh%quad_id(band%quad(k)))//", ply "//text(band%ply(k)) &
+            & //" from the bottom"
+      end if
+   end function place_of
+
    !> Crack bands of each material of the model
    function find_bands(model, domain) result(bands)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain with its plates
+      !> The domain with its plates or bricks
       type(domain_type), intent(in) :: domain
       type(band_type) :: bands(size(model%materials))
 
       integer :: b, p
 
+      do p = 1, size(domain%bricks)
+         call add_bricks(model, domain%bricks(p), bands)
+      end do
       do p = 1, size(domain%plates)
          do b = 1, size(domain%plates(p)%batches)
             call add_batch(model, domain, p, domain%plates(p)%batches(b), bands)
@@ -97,8 +117,8 @@ contains
                      do l = 1, lanes
                         if (law%band_rule(l) == 0 .or. batch%layer(l, block) == 0) cycle
                         ply = domain%layers%ply(batch%layer(l, block))
-                        call add_point(model, plate, p, ply, e, length(l, :), &
-                           & batch%expansion%order + 1, bands)
+                        call add_points(model, model%parts(p)%plies(ply)%material, &
+                           & [plate%quad(e), ply], length(l, :), batch%expansion%order + 1, bands)
                      end do
                   end do
                end do
@@ -107,33 +127,57 @@ contains
       end associate
    end subroutine add_batch
 
-   !> Add the bands of the Gauss points above each other at a place of a layer
-   pure subroutine add_point(model, plate, p, ply, e, length, levels, bands)
+   !> Add the bands of bricks of a part
+   subroutine add_bricks(model, bricks, bands)
       type(model_type), intent(in) :: model
-      type(plate_type), intent(in) :: plate
-      integer, intent(in) :: p, ply, e
+      type(bricks_type), intent(in) :: bricks
+      type(band_type), intent(inout) :: bands(:)
+
+      real(wp) :: length(lanes, 2)
+      integer :: e, i, l, m
+
+      if (size(bricks%laws) == 0) return
+      associate (law => bricks%laws(1)%law, material => model%parts(bricks%part)%plies(1)%material)
+         if (all(law%band_rule == 0)) return
+         do i = 1, size(bricks%shape)
+            do m = 1, bricks%points
+               length(:, :) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(i)), law, m)
+               do l = 1, min(lanes, size(bricks%brick) - lanes*(i - 1))
+                  e = bricks%brick(lanes*(i - 1) + l)
+                  call add_points(model, material, [e, 1], length(l, :), 1, bands)
+               end do
+            end do
+         end do
+      end associate
+   end subroutine add_bricks
+
+   !> Add the bands of points with one width, such as those above each other in a layer
+   pure subroutine add_points(model, material, place, length, points, bands)
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: material
+      !> Quad or brick, and ply
+      integer, intent(in) :: place(2)
+      !> Widths for fibres and for matrix
       real(wp), intent(in) :: length(2)
-      integer, intent(in) :: levels
+      integer, intent(in) :: points
       type(band_type), intent(inout) :: bands(:)
 
       integer :: k
 
-      associate (material => model%parts(p)%plies(ply)%material)
-         associate (band => bands(material))
-            do k = 1, 2
-               band%narrowest(k) = min(band%narrowest(k), length(k))
-               if (length(k) <= band%widest(k)) cycle
-               band%widest(k) = length(k)
-               band%quad(k) = plate%quad(e)
-               band%ply(k) = ply
-            end do
-            band%points = band%points + levels
-            if (model%materials(material)%law /= law_ply_damage) return
-            where (model%materials(material)%ply%snaps_back(length))
-               band%too_wide(:) = band%too_wide + levels
-            end where
-         end associate
+      associate (band => bands(material))
+         do k = 1, 2
+            band%narrowest(k) = min(band%narrowest(k), length(k))
+            if (length(k) <= band%widest(k)) cycle
+            band%widest(k) = length(k)
+            band%quad(k) = place(1)
+            band%ply(k) = place(2)
+         end do
+         band%points = band%points + points
+         if (model%materials(material)%law /= law_ply_damage) return
+         where (model%materials(material)%ply%snaps_back(length))
+            band%too_wide(:) = band%too_wide + points
+         end where
       end associate
-   end subroutine add_point
+   end subroutine add_points
 
 end module plydyn_domain_bands

@@ -38,7 +38,7 @@ contains
             do b = 1, size(bricks%shape)
                count = min(lanes, size(bricks%brick) - lanes*(b - 1))
                if (.not. seen(bricks%shape(b))) then
-                  call solve_batch(model, p, bricks, b, count, of_shape)
+                  call solve_batch(model, bricks, b, count, of_shape)
                   known(:, bricks%shape(b)) = of_shape
                   seen(bricks%shape(b)) = .true.
                end if
@@ -58,9 +58,9 @@ contains
    end function find_brick_limit
 
    !> Eigenvalues of the bricks of a batch; one that is like the lane before has its eigenvalue
-   subroutine solve_batch(model, p, bricks, batch, count, rate)
+   subroutine solve_batch(model, bricks, batch, count, rate)
       type(model_type), intent(in) :: model
-      integer, intent(in) :: p, batch, count
+      integer, intent(in) :: batch, count
       type(bricks_type), intent(in) :: bricks
       real(wp), intent(out) :: rate(lanes)
 
@@ -71,7 +71,7 @@ contains
       rate(:) = 0.0_wp
       do l = 1, count
          associate (node => model%mesh%brick_node(:, bricks%brick(lanes*(batch - 1) + l)))
-            mass(:) = reshape(spread(brick_density(model, p) &
+            mass(:) = reshape(spread(brick_density(model, bricks%part) &
                & *brick_shares(model%mesh%position(:, node)), 2, 3), [freedoms])
          end associate
          do j = 1, freedoms
@@ -82,7 +82,7 @@ contains
          rate(l) = certified_bound(k(:, :, l), power_iteration(k(:, :, l)))
          if (bricks%drag > 0.0_wp) then
             rate(l) = with_drag(rate(l), bricks%drag*real(corners, wp)**2 &
-               & *sum(mass(:corners)/brick_density(model, p))**(2.0_wp/3.0_wp) &
+               & *sum(mass(:corners)/brick_density(model, bricks%part))**(2.0_wp/3.0_wp) &
                & /(real(corners, wp)*minval(mass)))
          end if
       end do
@@ -110,6 +110,7 @@ contains
 
       ! nodes of its own for every lane; elastic, without drag
       alone%points = bricks%points
+      alone%shares_volume = bricks%shares_volume
       alone%stiffness(:) = bricks%stiffness
       allocate (alone%laws(0))
       alone%shapes = [bricks%shapes(bricks%shape(batch))]

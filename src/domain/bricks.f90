@@ -16,16 +16,60 @@ module plydyn_domain_bricks
 
    !> Geometries that are looked through for one that is the same
    integer, parameter :: remembered = 8
+   !> Directions that are the same, degrees
+   real(wp), parameter :: same_angle = 1.0e-9_wp
 
 contains
 
-   !> The bricks of one part, in the order of the deck
-   function new_bricks(model, p, columns) result(self)
+   !> All bricks, those of a part with fibres in one direction together, in the order of the deck
+   function new_bricks(model, columns) result(all)
       !> The model
       type(model_type), intent(in) :: model
-      !> Index of the part
-      integer, intent(in) :: p
       !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      type(bricks_type), allocatable :: all(:)
+
+      integer, allocatable :: first(:)
+      integer :: group(size(model%mesh%brick_id)), i, k
+
+      call find_groups(model, group, first)
+      allocate (all(size(first)))
+      do k = 1, size(first)
+         all(k) = new_group(model, first(k), pack([(i, i=1, size(group))], group == k), columns)
+      end do
+   end function new_bricks
+
+   !> Number the groups of bricks of one part and one direction, as they come in the deck
+   pure subroutine find_groups(model, group, first)
+      type(model_type), intent(in) :: model
+      !> Group of each brick
+      integer, intent(out) :: group(:)
+      !> First brick of each group
+      integer, allocatable, intent(out) :: first(:)
+
+      integer :: e, k
+
+      allocate (first(0))
+      associate (part => model%mesh%brick_part, angle => model%mesh%brick_angle)
+         do e = 1, size(group)
+            do k = size(first), 1, -1
+               if (part(e) == part(first(k)) &
+                  & .and. abs(angle(e) - angle(first(k))) <= same_angle) exit
+            end do
+            if (k == 0) then
+               first = [first, e]
+               k = size(first)
+            end if
+            group(e) = k
+         end do
+      end associate
+   end subroutine find_groups
+
+   !> Bricks of one part with fibres in one direction
+   function new_group(model, first, members, columns) result(self)
+      type(model_type), intent(in) :: model
+      !> One of them, and all
+      integer, intent(in) :: first, members(:)
       type(columns_type), intent(in) :: columns
       type(bricks_type) :: self
 
@@ -33,32 +77,36 @@ contains
       real(wp) :: stiffness(6, 6)
       integer :: batches, e, l
 
-      associate (part => model%parts(p), ply => model%parts(p)%plies(1))
-         self%points = part%brick%points
-         self%angle = ply%angle
-         self%turn(:) = [cos(ply%angle*degree), sin(ply%angle*degree)]
-         stiffness(:, :) = model_stiffness(model, p)
-         self%stiffness(:) = batch_stiffness(stiffness)
-         self%brick = pack([(e, e=1, size(model%mesh%brick_id))], model%mesh%brick_part == p)
-         batches = (size(self%brick) + lanes - 1)/lanes
-         self%laws = new_laws(model%materials, spread(spread(ply%material, 1, lanes), 2, 1))
+      self%part = model%mesh%brick_part(first)
+      self%angle = model%mesh%brick_angle(first)
+      self%turn(:) = [cos(self%angle*degree), sin(self%angle*degree)]
+      self%brick = members
+      stiffness(:, :) = model_stiffness(model, self%part, self%angle)
+      self%stiffness(:) = batch_stiffness(stiffness)
+      batches = (size(members) + lanes - 1)/lanes
+      associate (section => model%parts(self%part)%brick, &
+         & material => model%parts(self%part)%plies(1)%material)
+         self%points = section%points
+         self%shares_volume = section%points > 1 &
+            & .and. .not. model%materials(material)%is_damaged()
+         self%laws = new_laws(model%materials, spread(spread(material, 1, lanes), 2, 1))
          if (size(self%laws) > 0) self%histories = self%laws(1)%law%histories
-         if (self%points == 1 .and. part%brick%control == hourglass_viscous) then
-            self%drag = part%brick%coefficient*sqrt(brick_density(model, p)*stiffness_of_waves( &
-               & stiffness))/4.0_wp
+         if (self%points == 1 .and. section%control == hourglass_viscous) then
+            self%drag = section%coefficient*sqrt(brick_density(model, self%part) &
+               & *stiffness_of_waves(stiffness))/4.0_wp
             self%histories = self%histories + 1
          end if
          allocate (self%place(lanes, corners, batches))
          do e = 1, lanes*batches
-            l = min(e, size(self%brick))
+            l = min(e, size(members))
             self%place(1 + mod(e - 1, lanes), :, 1 + (e - 1)/lanes) &
-               & = columns%freedom(1, 1, 1, model%mesh%brick_node(:, self%brick(l)))
+               & = columns%freedom(1, 1, 1, model%mesh%brick_node(:, members(l)))
          end do
          self%target = self%place
-         if (part%brick%control /= hourglass_stiffness) stiffness(:, :) = 0.0_wp
-         call find_shapes(model, part%brick%coefficient*stiffness, self)
+         if (section%control /= hourglass_stiffness) stiffness(:, :) = 0.0_wp
+         call find_shapes(model, section%coefficient*stiffness, self)
       end associate
-   end function new_bricks
+   end function new_group
 
    !> Mass per volume of a part
    pure real(wp) function brick_density(model, p) result(density)
@@ -71,19 +119,19 @@ contains
    end function brick_density
 
    !> Stiffness in the axes of the model
-   pure function model_stiffness(model, p) result(stiffness)
+   pure function model_stiffness(model, p, angle) result(stiffness)
       type(model_type), intent(in) :: model
       integer, intent(in) :: p
+      !> Direction of the fibres, degrees from the x axis
+      real(wp), intent(in) :: angle
       real(wp) :: stiffness(6, 6)
 
       real(wp) :: rotation(6, 6)
 
-      associate (ply => model%parts(p)%plies(1))
-         rotation(:, :) = strain_rotation(ply%angle)
-         associate (m => model%materials(ply%material))
-            stiffness(:, :) = matmul(transpose(rotation), &
-               & matmul(ply_stiffness(m%young, m%poisson, m%shear), rotation))
-         end associate
+      rotation(:, :) = strain_rotation(angle)
+      associate (m => model%materials(model%parts(p)%plies(1)%material))
+         stiffness(:, :) = matmul(transpose(rotation), &
+            & matmul(ply_stiffness(m%young, m%poisson, m%shear), rotation))
       end associate
    end function model_stiffness
 
@@ -132,24 +180,23 @@ contains
       self%shapes = self%shapes(:known)
    end subroutine find_shapes
 
-   !> Add the masses of a part to those of the points
-   subroutine add_brick_masses(model, p, columns, mass)
+   !> Add the masses of bricks to those of the points
+   subroutine add_brick_masses(model, bricks, columns, mass)
       !> The model
       type(model_type), intent(in) :: model
-      !> Index of the part
-      integer, intent(in) :: p
+      !> The bricks
+      type(bricks_type), intent(in) :: bricks
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
       real(wp), intent(inout) :: mass(:)
 
-      integer :: e, place(corners)
+      integer :: i, place(corners)
 
-      do e = 1, size(model%mesh%brick_id)
-         if (model%mesh%brick_part(e) /= p) cycle
-         associate (node => model%mesh%brick_node(:, e))
+      do i = 1, size(bricks%brick)
+         associate (node => model%mesh%brick_node(:, bricks%brick(i)))
             place(:) = columns%mass_of(1, 1, node)
-            mass(place) = mass(place) + brick_density(model, p) &
+            mass(place) = mass(place) + brick_density(model, bricks%part) &
                & *brick_shares(model%mesh%position(:, node))
          end associate
       end do

@@ -49,10 +49,11 @@ contains
       if (allocated(error)) return
       if (size(model%mesh%brick_id) > 0) then
          call build_bricks(model, domain)
+         call check_bands(model, domain, error)
       else
          call build_laminates(model, domain, error)
-         if (allocated(error)) return
       end if
+      if (allocated(error)) return
       call build_supports(model, domain)
       call build_loads(model, domain)
       if (size(domain%bricks) > 0) then
@@ -92,16 +93,16 @@ contains
       domain%layers = new_layers(model%parts(1))
       domain%columns = new_solid_columns(size(model%mesh%node_id))
       allocate (domain%plates(0), domain%interfaces(0), domain%ties(0), domain%far_ties(2, 0))
-      allocate (domain%bricks(size(model%parts)), domain%mass(domain%columns%masses))
+      allocate (domain%mass(domain%columns%masses))
       domain%mass(:) = 0.0_wp
-      do p = 1, size(model%parts)
-         domain%bricks(p) = new_bricks(model, p, domain%columns)
+      domain%bricks = new_bricks(model, domain%columns)
+      do p = 1, size(domain%bricks)
          associate (bricks => domain%bricks(p))
             bricks%first_history = domain%histories + 1
             domain%histories = domain%histories &
                & + lanes*bricks%histories*bricks%points*size(bricks%shape)
+            call add_brick_masses(model, bricks, domain%columns, domain%mass)
          end associate
-         call add_brick_masses(model, p, domain%columns, domain%mass)
       end do
       call invert_masses(domain)
       call new_brick_chunks(domain)

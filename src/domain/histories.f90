@@ -1,6 +1,7 @@
 !> Histories of the Gauss points of plies at time zero, and the widths of their crack bands.
 module plydyn_domain_histories
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_brick_bands, only : start_brick_histories
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
@@ -13,7 +14,7 @@ module plydyn_domain_histories
 
 contains
 
-   !> Let the laws of all plies start their histories
+   !> Let the laws of all plies or bricks start their histories
    pure subroutine start_histories(domain, history)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -22,6 +23,7 @@ contains
 
       integer :: b, last, p
 
+      if (size(domain%bricks) > 0) call start_brick_histories(domain, history)
       do p = 1, size(domain%plates)
          associate (plate => domain%plates(p))
             do b = 1, size(plate%batches)

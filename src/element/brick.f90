@@ -3,7 +3,8 @@
 !> Nodes: four of one face, counter-clockwise seen from the other, then the four opposite ones, as
 !> LS-DYNA and VTK have them. A brick with one point takes the mean of the gradients over its volume
 !> (Flanagan and Belytschko, 1981), which passes the patch test on any shape; one with eight takes
-!> the mean of the volume strain over its points (B-bar).
+!> the mean of the volume strain over its points (B-bar), but for plies that are damaged: they lose
+!> their volume strain point by point, and a mean would let one point break for the others.
 !>
 !> What one point does not feel are four shapes for each direction, eta zeta, zeta xi, xi eta and
 !> xi eta zeta. Stiffness against them is that of the strains that they bring about in the brick's
@@ -16,7 +17,7 @@ module plydyn_element_brick
    implicit none
    private
 
-   public :: brick_shares, new_brick_shape, same_shape
+   public :: brick_shares, new_brick_shape, parent_slope, same_shape
 
    !> Nodes, and points of full quadrature
    integer, parameter, public :: corners = 8
@@ -48,10 +49,14 @@ module plydyn_element_brick
       real(wp) :: hold(lanes, stabilisers) = 0.0_wp
    end type brick_shape_type
 
-   !> All bricks of a part, eight side by side
+   !> All bricks of a part with fibres in one direction, eight side by side
    type, public :: bricks_type
+      !> Index of the part
+      integer :: part = 0
       !> Points of a brick, 1 or 8
       integer :: points = 1
+      !> Eight points share the mean of their volume strain and of their pressure
+      logical :: shares_volume = .false.
       !> Index of each brick in the mesh
       integer, allocatable :: brick(:)
       !> Places of the nodes' x in the arrays of motion, and in that of forces; y and z lie one and
@@ -160,6 +165,23 @@ contains
       slope(:, 2) = eta*(1.0_wp + xi*x)*(1.0_wp + zeta*z)/corners
       slope(:, 3) = zeta*(1.0_wp + xi*x)*(1.0_wp + eta*y)/corners
    end function slopes_at
+
+   !> d(xi, eta, zeta)/d(x, y, z) at a point of a lane, or its mean: shape functions give xi, eta
+   !> and zeta from those of the nodes
+   pure function parent_slope(shape, lane, point) result(slope)
+      !> Geometry of the batch
+      type(brick_shape_type), intent(in) :: shape
+      !> Lane and point
+      integer, intent(in) :: lane, point
+      !> The first index is that of xi, eta, zeta
+      real(wp) :: slope(3, 3)
+
+      associate (gradient => shape%gradient(lane, :, :, point))
+         slope(1, :) = matmul(xi, gradient)
+         slope(2, :) = matmul(eta, gradient)
+         slope(3, :) = matmul(zeta, gradient)
+      end associate
+   end function parent_slope
 
    !> Inverse and determinant
    pure subroutine invert(a, inverse, determinant)

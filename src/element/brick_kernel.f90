@@ -135,7 +135,7 @@ contains
       call integrate(p, shape%gradient(:, :, :, 1), f)
    end subroutine point_forces
 
-   !> Eight points, with the mean of the volume strain and of the pressure
+   !> Eight points, with the mean of the volume strain and of the pressure if they share it
    pure subroutine full_forces(bricks, shape, large, step, u, history, f)
       type(bricks_type), intent(in) :: bricks
       type(brick_shape_type), intent(in) :: shape
@@ -151,11 +151,11 @@ contains
          call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
          call strain_of(h(:, :, :, m), large, e(:, :, m))
       end do
-      call mean_volume_strain(shape%volume, e)
+      if (bricks%shares_volume) call mean_volume_strain(shape%volume, e)
       do m = 1, corners
          call find_stress(bricks, step, e(:, :, m), history(:, :, m), s(:, :, m))
       end do
-      call mean_volume_strain(shape%volume, s)
+      if (bricks%shares_volume) call mean_volume_strain(shape%volume, s)
       f(:, :, :) = 0.0_wp
       do m = 1, corners
          call to_flux(h(:, :, :, m), large, shape%volume(:, m), s(:, :, m), p)

@@ -42,7 +42,7 @@ contains
             call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
             call strain_of(h(:, :, :, m), merge(1.0_wp, 0.0_wp, large), e(:, :, m))
          end do
-         if (bricks%points > 1) call mean_volume_strain(shape%volume, e)
+         if (bricks%shares_volume) call mean_volume_strain(shape%volume, e)
          do m = 1, bricks%points
             call point_values(bricks, large, h(:, :, :, m), e(:, :, m), history(:, :, m, batch), &
                & values)

@@ -7,34 +7,68 @@ module plydyn_input_declare_solid
 
    public :: solid_keywords
 
-   !> Columns of the fields of an element
-   integer, parameter :: element_width = 8
+   !> Columns of the fields of an element, and of a vector
+   integer, parameter :: element_width = 8, vector_width = 16
 
 contains
 
    !> Keywords of bricks
    function solid_keywords() result(keywords)
-      type(keyword_type) :: keywords(6)
+      type(keyword_type) :: keywords(7)
 
       keywords(1) = element_solid()
-      keywords(2) = part()
-      keywords(3) = section_solid()
-      keywords(4) = hourglass()
-      keywords(5) = control_hourglass()
-      keywords(6) = load_segment()
+      keywords(2) = element_solid_ortho()
+      keywords(3) = part()
+      keywords(4) = section_solid()
+      keywords(5) = hourglass()
+      keywords(6) = control_hourglass()
+      keywords(7) = load_segment()
    end function solid_keywords
 
    !> Bricks
    function element_solid() result(keyword)
       type(keyword_type) :: keyword
-      integer :: i
 
       keyword = new_keyword("ELEMENT_SOLID", standard, "Bricks of eight nodes.", repeated=.true.)
       keyword%remark = "Four nodes of a face, counter-clockwise seen from the opposite face, " &
          & //"then the four of that face in the same order. A deck has plates or bricks, not " &
          & //"both. Bricks take no keyword that needs plies, faces or quads, and no " &
          & //"*DATABASE_PROFILE. Every part of bricks has one material, whose axis angle is that " &
-         & //"of the fibres: *MAT_ORTHOTROPIC_ELASTIC with AOPT 2 for each direction."
+         & //"of the fibres: *MAT_ORTHOTROPIC_ELASTIC with AOPT 2 for each direction; or the " &
+         & //"bricks tell their own in *ELEMENT_SOLID_ORTHO."
+      call add_brick(keyword)
+   end function element_solid
+
+   !> Bricks with axes of their own
+   function element_solid_ortho() result(keyword)
+      type(keyword_type) :: keyword
+      integer :: i
+
+      keyword = new_keyword("ELEMENT_SOLID_ORTHO", standard, "Bricks of eight nodes with fibres " &
+         & //"in directions of their own.", repeated=.true.)
+      keyword%remark = "As *ELEMENT_SOLID, with the axes of the ply in each brick: they take the " &
+         & //"place of those of its material. Plies lie in planes of constant z."
+      call add_brick(keyword)
+      call keyword%add_card()
+      keyword%width = vector_width
+      do i = 1, 3
+         call keyword%add_real("A"//achar(iachar("0") + i), "-", "vector along the fibres, " &
+            & //"component "//achar(iachar("0") + i), default=0.0_wp)
+      end do
+      call keyword%add_card()
+      do i = 1, 3
+         call keyword%add_real("D"//achar(iachar("0") + i), "-", "vector in the plane of the " &
+            & //"ply, to the left of A, component "//achar(iachar("0") + i), default=0.0_wp)
+      end do
+   end function element_solid_ortho
+
+   !> The card of a brick
+   subroutine add_brick(keyword)
+      !> The keyword
+      type(keyword_type), intent(inout) :: keyword
+
+      integer :: i
+
       keyword%width = element_width
       call keyword%add_card()
       call keyword%add_integer("EID", "number of the brick", least=1)
@@ -42,7 +76,7 @@ contains
       do i = 1, 8
          call keyword%add_integer("N"//achar(iachar("0") + i), "node", least=1)
       end do
-   end function element_solid
+   end subroutine add_brick
 
    !> A part of bricks
    function part() result(keyword)
@@ -67,7 +101,8 @@ contains
       keyword = new_keyword("SECTION_SOLID", standard, "How bricks are integrated.", &
          & suffixes="TITLE")
       keyword%remark = "ELFORM 1: one point, with the mean gradients of the brick, which need " &
-         & //"hourglass control. ELFORM 2: eight points that share the mean of their volume strain."
+         & //"hourglass control. ELFORM 2: eight points that share the mean of their volume strain, " &
+         & //"but in plies that are damaged."
       call keyword%add_card()
       call keyword%add_integer("SECID", "number of the section", least=1)
       call keyword%add_integer("ELFORM", "1 one point, 2 eight points", default=1, allowed=[1, 2])

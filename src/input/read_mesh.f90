@@ -21,7 +21,8 @@ contains
    !> A mesh without nodes and quads
    pure type(mesh_type) function new_mesh() result(mesh)
       allocate (mesh%node_id(0), mesh%position(3, 0), mesh%quad_id(0), mesh%quad_part(0), &
-         & mesh%quad_node(0, 0), mesh%brick_id(0), mesh%brick_part(0), mesh%brick_node(8, 0))
+         & mesh%quad_node(0, 0), mesh%brick_id(0), mesh%brick_part(0), mesh%brick_node(8, 0), &
+         & mesh%brick_angle(0))
    end function new_mesh
 
    !> *NODE: nodes of the reference plane

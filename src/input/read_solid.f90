@@ -76,10 +76,6 @@ contains
       call catalogue%find(a_material, cards, "MID", part%plies(1)%material)
       if (part%plies(1)%material > 0) then
          part%plies(1)%angle = materials(part%plies(1)%material)%axis_angle
-         if (materials(part%plies(1)%material)%is_damaged()) then
-            call catalogue%refuse(cards, "MID", "the material is damaged, and bricks are not", &
-               & "an elastic material or a metal, or plates")
-         end if
       end if
       part%brick = catalogue%usual_hourglass
       if (cards%integer("HGID") > 0) then
@@ -92,10 +88,12 @@ contains
       parts = [parts, part]
    end subroutine read_part_of_bricks
 
-   !> *ELEMENT_SOLID: bricks
-   subroutine read_element_solid(cards, catalogue, mesh)
+   !> *ELEMENT_SOLID, *ELEMENT_SOLID_ORTHO: bricks, and the directions of their fibres
+   subroutine read_element_solid(cards, catalogue, parts, mesh)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      !> All parts
+      type(part_type), intent(in) :: parts(:)
       type(mesh_type), intent(inout) :: mesh
 
       integer :: k, n, nth
@@ -106,6 +104,11 @@ contains
          call catalogue%define(a_brick, cards, "EID", nth)
          call catalogue%find(a_part, cards, "PID", mesh%brick_part(n + nth), nth)
          mesh%brick_id(n + nth) = cards%integer("EID", nth)
+         if (cards%name == "ELEMENT_SOLID_ORTHO") then
+            mesh%brick_angle(n + nth) = read_axes(cards, catalogue, nth)
+         else if (mesh%brick_part(n + nth) > 0) then
+            mesh%brick_angle(n + nth) = parts(mesh%brick_part(n + nth))%plies(1)%angle
+         end if
          associate (node => mesh%brick_node(:, n + nth))
             do k = 1, corners
                call catalogue%find(a_node, cards, names(k), node(k), nth)
@@ -118,6 +121,32 @@ contains
          end associate
       end do
    end subroutine read_element_solid
+
+   !> Direction of the fibres of a brick, degrees from the x axis: along A, with D to its left
+   real(wp) function read_axes(cards, catalogue, nth) result(angle)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      integer, intent(in) :: nth
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp, flat = 1.0e-6_wp
+      real(wp) :: a(3), d(3)
+      integer :: k
+
+      do k = 1, 3
+         a(k) = cards%real("A"//text(k), nth)
+         d(k) = cards%real("D"//text(k), nth)
+      end do
+      angle = 0.0_wp
+      if (abs(a(3)) > flat*norm2(a) .or. abs(d(3)) > flat*norm2(d)) then
+         call catalogue%refuse(cards, "A3", "the axes do not lie in the x-y plane", &
+            & "A along the fibres and D across them, both with 0 along z", nth)
+      else if (a(1)*d(2) - a(2)*d(1) <= flat*norm2(a)*norm2(d)) then
+         call catalogue%refuse(cards, "D1", "D does not lie to the left of A, seen from above", &
+            & "A along the fibres, such as 1, 0, 0, and D across them, such as 0, 1, 0", nth)
+      else
+         angle = atan2(a(2), a(1))/degree
+      end if
+   end function read_axes
 
    !> *LOAD_SEGMENT: pressure on faces of bricks
    subroutine read_load_segment(cards, catalogue, loads)
@@ -145,17 +174,21 @@ contains
       integer, intent(in) :: more
 
       integer, allocatable :: id(:), node(:, :), part(:)
+      real(wp), allocatable :: angle(:)
       integer :: n
 
       n = size(mesh%brick_id)
-      allocate (id(n + more), part(n + more), node(corners, n + more))
+      allocate (id(n + more), part(n + more), node(corners, n + more), angle(n + more))
       id(:n) = mesh%brick_id
       part(:n) = mesh%brick_part
       node(:, :n) = mesh%brick_node
       node(:, n + 1:) = 0
+      angle(:n) = mesh%brick_angle
+      angle(n + 1:) = 0.0_wp
       call move_alloc(id, mesh%brick_id)
       call move_alloc(part, mesh%brick_part)
       call move_alloc(node, mesh%brick_node)
+      call move_alloc(angle, mesh%brick_angle)
    end subroutine add_bricks
 
 end module plydyn_input_read_solid

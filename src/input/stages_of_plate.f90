@@ -151,8 +151,8 @@ contains
          call read_element_shell(cards, catalogue, model%mesh)
       case ("ELEMENT_PLATE_Q9")
          call read_element_plate_q9(cards, catalogue, model%mesh)
-      case ("ELEMENT_SOLID")
-         call read_element_solid(cards, catalogue, model%mesh)
+      case ("ELEMENT_SOLID", "ELEMENT_SOLID_ORTHO")
+         call read_element_solid(cards, catalogue, model%parts, model%mesh)
       case default
          continue
       end select

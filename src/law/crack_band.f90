@@ -4,7 +4,7 @@ module plydyn_law_crack_band
    implicit none
    private
 
-   public :: band_length, longest_length
+   public :: band_length, brick_band_length, longest_length
 
    !> Rules for the width: share of the length of the quad along the direction; length of the Gauss
    !> point's own cell along it; root of the area of that cell; root of the area of the quad
@@ -50,6 +50,35 @@ contains
          band_length = share*chord(jacobian, determinant, direction, [parent_side, parent_side])
       end select
    end function band_length
+
+   !> Width of the band at a point of a brick, all points of which open
+   pure real(wp) function brick_band_length(rule, slope, direction, normal, side, volume)
+      !> One of the rules
+      integer, intent(in) :: rule
+      !> d(xi, eta, zeta)/d(x, y, z), the first index that of xi, eta, zeta
+      real(wp), intent(in) :: slope(3, 3)
+      !> Unit vectors across the crack and normal to the ply
+      real(wp), intent(in) :: direction(3), normal(3)
+      !> Side of the point's own cube in the parent cube
+      real(wp), intent(in) :: side
+      !> Volumes of the point and of the brick: over their heights they are areas in the ply
+      real(wp), intent(in) :: volume(2)
+
+      real(wp) :: across, along
+
+      across = 1.0_wp/maxval(abs(matmul(slope, normal)))
+      along = 1.0_wp/maxval(abs(matmul(slope, direction)))
+      select case (rule)
+      case (rule_gauss_point)
+         brick_band_length = side*along
+      case (rule_root_point)
+         brick_band_length = sqrt(volume(1)/(side*across))
+      case (rule_root_quad)
+         brick_band_length = sqrt(volume(2)/(parent_side*across))
+      case default
+         brick_band_length = parent_side*along
+      end select
+   end function brick_band_length
 
    !> Length, along a direction, of a rectangle of the parent square through its centre
    pure real(wp) function chord(jacobian, determinant, direction, sides)

@@ -22,6 +22,8 @@ module plydyn_model_mesh
       !> Nodes of each brick, (8, bricks): one face, counter-clockwise seen from the opposite one,
       !> then that one
       integer, allocatable :: brick_node(:, :)
+      !> Direction of the fibres of each brick, degrees from the x axis
+      real(wp), allocatable :: brick_angle(:)
    end type mesh_type
 
 end module plydyn_model_mesh

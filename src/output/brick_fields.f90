@@ -93,14 +93,10 @@ contains
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
       real(wp) :: angle(size(model%mesh%brick_id)), fibre(3, size(model%mesh%brick_id))
-      integer :: i, part(size(model%mesh%brick_id))
+      integer :: part(size(model%mesh%brick_id))
 
-      do i = 1, size(angle)
-         associate (p => model%parts(model%mesh%brick_part(i)))
-            part(i) = p%id
-            angle(i) = p%plies(1)%angle
-         end associate
-      end do
+      part(:) = model%parts(model%mesh%brick_part)%id
+      angle(:) = model%mesh%brick_angle
       fibre(1, :) = cos(angle*degree)
       fibre(2, :) = sin(angle*degree)
       fibre(3, :) = 0.0_wp

@@ -155,12 +155,16 @@ contains
       type(model_type), intent(in) :: model
       integer, intent(in) :: p
 
+      real(wp), allocatable :: angle(:)
+
       associate (part => model%parts(p), section => model%parts(p)%brick)
+         angle = pack(model%mesh%brick_angle, model%mesh%brick_part == p)
          call write_section(unit, "Part "//text(part%id)//" "//part%title)
          write (unit, "(a,i0,a,i0,a)") "bricks                        ", &
             & count(model%mesh%brick_part == p), " of ", section%points, " points"
          write (unit, "(a,i0,a,f0.2)") "material                      ", &
-            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", part%plies(1)%angle
+            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", minval(angle)
+         if (maxval(angle) > minval(angle)) write (unit, "(a,f0.2)") "   to ", maxval(angle)
          if (section%points > 1) return
          write (unit, "(2a)") "hourglass control             ", trim(merge("viscous  ", &
             & "stiffness", section%control == hourglass_viscous))//", " &

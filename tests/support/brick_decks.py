@@ -68,12 +68,27 @@ def add_bricks(
     *,
     points: int = 1,
     hourglass: tuple[int, float] | None = None,
+    angles: Sequence[float] = (),
+    parts: Sequence[int] = (1,),
 ) -> None:
-    """Nodes, bricks and their part 1, of material 1."""
+    """Nodes, bricks and their parts, each of the material of its number.
+
+    With an angle for each layer, in degrees, the bricks tell the directions of their fibres.
+    """
     material(deck)
     deck.add("NODE", *[(i + 1, *point) for i, point in enumerate(mesh.points)])
-    deck.add("ELEMENT_SOLID", *[(i + 1, 1, *(b + 1)) for i, b in enumerate(mesh.bricks)])
+    cards = [(i + 1, parts[i % len(parts)], *(b + 1)) for i, b in enumerate(mesh.bricks)]
+    if angles:
+        c, s = np.cos(np.radians(angles))[mesh.layer], np.sin(np.radians(angles))[mesh.layer]
+        axes = [((c[i], s[i], 0.0), (-s[i], c[i], 0.0)) for i in range(len(cards))]
+        deck.add(
+            "ELEMENT_SOLID_ORTHO",
+            *[one for card, own in zip(cards, axes, strict=True) for one in (card, *own)],
+        )
+    else:
+        deck.add("ELEMENT_SOLID", *cards)
     deck.add("SECTION_SOLID", (1, 1 if points == 1 else 2))
-    deck.add("PART", "bricks", (1, 1, 1))
+    for part in sorted(set(parts)):
+        deck.add("PART", "bricks", (part, 1, part))
     if hourglass is not None:
         deck.add("CONTROL_HOURGLASS", hourglass)

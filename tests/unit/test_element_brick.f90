@@ -63,6 +63,7 @@ contains
       integer :: l, n
 
       bricks%points = points
+      bricks%shares_volume = points > 1
       bricks%stiffness(:) = batch_stiffness(c)
       bricks%drag = drag
       if (drag > 0.0_wp) bricks%histories = 1

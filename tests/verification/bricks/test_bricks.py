@@ -14,9 +14,8 @@ import numpy as np
 import pytest
 
 from brick_decks import Bricks, add_bricks, box, shaken
-from decks import Deck, Ply, Sphere, ramp
+from decks import Deck, Sphere, ramp
 from elasticity import STEEL, stiffness
-from meshes import regular
 from runs import Results, run
 
 YOUNG, POISSON, DENSITY = STEEL.young[0], STEEL.poisson[0], STEEL.density
@@ -152,51 +151,41 @@ def test_thick_cylinder(points: int, tmp_path: Path) -> None:
     assert energy["metal plasticity"][-1] == pytest.approx(energy["dissipated"][-1])
 
 
-def struck(tmp_path: Path, threads: int, bricks: bool) -> Results:
-    """A clamped plate of steel under a sphere, of bricks or of layers."""
+def struck(tmp_path: Path, threads: int) -> Results:
+    """A clamped plate of steel under a sphere."""
     side, thickness, n, layers = 20.0, 1.0, 10, 2
     end = 4.0e-5
     deck = Deck("struck plate", end)
     deck.control(linear=False)
     deck.add("CONTROL_PARALLEL", (threads,))
-    if bricks:
-        mesh = box((side, side, thickness), (n, n, layers))
-        add_bricks(deck, mesh, steel, hourglass=(6, 1.0))
-        edge = np.flatnonzero(
-            np.abs(mesh.points[:, :2] - 0.5 * side).max(axis=1) > 0.5 * side - 1e-9
-        )
-        top = thickness
-    else:
-        plane = regular(side, side, n // 2, n // 2, 9)
-        deck.mesh(plane)
-        deck.laminate([Ply(STEEL, thickness / layers)] * layers, order=2)
-        edge = np.array(plane.boundary())
-        top = 0.5 * thickness
-    deck.hold(edge, "xyz")
-    centre = (0.5 * side, 0.5 * side, top + 4.0)
+    mesh = box((side, side, thickness), (n, n, layers))
+    add_bricks(deck, mesh, steel, hourglass=(6, 1.0))
+    away = np.abs(mesh.points[:, :2] - 0.5 * side).max(axis=1)
+    deck.hold(np.flatnonzero(away > 0.5 * side - 1e-9), "xyz")
+    centre = (0.5 * side, 0.5 * side, thickness + 4.0)
     deck.sphere(Sphere(4.0, 1.0e-6, centre, velocity=(0.0, 0.0, -5000.0), method=1))
     deck.intervals(impactor=end / 200, glstat=end / 200, binary_d3plot=end)
     return run(deck, tmp_path)
 
 
 def test_impact(tmp_path: Path) -> None:
-    """The sphere loses the momentum of its force; bricks answer as layers do."""
-    results = struck(tmp_path / "bricks", 1, True)
+    """The sphere loses the momentum of its force, and no energy is lost.
+
+    That bricks answer as layers do is in `test_brick_damage`.
+    """
+    results = struck(tmp_path / "bricks", 1)
     ball, energy = results.table("impactor_1"), results.table("energy")
     momentum = 1.0e-6 * (ball["velocity"] + 5000.0)
     pushed = np.trapezoid(ball["force"], ball["time"])
+    # a line is written every few steps: the trapezia between them
     assert momentum[-1] == pytest.approx(pushed, rel=0.02)
-    assert np.abs(energy["error"]).max() < 1e-3
-    layered = struck(tmp_path / "layers", 1, False).table("impactor_1")
-    # 10 x 10 linear bricks against 5 x 5 quadratic quads: the meshes differ by as much
-    assert ball["displacement"].min() == pytest.approx(layered["displacement"].min(), rel=0.08)
-    assert ball["velocity"][-1] == pytest.approx(layered["velocity"][-1], abs=0.05 * 5000.0)
+    assert np.abs(energy["error"]).max() < 1e-9
 
 
 def test_same_bits(tmp_path: Path) -> None:
     """One thread and two give the same files."""
     folders = [tmp_path / "one", tmp_path / "two"]
     for threads, folder in enumerate(folders, 1):
-        struck(folder, threads, True)
+        struck(folder, threads)
     for name in ("job.energy.csv", "job.impactor_1.csv"):
         assert (folders[0] / name).read_bytes() == (folders[1] / name).read_bytes()

@@ -23,6 +23,7 @@ from plydyn_pre.study import (
     Motion,
     PlyCodam2,
     PlyElastic,
+    StackPly,
     Support,
 )
 
@@ -53,7 +54,7 @@ def brick_keywords(names: Names) -> Iterator[str]:
         conditions.curve_keywords(names),
         _set_keywords(names, plate, sets),
         _nodes(plate),
-        _elements(plate, parts),
+        _elements(names, plate, parts),
     )
 
 
@@ -64,12 +65,10 @@ def _parts(names: Names) -> Integers:
     return np.array([known.setdefault(_kind(names, ply), len(known) + 1) for ply in stack])
 
 
-def _kind(names: Names, ply: object) -> tuple[str, float]:
+def _kind(names: Names, ply: StackPly) -> tuple[str, float]:
     """Material of a ply, and its angle where that matters."""
-    material = names.study.materials[ply.material]
-    if isinstance(material, PlyCodam2):
-        raise RecipeError(f"materials.{ply.material}", "bricks are not damaged; take another one")
-    return ply.material, ply.angle % 180.0 if isinstance(material, PlyElastic) else 0.0
+    has_fibres = isinstance(names.study.materials[ply.material], PlyElastic | PlyCodam2)
+    return ply.material, ply.angle % 180.0 if has_fibres else 0.0
 
 
 def _section(bricks: Bricks) -> Iterator[str]:
@@ -202,18 +201,33 @@ def _nodes(plate: Extrusion) -> Iterator[str]:
             yield "\n".join(lines[start : start + _CHUNK])
 
 
-def _elements(plate: Extrusion, parts: Integers) -> Iterator[str]:
+def _elements(names: Names, plate: Extrusion, parts: Integers) -> Iterator[str]:
     """The bricks, layer by layer from the bottom up."""
     fields = "".join(f"{f'n{i}':>8}" for i in range(1, 9))
-    yield f"*ELEMENT_SOLID\n$#   eid     pid{fields}"
     quads = len(plate.plane.quads)
+    stack = laminate_of_all(names.study, names.mesh).stack
+    before = ""
     for layer, ply in enumerate(plate.plies.tolist()):
+        axes = _axes(names, stack[ply])
+        element = "ELEMENT_SOLID_ORTHO" if axes else "ELEMENT_SOLID"
+        if element != before:
+            yield f"*{element}\n$#   eid     pid{fields}"
+        before = element
         rows = plate.brick_nodes(layer).tolist()
         head = layer * quads + 1
         part = f"{parts[ply]:8d}"
         lines = [
-            f"{head + i:8d}{part}{''.join(f'{node:8d}' for node in row)}"
+            f"{head + i:8d}{part}{''.join(f'{node:8d}' for node in row)}{axes}"
             for i, row in enumerate(rows)
         ]
         for start in range(0, quads, _CHUNK):
             yield "\n".join(lines[start : start + _CHUNK])
+
+
+def _axes(names: Names, ply: StackPly) -> str:
+    """Lines with the axes of a brick, where its material does not tell them."""
+    if not isinstance(names.study.materials[ply.material], PlyCodam2):
+        return ""
+    c, s = (coordinate_text(f(radians(ply.angle))) for f in (cos, sin))
+    minus, zero = coordinate_text(-sin(radians(ply.angle))), coordinate_text(0.0)
+    return f"\n{c:>16}{s:>16}{zero:>16}\n{minus:>16}{c:>16}{zero:>16}"

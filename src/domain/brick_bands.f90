@@ -1,0 +1,90 @@
+!> Widths of the crack bands of bricks, and the histories of their points at time zero.
+module plydyn_domain_brick_bands
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_brick, only : brick_shape_type, bricks_type, parent_slope
+   use plydyn_law_crack_band, only : brick_band_length
+   use plydyn_law_law, only : law_type
+   implicit none
+   private
+
+   public :: brick_band_lengths, start_brick_histories
+
+   !> Normal of the plies
+   real(wp), parameter :: up(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+
+contains
+
+   !> Let the laws of all bricks start their histories
+   pure subroutine start_brick_histories(domain, history)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> History of all points, zero in
+      real(wp), intent(inout) :: history(:)
+
+      integer :: last, p
+
+      do p = 1, size(domain%bricks)
+         associate (bricks => domain%bricks(p))
+            if (size(bricks%laws) == 0) cycle
+            last = bricks%first_history - 1 &
+               & + lanes*bricks%histories*bricks%points*size(bricks%shape)
+            call start_part(bricks, history(bricks%first_history:last))
+         end associate
+      end do
+   end subroutine start_brick_histories
+
+   !> Start the histories of the bricks of a part
+   pure subroutine start_part(bricks, history)
+      type(bricks_type), intent(in) :: bricks
+      real(wp), intent(inout) :: history(lanes, bricks%histories, bricks%points, &
+         & size(bricks%shape))
+
+      integer :: b, m
+
+      associate (law => bricks%laws(1)%law)
+         do b = 1, size(bricks%shape)
+            do m = 1, bricks%points
+               call law%start_history(brick_band_lengths(bricks, bricks%shapes(bricks%shape(b)), &
+                  & law, m), history(:, :, m, b))
+            end do
+         end do
+      end associate
+   end subroutine start_part
+
+   !> Widths of the crack band at a point of the bricks of a batch, for fibres and for matrix,
+   !> (lanes, 2); 0 in lanes that do not soften, 1 in lanes without a brick
+   pure function brick_band_lengths(bricks, shape, law, point) result(length)
+      !> The bricks of a part
+      type(bricks_type), intent(in) :: bricks
+      !> Geometry of the batch
+      type(brick_shape_type), intent(in) :: shape
+      !> The law of the lanes
+      class(law_type), intent(in) :: law
+      !> The point
+      integer, intent(in) :: point
+      real(wp) :: length(lanes, 2)
+
+      !> Side of the cube of a point of one, and of one of eight
+      real(wp), parameter :: whole = 2.0_wp, eighth = 1.0_wp
+      real(wp) :: axis(3, 2), side, slope(3, 3), volume(2)
+      integer :: k, l
+
+      side = merge(whole, eighth, bricks%points == 1)
+      axis(:, 1) = [bricks%turn(1), bricks%turn(2), 0.0_wp]
+      axis(:, 2) = [-bricks%turn(2), bricks%turn(1), 0.0_wp]
+      length(:, :) = 0.0_wp
+      do l = 1, lanes
+         if (law%band_rule(l) == 0) cycle
+         length(l, :) = 1.0_wp
+         if (shape%volume(l, point) <= 0.0_wp) cycle
+         slope(:, :) = parent_slope(shape, l, point)
+         volume(:) = [shape%volume(l, point), sum(shape%volume(l, :))]
+         do k = 1, 2
+            length(l, k) = brick_band_length(law%band_rule(l), slope, axis(:, k), up, side, volume)
+         end do
+         if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
+      end do
+   end function brick_band_lengths
+
+end module plydyn_domain_brick_bands
