@@ -101,8 +101,8 @@ contains
       keyword = new_keyword("SECTION_SOLID", standard, "How bricks are integrated.", &
          & suffixes="TITLE")
       keyword%remark = "ELFORM 1: one point, with the mean gradients of the brick, which need " &
-         & //"hourglass control. ELFORM 2: eight points that share the mean of their volume strain, " &
-         & //"but in plies that are damaged."
+         & //"hourglass control. ELFORM 2: eight points that share the mean of their volume " &
+         & //"strain, but in plies that are damaged."
       call keyword%add_card()
       call keyword%add_integer("SECID", "number of the section", least=1)
       call keyword%add_integer("ELFORM", "1 one point, 2 eight points", default=1, allowed=[1, 2])

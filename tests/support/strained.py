@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from brick_decks import add_bricks, box
 from decks import BOTTOM, TOP, Deck
 from elasticity import Array
 from meshes import regular
-from runs import Table, run
+from runs import Results, Table, run
 
 # Strain and stress in this order, with engineering shear
 COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
@@ -30,10 +31,31 @@ class Answer:
     energy: Table
 
 
-def strain_cube(
-    material: Callable[[Deck], None], times: Array, strains: Array, outputs: int, folder: Path
-) -> Answer:
-    """Lead a cube along a path of strain, (times, 6), straight in between, from no strain on."""
+#: What a cube may be made of
+BODIES = ("plate", "one point", "eight points")
+
+
+def strain_body(
+    body: str, material: Callable[[Deck], None], times: Array, strains: Array, folder: Path
+) -> Results:
+    """Lead a cube of one of `BODIES` along a path of strain; stress as a field at the end."""
+    if body == "plate":
+        deck = _plate(material, times, strains)
+    else:
+        deck = Deck("a brick along a path of strain", float(times[-1]))
+        deck.control(linear=True)
+        mesh = box((1.0, 1.0, 1.0), (1, 1, 1))
+        add_bricks(deck, mesh, material, points=1 if body == "one point" else 8)
+        for node, place in enumerate(mesh.points):
+            for direction, points in enumerate(_paths(times, strains, place)):
+                deck.move([node], direction + 1, deck.curve(points), 1.0)
+    deck.intervals(glstat=times[-1] / 100, binary_d3plot=times[-1])
+    deck.add("DATABASE_FIELD", "stress")
+    return run(deck, folder)
+
+
+def _plate(material: Callable[[Deck], None], times: Array, strains: Array) -> Deck:
+    """A quad of one layer whose points follow a path of strain."""
     deck = Deck("a cube along a path of strain", float(times[-1]))
     deck.control(linear=True)
     material(deck)
@@ -43,12 +65,24 @@ def strain_cube(
     deck.add("SECTION_LAYERWISE", (1, 0, 1))
     for node, (x, y) in enumerate(mesh.points):
         for face, z in ((BOTTOM, -0.5), (TOP, 0.5)):
-            moved = np.zeros((len(times), 3))
-            for component, (direction, along) in enumerate(_SLOPES):
-                moved[:, direction] += strains[:, component] * (x, y, z)[along]
-            for direction in range(3):
-                points = zip(times.tolist(), moved[:, direction].tolist(), strict=True)
+            for direction, points in enumerate(_paths(times, strains, (x, y, z))):
                 deck.move_face([node], face, direction + 1, deck.curve(points), 1.0)
+    return deck
+
+
+def _paths(times: Array, strains: Array, place: Sequence[float]) -> list[list[tuple[float, float]]]:
+    """Displacement of a place over time, direction by direction."""
+    moved = np.zeros((len(times), 3))
+    for component, (direction, along) in enumerate(_SLOPES):
+        moved[:, direction] += strains[:, component] * place[along]
+    return [list(zip(times.tolist(), one.tolist(), strict=True)) for one in moved.T]
+
+
+def strain_cube(
+    material: Callable[[Deck], None], times: Array, strains: Array, outputs: int, folder: Path
+) -> Answer:
+    """Lead a cube along a path of strain, (times, 6), straight in between, from no strain on."""
+    deck = _plate(material, times, strains)
     deck.profile(1, 0.5, 0.5, times[-1] / outputs, points=2)
     deck.intervals(glstat=times[-1] / outputs, binary_d3plot=times[-1])
     deck.add("DATABASE_FIELD", "plastic_strain")
