@@ -272,12 +272,13 @@ contains
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
       logical :: held(domain%columns%freedoms)
-      integer :: i
+      integer :: c, i, mover(domain%columns%freedoms)
 
       held(:) = .false.
       held(domain%held) = .true.
+      mover(:) = 0
       do i = 1, size(domain%motions)
-         held(domain%motions(i)%freedom) = .true.
+         mover(domain%motions(i)%freedom) = i
       end do
       domain%impactors = model%impactors
       domain%contacts = model%contacts
@@ -292,6 +293,12 @@ contains
             call couple_surface(domain, face_point(domain%layers, model%contacts(i)%face), &
                & domain%surfaces(i))
          end if
+         associate (surface => domain%surfaces(i))
+            allocate (surface%mover(3, size(surface%node)))
+            do c = 1, 3
+               surface%mover(c, :) = mover(surface%freedom(c, :))
+            end do
+         end associate
       end do
    end subroutine build_surfaces
 

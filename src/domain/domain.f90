@@ -50,6 +50,8 @@ module plydyn_domain_domain
       real(wp), allocatable :: position(:, :)
       !> Inverse mass, zero in directions that are held, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
+      !> What moves them, an index into `motions`, 0 for nothing, (3, points)
+      integer, allocatable :: mover(:, :)
       !> Node below each point
       integer, allocatable :: node(:)
       !> Motions of the rows of the column for that of the point; see `followers`. Only where

@@ -51,7 +51,8 @@ contains
       end do
       do i = 1, size(domain%surfaces)
          reals = reals + size(domain%surfaces(i)%position) + size(domain%surfaces(i)%inverse_mass)
-         integers = integers + size(domain%surfaces(i)%freedom) + size(domain%surfaces(i)%facet)
+         integers = integers + size(domain%surfaces(i)%freedom) + size(domain%surfaces(i)%facet) &
+            & + size(domain%surfaces(i)%mover)
       end do
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes

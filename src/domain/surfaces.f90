@@ -27,7 +27,7 @@ contains
       type(columns_type), intent(in) :: columns
       !> Inverse mass of each point
       real(wp), intent(in) :: inverse_mass(:)
-      !> Whether each place in the arrays of motion is held or moves as told
+      !> Whether each place in the arrays of motion is held
       logical, intent(in) :: held(:)
       type(surface_type) :: self
 
@@ -75,7 +75,7 @@ contains
       type(columns_type), intent(in) :: columns
       !> Inverse mass of each point
       real(wp), intent(in) :: inverse_mass(:)
-      !> Whether each place in the arrays of motion is held or moves as told
+      !> Whether each place in the arrays of motion is held
       logical, intent(in) :: held(:)
       type(surface_type) :: self
 

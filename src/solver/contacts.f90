@@ -8,6 +8,7 @@ module plydyn_solver_contacts
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : points_on_plate
    use plydyn_solver_column_inertia, only : pull_column
+   use plydyn_solver_supports, only : is_active
    use plydyn_state_state, only : contact_power_sum, contact_sum, state_type
    implicit none
    private
@@ -20,6 +21,8 @@ module plydyn_solver_contacts
       type(contact_pair_type) :: pair
       !> Trial positions of the surface points and what contact adds to them, (3, points)
       real(wp), allocatable :: position(:, :), correction(:, :)
+      !> Their inverse mass, zero in directions that do not give way now, (3, points)
+      real(wp), allocatable :: inverse_mass(:, :)
    end type pair_type
 
    !> All contacts
@@ -63,6 +66,7 @@ contains
                return
             end if
             pair%position = surface%position
+            pair%inverse_mass = surface%inverse_mass
             allocate (pair%correction(3, size(surface%position, 2)))
             gap = pair%pair%initial_gap(surface%position, impactor%centre)
             if (gap >= -touching*impactor%radius) cycle
@@ -163,25 +167,48 @@ contains
                   & + state%displacement(surface%freedom(c, k))
             end do
          end do
-         call self%pair%enforce(self%position, surface%inverse_mass, state%step, own%centre, &
+         if (size(domain%motions) > 0) then
+            call resist_moved(domain, surface, state%time, self%inverse_mass)
+         end if
+         call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
             & self%correction, centre_correction, found)
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(domain, surface, self%correction, state)
+         call push_plate(domain, surface, self%inverse_mass, self%correction, state)
          call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
             & state, domain%contacts(i)%impactor)
       end associate
    end subroutine enforce_pair
 
+   !> Points that move as told do not give way while they do
+   pure subroutine resist_moved(domain, surface, time, inverse_mass)
+      type(domain_type), intent(in) :: domain
+      type(surface_type), intent(in) :: surface
+      real(wp), intent(in) :: time
+      real(wp), intent(inout) :: inverse_mass(:, :)
+
+      logical :: active(0:size(domain%motions))
+      integer :: c, k
+
+      active(0) = .false.
+      active(1:) = is_active(domain%motions, time)
+      do k = 1, size(surface%mover, 2)
+         do c = 1, 3
+            inverse_mass(c, k) = merge(0.0_wp, surface%inverse_mass(c, k), &
+               & active(surface%mover(c, k)))
+         end do
+      end do
+   end subroutine resist_moved
+
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which that before is the velocity at the full step. What shares its
    !> inertia with the points follows
-   pure subroutine push_plate(domain, surface, correction, state)
+   pure subroutine push_plate(domain, surface, inverse_mass, correction, state)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
-      real(wp), intent(in) :: correction(:, :)
+      real(wp), intent(in) :: inverse_mass(:, :), correction(:, :)
       type(state_type), intent(inout) :: state
 
       real(wp) :: jump, mass
@@ -190,11 +217,11 @@ contains
       do i = 1, size(surface%here)
          k = surface%here(i)
          do c = 1, 3
-            if (surface%inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
+            if (inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
                & u => state%displacement(surface%freedom(c, k)), &
                & a => state%acceleration(surface%freedom(c, k)))
-               mass = 1.0_wp/surface%inverse_mass(c, k)
+               mass = 1.0_wp/inverse_mass(c, k)
                jump = correction(c, k)/state%step
                if (surface%own(i)) then
                   call state%tally%add(contact_sum, &

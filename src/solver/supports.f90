@@ -8,7 +8,8 @@ module plydyn_solver_supports
    implicit none
    private
 
-   public :: count_support_power, hold_supports, move_supports, resist_columns, support_points
+   public :: count_support_power, hold_supports, is_active, move_supports, resist_columns, &
+      & support_points
 
 contains
 
@@ -74,8 +75,10 @@ contains
    end subroutine resist_columns
 
    !> Whether a motion acts at some time
-   pure logical function is_active(motion, time)
+   elemental logical function is_active(motion, time)
+      !> The motion
       type(prescribed_type), intent(in) :: motion
+      !> The time
       real(wp), intent(in) :: time
 
       is_active = motion%birth <= time .and. time < motion%death
