@@ -29,6 +29,11 @@ module plydyn_law_damage_onset
       real(wp) :: ratio(lanes) = 0.0_wp
       !> Square of the share of strength from which the stress of crushed fibres drops
       real(wp) :: brittle(lanes) = 0.0_wp
+      !> Factors of two sums that are below 1 far from onset, one for each mode. Fibres: of the
+      !> square of stress 11; and, times the width of the band, of that and of stress times strain
+      !> 11. Matrix: of the squares of stress 22 and shear 12; and, times the width, of that of
+      !> stress 22 and of the work of both
+      real(wp), public :: far_fibre(lanes, 3) = 0.0_wp, far_matrix(lanes, 4) = 0.0_wp
    contains
       procedure :: set_lane
       procedure :: find_onset
@@ -81,7 +86,31 @@ contains
          self%shear_toughness(lane, :) = 2.0_wp*constants%shear_toughness
       end if
       self%ratio(lane) = merge(0.0_wp, constants%snap_ratio, constants%snap_back == snap_drop)
+      call set_far(self, lane, constants)
    end subroutine set_lane
+
+   !> Factors of the sums that are below 1 far from onset: never less than what `find_onset` takes
+   pure subroutine set_far(self, lane, constants)
+      class(onset_type), intent(inout) :: self
+      integer, intent(in) :: lane
+      type(ply_constants_type), intent(in) :: constants
+
+      real(wp) :: toughness, weight
+
+      toughness = minval(self%fibre_toughness(lane, :))
+      self%far_fibre(lane, 1) = maxval(self%fibre(lane, :))
+      self%far_fibre(lane, 2) = self%ratio(lane)*self%least(lane, 1)/toughness
+      self%far_fibre(lane, 3) = self%ratio(lane)/toughness
+
+      ! a criterion with a linear term lies below the line to its strength: up to half of that the
+      ! line takes no more than a half, and shear the other half
+      weight = merge(2.0_wp, 1.0_wp, constants%onset == onset_hashin)
+      toughness = min(minval(self%matrix_toughness(lane, :)), minval(self%shear_toughness(lane, :)))
+      self%far_matrix(lane, 1) = weight**2*maxval(1.0_wp/constants%matrix_strength**2)
+      self%far_matrix(lane, 2) = weight*self%shear(lane)
+      self%far_matrix(lane, 3) = self%ratio(lane)*self%least(lane, 2)/toughness
+      self%far_matrix(lane, 4) = self%ratio(lane)/toughness
+   end subroutine set_far
 
    !> How far beyond onset the modes are: 0 or more where damage starts
    pure subroutine find_onset(self, stress, strain, shear, length, excess)

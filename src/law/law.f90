@@ -29,7 +29,8 @@ module plydyn_law_law
    type, abstract, public :: law_type
       !> Lanes that have this law
       logical :: owns(lanes) = .false.
-      !> History variables of a point; the last is always the energy dissipated so far per volume
+      !> History variables of a point; the last is the energy dissipated so far per volume, unless
+      !> the law says otherwise in `show`
       integer :: histories = 0
       !> History variable that is the energy dissipated so far by each mechanism; 0 for none
       integer :: energy_at(mechanisms) = 0
@@ -73,8 +74,8 @@ module plydyn_law_law
 
 contains
 
-   !> `update` for the points of a layer above each other; a law that takes less time over all of
-   !> them at once overrides this
+   !> `update` for some points of a layer, one after the other; a law that takes less time over all
+   !> of them at once overrides this
    pure subroutine update_points(self, points, histories, step, strain, history, stress)
       class(law_type), intent(in) :: self
       !> Number of points; history variables of each, at least those of the law

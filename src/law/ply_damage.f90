@@ -84,7 +84,6 @@ contains
       self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
-      self%ply%closes = self%any_closes
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
       self%any_intact = any(self%intact > 0.0_wp)
       self%histories = merge(histories_closing, histories_open, self%any_closes)
@@ -127,7 +126,7 @@ contains
       values(:) = 0.0_wp
       values(shows_fibre_damage:shows_matrix_damage) = damage
       values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
-      values(shows_dissipated) = history(self%histories)
+      values(shows_dissipated) = sum(history([fibre_energy, matrix_energy, shear_energy]))
    end function show
 
    !> Stress and history after a step
@@ -141,7 +140,7 @@ contains
       call self%update_points(1, self%histories, step, strain, history, stress)
    end subroutine update
 
-   !> The same for the points of a layer above each other: of an intact ply, or one by one
+   !> The same for some points of a layer: at once where the ply is intact, the others one by one
    pure subroutine update_points(self, points, histories, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: points, histories
@@ -152,11 +151,11 @@ contains
 
       real(wp) :: e(lanes, 6), h(lanes, histories_closing), s(lanes, 6)
       integer :: m
-      logical :: quiet
+      logical :: quiet(points)
 
       call self%ply%stay(points, histories, strain, history, stress, quiet)
-      if (quiet) return
       do m = 1, points
+         if (quiet(m)) cycle
          if (self%whole) then
             call advance(self, strain(:, :, m), history(:, :, m), stress(:, :, m))
          else
@@ -347,9 +346,8 @@ contains
       real(wp), intent(inout) :: h(lanes, self%histories)
 
       real(wp) :: loss(4), mean(2), plane
-      integer :: l, last
+      integer :: l
 
-      last = self%histories
       associate (compliance => self%ply%secant%compliance, g => self%ply%secant%shear, &
          & across => self%across, before => now%before, after => now%after, share => now%share)
          !$omp simd private(loss, mean, plane)
@@ -364,7 +362,6 @@ contains
                & loss(2)*compliance(l, 2)*s(l, 2)**2 &
                & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
             h(l, shear_energy) = h(l, shear_energy) + now%work(l)*after(l, 3)*after(l, 4)
-            h(l, last) = h(l, fibre_energy) + h(l, matrix_energy) + h(l, shear_energy)
          end do
       end associate
    end subroutine add_energies

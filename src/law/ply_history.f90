@@ -10,18 +10,18 @@ module plydyn_law_ply_history
    !> 0 before; equivalent strain at the end of softening
    integer, parameter, public :: fibre_damage = 1, fibre_onset = 2, fibre_finish = 3, &
       & matrix_damage = 4, matrix_onset = 5, matrix_finish = 6
-   !> Largest shear strain up to the onset of matrix damage, and shear strain that stays
-   integer, parameter, public :: shear_peak = 7, shear_set = 8
-   !> Widths of the crack band for fibres and for matrix, negative once there is damage, or has
-   !> begun to be: all that a step without damage must look at stands side by side
-   integer, parameter, public :: fibre_length = 9, matrix_length = 10
-   !> Energies dissipated per volume by fibres, by matrix and by the shear that stays
-   integer, parameter, public :: fibre_energy = 11, matrix_energy = 12, shear_energy = 13
+   !> What a step without damage looks at stands side by side. Largest shear strain up to the onset
+   !> of matrix damage, shear strain that stays, and energy dissipated per volume by it; widths of
+   !> the crack band for fibres and for matrix, negative once there is damage, or has begun to be
+   integer, parameter, public :: shear_peak = 7, shear_set = 8, shear_energy = 9, &
+      & fibre_length = 10, matrix_length = 11
+   !> Energies dissipated per volume by fibres and by matrix
+   integer, parameter, public :: fibre_energy = 12, matrix_energy = 13
    !> Where cracks close, the first six are of tension; those of compression are so much further on
    integer, parameter, public :: to_compression = 13
 
-   !> Histories without and with cracks that close; the last is always the energy of all three
-   integer, parameter, public :: histories_open = 14, histories_closing = 20
+   !> Histories without and with cracks that close
+   integer, parameter, public :: histories_open = 13, histories_closing = 19
 
 contains
 

@@ -5,8 +5,8 @@
 module plydyn_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_damage_onset, only : onset_type
-   use plydyn_law_ply_history, only : fibre_length, histories_closing, histories_open, &
-      & matrix_length, shear_energy, shear_peak, shear_set
+   use plydyn_law_ply_history, only : fibre_length, matrix_length, shear_energy, shear_peak, &
+      & shear_set
    use plydyn_law_secant, only : secant_type
    use plydyn_law_shear_curve, only : shear_lanes_type
    implicit none
@@ -16,8 +16,6 @@ module plydyn_law_ply_quiet
    type, public :: quiet_type
       !> 1 in lanes that the law owns, else 0
       real(wp) :: own(lanes) = 0.0_wp
-      !> Whether compression has damage of its own in any lane
-      logical :: closes = .false.
       !> Stiffness, curve of shear, onset of damage
       type(secant_type) :: secant
       type(shear_lanes_type) :: curve
@@ -26,8 +24,11 @@ module plydyn_law_ply_quiet
       procedure :: stay
    end type quiet_type
 
-   !> Most points of a layer above each other: work space of fixed size can be aligned
-   integer, parameter :: most_points = 5
+   !> Most points in a call, a line of a quad and the thickness: work space of fixed size can be
+   !> aligned
+   integer, parameter :: most_points = 15
+   !> Below this, with room for round-off, the sums of points far from onset are below 1
+   real(wp), parameter :: near = 0.99_wp
 
    !> What a quiet step makes of the shear in the plane
    type :: shear_type
@@ -41,55 +42,98 @@ module plydyn_law_ply_quiet
 
 contains
 
-   !> Stress of a step in which no lane of any point is damaged or begins to be
+   !> Stress of points at which no lane is damaged or begins to be in a step
    pure subroutine stay(self, points, histories, strain, history, stress, quiet)
       class(quiet_type), intent(in) :: self
       !> Number of points, `most_points` at most; history variables of each
       integer, intent(in) :: points, histories
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History; changes only where the step is quiet
+      !> History; changes only at points that are quiet
       real(wp), intent(inout) :: history(lanes, histories, points)
-      !> Stress of the lanes that the law owns; means nothing unless quiet
+      !> Stress of the lanes that the law owns; means nothing at points that are not quiet
       real(wp), intent(inout) :: stress(lanes, 6, points)
-      !> Whether the step is quiet
-      logical, intent(out) :: quiet
+      !> Which points are quiet
+      logical, intent(out) :: quiet(points)
 
       type(shear_type) :: shear
       real(wp) :: normal(lanes, 2, most_points)
+      integer :: m
 
-      quiet = is_whole(self, points, histories, history)
-      if (.not. quiet) return
       call bend(self, points, histories, strain, history, shear)
       call give_stress(self, points, strain, shear, normal, stress)
-      quiet = .not. begins(self, points, histories, strain, history, shear, normal)
-      if (quiet .and. shear%grows) call keep_shear(self, points, histories, shear, history)
+      quiet(:) = are_far(self, points, histories, strain, history, shear, normal)
+      if (.not. quiet(1)) then
+         do m = 1, points
+            quiet(m) = is_quiet(self, strain(:, 1:2, m), &
+               & history(:, fibre_length:matrix_length, m), shear%size(:, :, m), normal(:, :, m))
+         end do
+      end if
+      if (.not. shear%grows) return
+      do m = 1, points
+         if (quiet(m)) call keep_shear(self%own, shear%peak(:, m), shear%set(:, m), &
+            & shear%work(:, m), history(:, shear_peak:shear_energy, m))
+      end do
    end subroutine stay
 
-   !> Whether no damage has begun
-   pure logical function is_whole(self, points, histories, history)
+   !> Whether no damage has begun, and all points are so far from it that little is needed to see it
+   pure logical function are_far(self, points, histories, strain, history, shear, normal)
       type(quiet_type), intent(in) :: self
       integer, intent(in) :: points, histories
-      real(wp), intent(in) :: history(lanes, histories, points)
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      type(shear_type), intent(in) :: shear
+      real(wp), intent(in) :: normal(lanes, 2, most_points)
 
-      real(wp) :: each(lanes), least
+      real(wp) :: across, along, each(lanes), fibre, matrix, most, square
       integer :: l, m
 
       each(:) = 0.0_wp
       do m = 1, points
-         !$omp simd
-         do l = 1, lanes
-            each(l) = min(each(l), self%own(l)*history(l, fibre_length, m), &
-               & self%own(l)*history(l, matrix_length, m))
-         end do
+         associate (f => self%onset%far_fibre, g => self%onset%far_matrix, t => shear%size)
+            !$omp simd private(across, along, fibre, matrix, square)
+            do l = 1, lanes
+               fibre = history(l, fibre_length, m)
+               square = normal(l, 1, m)*normal(l, 1, m)
+               along = f(l, 1)*square &
+                  & + fibre*(f(l, 2)*square + f(l, 3)*abs(normal(l, 1, m)*strain(l, 1, m)))
+               matrix = history(l, matrix_length, m)
+               square = normal(l, 2, m)*normal(l, 2, m)
+               across = g(l, 1)*square + g(l, 2)*t(l, 1, m)*t(l, 1, m) + matrix*(g(l, 3)*square &
+                  & + g(l, 4)*(abs(normal(l, 2, m)*strain(l, 2, m)) + t(l, 1, m)*t(l, 2, m)))
+               each(l) = max(each(l), along, across, near - self%own(l)*fibre, &
+                  & near - self%own(l)*matrix)
+            end do
+         end associate
       end do
-      least = 0.0_wp
-      !$omp simd reduction(min:least)
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
       do l = 1, lanes
-         least = min(least, each(l))
+         most = max(most, each(l))
       end do
-      is_whole = least >= 0.0_wp
-   end function is_whole
+      are_far = most <= near
+   end function are_far
+
+   !> Whether no damage has begun or begins at a point
+   pure logical function is_quiet(self, strain, length, shear, normal)
+      type(quiet_type), intent(in) :: self
+      !> Strains 11 and 22, and widths of the crack band
+      real(wp), intent(in) :: strain(lanes, 2), length(lanes, 2)
+      !> Sizes of shear stress and elastic shear strain, stresses 11 and 22
+      real(wp), intent(in) :: shear(lanes, 2), normal(lanes, 2)
+
+      real(wp) :: excess(lanes, 2), most
+      integer :: l
+
+      call self%onset%find_onset(normal, strain, shear, length, excess)
+      most = -1.0_wp
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         ! damage that has begun counts as an excess
+         most = max(most, excess(l, 1), excess(l, 2), &
+            & merge(0.0_wp, -1.0_wp, self%own(l)*min(length(l, 1), length(l, 2)) < 0.0_wp))
+      end do
+      is_quiet = most < 0.0_wp
+   end function is_quiet
 
    !> Shear along its curve
    pure subroutine bend(self, points, histories, strain, history, shear)
@@ -167,58 +211,21 @@ contains
       end do
    end subroutine give_stress
 
-   !> Whether damage begins
-   pure logical function begins(self, points, histories, strain, history, shear, normal)
-      type(quiet_type), intent(in) :: self
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
-      type(shear_type), intent(in) :: shear
-      real(wp), intent(in) :: normal(lanes, 2, most_points)
-
-      real(wp) :: each(lanes), excess(lanes, 2), most
-      integer :: l, m
-
-      each(:) = -1.0_wp
-      do m = 1, points
-         call self%onset%find_onset(normal(:, :, m), strain(:, 1:2, m), shear%size(:, :, m), &
-            & history(:, fibre_length:matrix_length, m), excess)
-         !$omp simd
-         do l = 1, lanes
-            each(l) = max(each(l), excess(l, 1), excess(l, 2))
-         end do
-      end do
-      most = -1.0_wp
-      !$omp simd reduction(max:most)
-      do l = 1, lanes
-         most = max(most, each(l))
-      end do
-      begins = most >= 0.0_wp
-   end function begins
-
-   !> Keep what the shear has become, and what it has cost
-   pure subroutine keep_shear(self, points, histories, shear, history)
-      type(quiet_type), intent(in) :: self
-      integer, intent(in) :: points, histories
-      type(shear_type), intent(in) :: shear
-      real(wp), intent(inout) :: history(lanes, histories, points)
+   !> Keep what the shear of a point has become, and what it has cost
+   pure subroutine keep_shear(own, peak, set, work, history)
+      real(wp), intent(in) :: own(lanes), peak(lanes), set(lanes), work(lanes)
+      real(wp), intent(inout) :: history(lanes, shear_peak:shear_energy)
 
       real(wp) :: kept
-      integer :: l, last, m
+      integer :: l
 
-      last = merge(histories_closing, histories_open, self%closes)
-      do m = 1, points
-         associate (own => self%own, h => history(:, :, m))
-            !$omp simd private(kept)
-            do l = 1, lanes
-               kept = h(l, shear_peak)
-               h(l, shear_peak) = merge(shear%peak(l, m), kept, own(l) > 0.0_wp)
-               kept = h(l, shear_set)
-               h(l, shear_set) = merge(shear%set(l, m), kept, own(l) > 0.0_wp)
-               h(l, shear_energy) = h(l, shear_energy) + own(l)*shear%work(l, m)
-               kept = h(l, last)
-               h(l, last) = merge(h(l, shear_energy), kept, own(l) > 0.0_wp)
-            end do
-         end associate
+      !$omp simd private(kept)
+      do l = 1, lanes
+         kept = history(l, shear_peak)
+         history(l, shear_peak) = merge(peak(l), kept, own(l) > 0.0_wp)
+         kept = history(l, shear_set)
+         history(l, shear_set) = merge(set(l), kept, own(l) > 0.0_wp)
+         history(l, shear_energy) = history(l, shear_energy) + own(l)*work(l)
       end do
    end subroutine keep_shear
 

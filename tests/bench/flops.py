@@ -6,8 +6,8 @@ from __future__ import annotations
 LINE = {3: 8 + 6, 2: 6 + 1}
 # Stress from strain, 13 constants
 STRESS = 40
-# A damage law at a point that is intact: stress with straight shear, onset of both modes
-DAMAGE = 55
+# A damage law at a point far from onset: stress with straight shear, how far both modes are
+DAMAGE = 18 + 26
 # Nodes of a layer to the axes of the ply and back, each point of the thickness; axes of a point
 TURN, AXES = 2 * 6, 4 * 3
 

@@ -1,6 +1,7 @@
 !> One point of a damaged ply, pulled along a path: strain in, stress and work out.
 module ply_point
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : scalars, shows_dissipated
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_onset, histories_closing, &
@@ -187,7 +188,10 @@ contains
    pure real(wp) function dissipated(self)
       class(point_type), intent(in) :: self
 
-      dissipated = self%history(self%law%histories)
+      real(wp) :: values(scalars)
+
+      values(:) = self%law%show(self%history(:self%law%histories))
+      dissipated = values(shows_dissipated)
    end function dissipated
 
    !> Energy per volume that unloading gives back
