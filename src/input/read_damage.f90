@@ -158,11 +158,13 @@ contains
          end if
          if (curve == 0) return
          ply%curve = new_table_curve(curves(curve)%x, curves(curve)%y)
-         call check_shear(cards, "LCID", ply, catalogue)
+         call check_shear(cards, "LCID", ply, "stress over strain from 0, 0, rising with a slope " &
+            & //"of G12 = "//number_words(ply%shear(1))//" at most", catalogue)
       case (power)
          if (.not. (cards%is_fine("ALPHA") .and. cards%is_fine("N"))) return
          ply%curve = new_power_curve(ply%shear(1)*cards%real("ALPHA"), cards%real("N"))
          call check_shear(cards, merge("N    ", "ALPHA", cards%real("ALPHA") > 0.0_wp), ply, &
+            & "ALPHA such that ALPHA SL**N is the plastic strain at the strength, and N above 1", &
             & catalogue)
       case default
          continue
@@ -170,19 +172,20 @@ contains
    end subroutine read_shear_curve
 
    !> What the law has to say about a shear curve
-   subroutine check_shear(cards, name, ply, catalogue)
+   subroutine check_shear(cards, name, ply, right, catalogue)
       type(cards_type), intent(in) :: cards
       !> Field to blame
       character(*), intent(in) :: name
       type(ply_constants_type), intent(in) :: ply
+      !> What would be right
+      character(*), intent(in) :: right
       type(catalogue_type), intent(inout) :: catalogue
 
       type(error_type), allocatable :: error
 
       call check_curve(ply%curve, ply%shear(1), ply%shear_strength, error)
       if (.not. allocated(error)) return
-      call catalogue%refuse(cards, trim(name), error%message, "stress over strain from 0, 0, " &
-         & //"rising with a slope of G12 = "//number_words(ply%shear(1))//" at most")
+      call catalogue%refuse(cards, trim(name), error%message, right)
    end subroutine check_shear
 
    !> *MAT_CODAM2: damage between strains of the deck, for a ply alike in all directions across
