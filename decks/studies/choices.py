@@ -12,6 +12,7 @@ from studies.jobs import Job
 from studies.markdown import table
 
 PLY, BOND = "materials.hts40_9772", "materials.interface"
+_CENTRAL = ("control.scheme=explicit", "control.largest_step=0.0")
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,10 @@ CHOICES = (
     Choice("whole", "closing of failed faces", "full stiffness", (f"{BOND}.closing=whole",)),
     Choice("fit", "strengths of the interfaces", "lowered to fit the mesh",
            (f"{BOND}.fit=strengths",)),
-    Choice("core_12", "side of the core", "12 mm", ("mesh.core=12",)),
+    Choice("residual", "what remains of broken points", "5 %", (f"{PLY}.largest_damage=0.95",)),
+    Choice("central", "scheme", "central differences", _CENTRAL),
+    Choice("core_10", "side of the core", "10 mm, central differences",
+           ("mesh.core=10", *_CENTRAL)),
     Choice("core_15", "side of the core", "15 mm", ("mesh.core=15",)),
     Choice("core_22", "side of the core", "22 mm", ("mesh.core=22",)),
     Choice("points", "contact", "points of the plate", ("contact.method=points_on_plate",)),

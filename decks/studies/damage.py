@@ -145,6 +145,17 @@ def answers_text(rows: Sequence[tuple[str, Answer]]) -> str:
     return table(("model", *HEADINGS), [[name, *answer.cells()] for name, answer in rows])
 
 
+def areas_text(found: Sequence[tuple[str, Results]]) -> str:
+    """Delaminated area of each interface at the end in mm2, one row for each run."""
+    rows, numbers = [], []
+    for name, results in found:
+        areas = results.delamination()
+        columns = area_columns(areas)
+        numbers = sorted(columns)
+        rows.append([name, *(f"{areas[columns[one]][-1]:.0f}" for one in numbers)])
+    return table(("model", *(f"interface {one} [mm2]" for one in numbers)), rows)
+
+
 def mesh_words(recipe: Path, overrides: Sequence[str]) -> str:
     """The number of quads and the size of those in the core."""
     mesh = load_recipe(recipe, overrides).mesh

@@ -25,7 +25,7 @@ from studies.commands import (
     run_all,
     tell,
 )
-from studies.damage import MODELS, Model, answers_text, model_of, read_answer
+from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
 from studies.damage_figures import draw_forces, draw_refinement
 from studies.jobs import Job, StudyError, find_tools
 from studies.markdown import insert
@@ -76,7 +76,7 @@ def _compare(models: Sequence[Model], name: str, common: _Common, tests: list[Pa
     run_all(find_tools(plydyn), jobs, output, parallel, again)
     found = [(model.label, open_results(output / model.recipe)) for model in models]
     text = answers_text([(label, read_answer(results)) for label, results in found])
-    tell(output / f"{name}.md", [(name.capitalize(), text)])
+    tell(output / f"{name}.md", [(name.capitalize(), text), ("Areas", areas_text(found))])
     list_files(draw_forces(found, tests or (), output, name))
     if into:
         insert(into, name, text)
@@ -154,12 +154,13 @@ def refine(
     answers = [read_answer(results) for results in found]
     names = [damage.mesh_words(job.recipe, job.overrides) for job in jobs]
     text = answers_text(list(zip(names, answers, strict=True)))
-    tell(output / "refine.md", [("Refinement", text)])
+    areas = areas_text(list(zip(names, found, strict=True)))
+    tell(output / "refine.md", [("Refinement", text), ("Areas", areas)])
     steps = [damage.core_size(job.recipe, job.overrides) for job in jobs]
     list_files([draw_refinement(list(zip(steps, answers, strict=True)), output / "refine.png")])
     list_files(draw_forces(list(zip(names, found, strict=True)), (), output, "refine_force"))
     if into:
-        insert(into, "refinement", text)
+        insert(into, "refinement", f"{text}\n{areas}")
 
 
 def _refined(model: str, n: int, overrides: Sequence[str]) -> Job:
