@@ -132,20 +132,22 @@ def converge(
 @app.command("schemes")
 def schemes_command(
     output: Folder = DEFAULT / "schemes",
-    models: Annotated[str, typer.Option("--models", help="Models, by commas.")] = "le1,le2,le3",
+    models: Annotated[
+        str, typer.Option("--models", help="Elastic models, by commas; empty for none.")
+    ] = "le1,le2,le3",
     into: Into = None,
     plydyn: Solver = None,
     parallel: Parallel = 1,
     again: Again = False,
 ) -> None:
     """Locally implicit schemes against the explicit one, elastic and with damage."""
-    elastic, damaged = schemes.elastic_cases(models.split(",")), schemes.damage_cases()
+    names = [name for name in models.split(",") if name]
+    elastic, damaged = schemes.elastic_cases(names), schemes.damage_cases()
     jobs = [case.job for case in (*elastic, *damaged)]
     run_all(find_tools(plydyn), jobs, output, parallel, again)
-    sections = [
-        ("Elastic schemes", schemes.elastic_text(elastic, output)),
-        ("Damage schemes", schemes.damage_text(damaged, output)),
-    ]
+    sections = [("Damage schemes", schemes.damage_text(damaged, output))]
+    if elastic:
+        sections.append(("Elastic schemes", schemes.elastic_text(elastic, output)))
     tell(output / "schemes.md", sections)
     if into:
         for heading, text in sections:
