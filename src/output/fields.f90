@@ -96,25 +96,22 @@ contains
       type(fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      real(wp) :: area(domain%columns%nodes)
+      real(wp) :: area(size(self%grid%node))
       integer :: e, p
 
       allocate (self%weight(size(domain%plates)))
       area(:) = 0.0_wp
       do p = 1, size(domain%plates)
-         associate (plate => domain%plates(p), weight => self%weight(p))
-            allocate (weight%share(size(plate%node, 1), size(plate%node, 2)))
-            do e = 1, size(plate%quad)
+         associate (plate => domain%plates(p), weight => self%weight(p), &
+            & site => self%grid%plates(p)%site)
+            allocate (weight%share(size(site, 1), size(site, 2)))
+            do e = 1, size(site, 2)
                weight%share(:, e) = quad_node_area(plate%side, &
                   & domain%position(1:2, plate%node(:, e)))
-               area(plate%node(:, e)) = area(plate%node(:, e)) + weight%share(:, e)
+               area(site(:, e)) = area(site(:, e)) + weight%share(:, e)
             end do
-         end associate
-      end do
-      do p = 1, size(domain%plates)
-         associate (node => domain%plates(p)%node, share => self%weight(p)%share)
-            do e = 1, size(node, 2)
-               share(:, e) = share(:, e)/area(node(:, e))
+            do e = 1, size(site, 2)
+               weight%share(:, e) = weight%share(:, e)/area(site(:, e))
             end do
          end associate
       end do
@@ -146,8 +143,9 @@ contains
 
       real(wp) :: height
       real(wp), allocatable :: share(:), slope(:)
-      integer :: c, i, k, n, t, tau
+      integer :: c, first, k, sites, t, tau
 
+      sites = size(self%grid%node)
       allocate (values(3, size(self%grid%position, 2)))
       values(:, :) = 0.0_wp
       do k = 1, size(self%grid%levels)
@@ -156,13 +154,11 @@ contains
             do t = 1, self%grid%levels(k)
                height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(self%grid%levels(k) - 1, wp)
                call lagrange(expansion%node, height, share, slope)
-               do n = 1, domain%columns%nodes
-                  i = self%grid%first(k) + (t - 1)*domain%columns%nodes + n
-                  do c = 1, 3
-                     do tau = 1, size(share)
-                        values(c, i) = values(c, i) &
-                           & + share(tau)*motion(domain%columns%freedom(k, tau, c, n))
-                     end do
+               first = self%grid%first(k) + (t - 1)*sites
+               do c = 1, 3
+                  do tau = 1, size(share)
+                     values(c, first + 1:first + sites) = values(c, first + 1:first + sites) &
+                        & + share(tau)*motion(domain%columns%freedom(k, tau, c, self%grid%node))
                   end do
                end do
             end do
@@ -171,7 +167,7 @@ contains
       end do
    end function motion_values
 
-   !> Strain and stress at the points of the grid, averaged over the quads that meet there,
+   !> Strain and stress at the points of the grid: the mean of the quads of a part that meet there,
    !> (recovered, points)
    function recovered_values(self, domain, state) result(values)
       class(fields_type), intent(in) :: self
@@ -213,7 +209,8 @@ contains
             at_level = level_values(at_gauss, &
                & thickness_interpolation(plate%batches(home(1)), height))
             do n = 1, size(plate%node, 1)
-               i = self%grid%first(k) + (t - 1)*domain%columns%nodes + plate%node(n, e)
+               i = self%grid%first(k) + (t - 1)*size(self%grid%node) &
+                  & + self%grid%plates(p)%site(n, e)
                values(:, i) = values(:, i) + self%weight(p)%share(n, e) &
                   & *within_cell(plane_value(plate, e, k, self%at_node(n), at_level), at_gauss)
             end do
