@@ -11,8 +11,6 @@ module plydyn_element_interface_kernel
 
    !> Points of the largest quad: work space of fixed size can be aligned
    integer, parameter :: most = 9
-   !> Numbers of a point: three components of all lanes
-   integer, parameter :: width = 3*lanes
 
 contains
 
@@ -60,14 +58,19 @@ contains
       !> History of the points
       real(wp), intent(inout) :: history(lanes, self%law%histories, self%side**2)
       !> Opening in, force out
-      real(wp), intent(inout) :: jump(lanes, 3, self%side**2)
+      real(wp), intent(inout) :: jump(lanes, 3, most)
 
-      real(wp) :: traction(lanes, 3)
-      integer :: q
+      real(wp) :: traction(lanes, 3, most)
+      integer :: c, l, q
 
+      call self%law%update_points(self%side**2, jump, history, traction)
       do q = 1, self%side**2
-         call self%law%update(jump(:, :, q), history(:, :, q), traction)
-         jump(:, :, q) = metric(5, q)*traction
+         do c = 1, 3
+            !$omp simd
+            do l = 1, lanes
+               jump(l, c, q) = metric(5, q)*traction(l, c, q)
+            end do
+         end do
       end do
    end subroutine resist
 
@@ -143,6 +146,7 @@ contains
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
+      real(wp) :: high, low
       integer :: above, below, c, i, l
 
       if (.not. self%adjacent) then
@@ -153,13 +157,14 @@ contains
          above = self%above%first(1) + self%above%step(1)*(node(i) - 1) - 1
          below = self%below%first(1) + self%below%step(1)*(node(i) - 1) - 1
          do c = 1, 3
-            !$omp simd
+            ! both are read before either is written: faces of order 1 share a place, that of a last
+            ! lane above without an interface, which leaves it as it was: first
+            !$omp simd private(high, low)
             do l = 1, lanes
-               force(below + l) = force(below + l) + both(l, c, i)
-            end do
-            !$omp simd
-            do l = 1, lanes
-               force(above + l) = force(above + l) - both(l, c, i)
+               high = force(above + l) - both(l, c, i)
+               low = force(below + l) + both(l, c, i)
+               force(above + l) = high
+               force(below + l) = low
             end do
             above = above + self%above%stride(1)
             below = below + self%below%stride(1)
@@ -214,24 +219,43 @@ contains
       !> Distance of the outer points from the middle
       real(wp), intent(in) :: reach
       !> Values
-      real(wp), intent(inout) :: value(width, side, side)
-      integer :: k
+      real(wp), intent(inout) :: value(lanes, 3, side**2)
+
+      real(wp) :: v1, v2, v3, v4, v5, v6, v7, v8, v9
+      integer :: c, l
 
       if (side == 2) then
-         do k = 1, side
-            call blend(reach, value(:, 1, k), value(:, 2, k))
-         end do
-         do k = 1, side
-            call blend(reach, value(:, k, 1), value(:, k, 2))
-         end do
-      else
-         do k = 1, side
-            call spread_line(reach, value(:, 1, k), value(:, 2, k), value(:, 3, k))
-         end do
-         do k = 1, side
-            call spread_line(reach, value(:, k, 1), value(:, k, 2), value(:, k, 3))
-         end do
+         call blend_four(reach, value)
+         return
       end if
+      do c = 1, 3
+         !$omp simd private(v1, v2, v3, v4, v5, v6, v7, v8, v9)
+         do l = 1, lanes
+            v1 = value(l, c, 1)
+            v2 = value(l, c, 2)
+            v3 = value(l, c, 3)
+            v4 = value(l, c, 4)
+            v5 = value(l, c, 5)
+            v6 = value(l, c, 6)
+            v7 = value(l, c, 7)
+            v8 = value(l, c, 8)
+            v9 = value(l, c, 9)
+            call spread_line(reach, v1, v2, v3)
+            call spread_line(reach, v4, v5, v6)
+            call spread_line(reach, v7, v8, v9)
+            call spread_line(reach, v1, v4, v7)
+            call spread_line(reach, v2, v5, v8)
+            call spread_line(reach, v3, v6, v9)
+            value(l, c, 1) = v1
+            value(l, c, 2) = v2
+            value(l, c, 3) = v3
+            value(l, c, 4) = v4
+            value(l, c, 6) = v6
+            value(l, c, 7) = v7
+            value(l, c, 8) = v8
+            value(l, c, 9) = v9
+         end do
+      end do
    end subroutine to_points
 
    !> Transposed of `to_points`: forces at the Gauss points to forces at the nodes
@@ -241,42 +265,87 @@ contains
       !> Distance of the outer points from the middle
       real(wp), intent(in) :: reach
       !> Forces
-      real(wp), intent(inout) :: value(width, side, side)
-      integer :: k
+      real(wp), intent(inout) :: value(lanes, 3, side**2)
+
+      real(wp) :: v1, v2, v3, v4, v5, v6, v7, v8, v9
+      integer :: c, l
 
       if (side == 2) then
-         do k = 1, side
-            call blend(reach, value(:, k, 1), value(:, k, 2))
-         end do
-         do k = 1, side
-            call blend(reach, value(:, 1, k), value(:, 2, k))
-         end do
-      else
-         do k = 1, side
-            call gather_line(reach, value(:, k, 1), value(:, k, 2), value(:, k, 3))
-         end do
-         do k = 1, side
-            call gather_line(reach, value(:, 1, k), value(:, 2, k), value(:, 3, k))
-         end do
+         call blend_four(reach, value)
+         return
       end if
+      do c = 1, 3
+         !$omp simd private(v1, v2, v3, v4, v5, v6, v7, v8, v9)
+         do l = 1, lanes
+            v1 = value(l, c, 1)
+            v2 = value(l, c, 2)
+            v3 = value(l, c, 3)
+            v4 = value(l, c, 4)
+            v5 = value(l, c, 5)
+            v6 = value(l, c, 6)
+            v7 = value(l, c, 7)
+            v8 = value(l, c, 8)
+            v9 = value(l, c, 9)
+            call gather_line(reach, v1, v4, v7)
+            call gather_line(reach, v2, v5, v8)
+            call gather_line(reach, v3, v6, v9)
+            call gather_line(reach, v1, v2, v3)
+            call gather_line(reach, v4, v5, v6)
+            call gather_line(reach, v7, v8, v9)
+            value(l, c, 1) = v1
+            value(l, c, 2) = v2
+            value(l, c, 3) = v3
+            value(l, c, 4) = v4
+            value(l, c, 5) = v5
+            value(l, c, 6) = v6
+            value(l, c, 7) = v7
+            value(l, c, 8) = v8
+            value(l, c, 9) = v9
+         end do
+      end do
    end subroutine to_nodes
+
+   !> Either of the two for a quad of four nodes
+   pure subroutine blend_four(reach, value)
+      !> Distance of the points from the middle
+      real(wp), intent(in) :: reach
+      !> Values
+      real(wp), intent(inout) :: value(lanes, 3, 4)
+
+      real(wp) :: v1, v2, v3, v4
+      integer :: c, l
+
+      do c = 1, 3
+         !$omp simd private(v1, v2, v3, v4)
+         do l = 1, lanes
+            v1 = value(l, c, 1)
+            v2 = value(l, c, 2)
+            v3 = value(l, c, 3)
+            v4 = value(l, c, 4)
+            call blend(reach, v1, v2)
+            call blend(reach, v3, v4)
+            call blend(reach, v1, v3)
+            call blend(reach, v2, v4)
+            value(l, c, 1) = v1
+            value(l, c, 2) = v2
+            value(l, c, 3) = v3
+            value(l, c, 4) = v4
+         end do
+      end do
+   end subroutine blend_four
 
    !> Values at the ends of a line to those at its two Gauss points; its own transposed
    pure subroutine blend(reach, first, last)
       !> Distance of the points from the middle
       real(wp), intent(in) :: reach
       !> Values
-      real(wp), intent(inout) :: first(width), last(width)
+      real(wp), intent(inout) :: first, last
       real(wp) :: even, odd
-      integer :: l
 
-      !$omp simd private(even, odd)
-      do l = 1, width
-         even = 0.5_wp*(last(l) + first(l))
-         odd = 0.5_wp*reach*(last(l) - first(l))
-         first(l) = even - odd
-         last(l) = even + odd
-      end do
+      even = 0.5_wp*(last + first)
+      odd = 0.5_wp*reach*(last - first)
+      first = even - odd
+      last = even + odd
    end subroutine blend
 
    !> Values at three nodes of a line to those at its three Gauss points; the middle one stays
@@ -284,19 +353,15 @@ contains
       !> Distance of the outer points from the middle
       real(wp), intent(in) :: reach
       !> Values
-      real(wp), intent(inout) :: first(width), last(width)
+      real(wp), intent(inout) :: first, last
       !> Value in the middle
-      real(wp), intent(in) :: middle(width)
+      real(wp), intent(in) :: middle
       real(wp) :: even, odd
-      integer :: l
 
-      !$omp simd private(even, odd)
-      do l = 1, width
-         even = middle(l) + 0.5_wp*reach**2*((last(l) + first(l)) - 2.0_wp*middle(l))
-         odd = 0.5_wp*reach*(last(l) - first(l))
-         first(l) = even - odd
-         last(l) = even + odd
-      end do
+      even = middle + 0.5_wp*reach**2*((last + first) - 2.0_wp*middle)
+      odd = 0.5_wp*reach*(last - first)
+      first = even - odd
+      last = even + odd
    end subroutine spread_line
 
    !> Transposed of `spread_line`
@@ -304,18 +369,14 @@ contains
       !> Distance of the outer points from the middle
       real(wp), intent(in) :: reach
       !> Forces
-      real(wp), intent(inout) :: first(width), middle(width), last(width)
+      real(wp), intent(inout) :: first, middle, last
       real(wp) :: even, odd
-      integer :: l
 
-      !$omp simd private(even, odd)
-      do l = 1, width
-         even = last(l) + first(l)
-         odd = 0.5_wp*reach*(last(l) - first(l))
-         middle(l) = middle(l) + (1.0_wp - reach**2)*even
-         first(l) = 0.5_wp*reach**2*even - odd
-         last(l) = 0.5_wp*reach**2*even + odd
-      end do
+      even = last + first
+      odd = 0.5_wp*reach*(last - first)
+      middle = middle + (1.0_wp - reach**2)*even
+      first = 0.5_wp*reach**2*even - odd
+      last = 0.5_wp*reach**2*even + odd
    end subroutine gather_line
 
 end module plydyn_element_interface_kernel

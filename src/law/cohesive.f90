@@ -78,6 +78,7 @@ module plydyn_law_cohesive
       real(wp) :: friction = 0.0_wp, grip = 0.0_wp
    contains
       procedure :: update
+      procedure :: update_points
       procedure :: toughness_of
    end type cohesive_type
 
@@ -134,14 +135,70 @@ contains
       !> Traction in the same axes, positive with the opening
       real(wp), intent(out) :: traction(lanes, 3)
 
+      call self%update_points(1, opening, history, traction)
+   end subroutine update
+
+   !> The same for some points at once. Intact points below the onset stay as they are: to see that
+   !> all are takes less time than to ask each
+   pure subroutine update_points(self, points, opening, history, traction)
+      class(cohesive_type), intent(in) :: self
+      !> Number of points
+      integer, intent(in) :: points
+      !> Openings
+      real(wp), intent(in) :: opening(lanes, 3, points)
+      !> Histories, old in and new out
+      real(wp), intent(inout) :: history(lanes, self%histories, points)
+      !> Tractions
+      real(wp), intent(out) :: traction(lanes, 3, points)
+
+      real(wp) :: across, along, beyond(lanes), highest
+      integer :: l, q
+
+      beyond(:) = 0.0_wp
+      do q = 1, points
+         !$omp simd private(across, along)
+         do l = 1, lanes
+            traction(l, 1, q) = self%stiffness(shear)*opening(l, 1, q)
+            traction(l, 2, q) = self%stiffness(shear)*opening(l, 2, q)
+            traction(l, 3, q) = self%stiffness(normal)*opening(l, 3, q)
+            across = traction(l, 3, q)*max(opening(l, 3, q), 0.0_wp)
+            along = traction(l, 1, q)*opening(l, 1, q) + traction(l, 2, q)*opening(l, 2, q)
+            beyond(l) = max(beyond(l), &
+               & self%onset(normal)*across + self%onset(shear)*along - 1.0_wp)
+         end do
+      end do
+      if (self%histories == 0) return
+      do q = 1, points
+         !$omp simd
+         do l = 1, lanes
+            beyond(l) = max(beyond(l), history(l, damage_at, q))
+         end do
+      end do
+      highest = 0.0_wp
+      !$omp simd reduction(max: highest)
+      do l = 1, lanes
+         highest = max(highest, beyond(l))
+      end do
+      if (highest <= 0.0_wp) return
+      do q = 1, points
+         call degrade(self, opening(:, :, q), history(:, :, q), traction(:, :, q))
+      end do
+   end subroutine update_points
+
+   !> Damage, what it costs and what it leaves of the traction
+   pure subroutine degrade(self, opening, history, traction)
+      class(cohesive_type), intent(in) :: self
+      !> Opening
+      real(wp), intent(in) :: opening(lanes, 3)
+      !> History of the point, old in and new out
+      real(wp), intent(inout) :: history(lanes, self%histories)
+      !> Traction, of the intact interface in
+      real(wp), intent(inout) :: traction(lanes, 3)
+
       real(wp) :: before(lanes), energy(lanes, 2), highest, load(lanes)
       integer :: l
 
-      traction(:, 1:2) = self%stiffness(shear)*opening(:, 1:2)
-      traction(:, 3) = self%stiffness(normal)*opening(:, 3)
-      if (self%histories == 0) return
-
-      ! an intact point below the onset stays as it is
+      ! damage grows where the load is past the onset and something is left
       highest = 0.0_wp
       !$omp simd reduction(max: highest)
       do l = 1, lanes
@@ -149,14 +206,6 @@ contains
          energy(l, shear) = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
          load(l) = self%onset(normal)*energy(l, normal) + self%onset(shear)*energy(l, shear)
          before(l) = history(l, damage_at)
-         highest = max(highest, load(l) - 1.0_wp, before(l))
-      end do
-      if (highest <= 0.0_wp) return
-
-      ! damage grows where the load is past the onset and something is left
-      highest = 0.0_wp
-      !$omp simd reduction(max: highest)
-      do l = 1, lanes
          highest = max(highest, min(load(l) - 1.0_wp, 1.0_wp - before(l)))
       end do
       if (highest > 0.0_wp) call grow_damage(self, energy, load, history)
@@ -165,7 +214,7 @@ contains
          call let_go(self, before, opening, history)
       end if
       if (self%friction > 0.0_wp) call rub(self, before, opening, history, traction)
-   end subroutine update
+   end subroutine degrade
 
    !> New damage and the energy that it took
    pure subroutine grow_damage(self, energy, load, history)
