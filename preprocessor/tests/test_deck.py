@@ -9,55 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from ansys.dyna.core import Deck
+from deck_cards import TEXT_LINES, cards_of, fields_of, read_by_client, split_columns, text_of
 
 import plydyn_pre as pre
-
-WIDTHS = {"NODE": [8, 16, 16, 16, 8, 8], "ELEMENT_PLATE_Q9": [8] * 9, "ELEMENT_SHELL": [8] * 6}
-TEXT_LINES = {"TITLE": 1, "PART_COMPOSITE_LONG": 1}
-
-
-def text_of(study: pre.Study) -> str:
-    """The deck of a study."""
-    return "\n".join(pre.deck_text(study, pre.make_mesh(study.mesh))) + "\n"
-
-
-def cards_of(text: str) -> dict[str, list[str]]:
-    """Lines of data of each keyword, repeats joined; comments left out."""
-    cards: dict[str, list[str]] = {}
-    name = ""
-    for line in text.splitlines():
-        if line.startswith("*"):
-            name = line[1:]
-            cards.setdefault(name, [])
-        elif not line.startswith("$"):
-            cards[name].append(line)
-    return cards
-
-
-def split_columns(line: str, width: int) -> list[str]:
-    """Fields of a line of equal columns."""
-    return [line[i : i + width].strip() for i in range(0, len(line), width)]
-
-
-def fields_of(keyword: str, line: str) -> list[str]:
-    """Fields of a line of a keyword."""
-    if keyword not in WIDTHS:
-        return split_columns(line, 20 if keyword.endswith("+") or "CURVE" in keyword else 10)
-    ends = np.cumsum(WIDTHS[keyword])
-    return [line[end - w : end].strip() for end, w in zip(ends, WIDTHS[keyword], strict=True)]
-
-
-def read_by_client(text: str) -> dict[str, list]:
-    """Keywords as an independent reader of LS-DYNA decks sees them, by their names."""
-    deck = Deck()
-    deck.loads(text)
-    found: dict[str, list] = {}
-    for item in deck.all_keywords:
-        first = item.splitlines()[0][1:] if isinstance(item, str) else ""
-        name = first or f"{item.keyword}_{item.subkeyword}".replace("NODE_NODE", "NODE")
-        found.setdefault(name, []).append(item)
-    return found
 
 
 def test_a_deck_begins_and_ends_as_it_must(study: pre.Study) -> None:
@@ -271,66 +225,6 @@ def test_a_load_without_a_curve_is_constant(study: pre.Study) -> None:
     start = cards["DEFINE_CURVE_TITLE"].index("constant")
     points = [line.split() for line in cards["DEFINE_CURVE_TITLE"][start + 2 : start + 4]]
     assert points == [["0", "1"], ["0.0001", "1"]]
-
-
-def damaged(study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive) -> pre.Study:
-    """The study with plies that are damaged and interfaces that fail."""
-    return replace(
-        study,
-        materials={"ply": ply, "bond": bond},
-        laminate=pre.Laminate("[0/90]s", 0.1, "ply", interfaces="bond"),
-        outputs=pre.Outputs(fields=("damage_matrix",), delamination_interval=1e-6),
-    )
-
-
-def test_a_ply_that_is_damaged_says_all_that_it_is(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
-) -> None:
-    ply = replace(ply, shear="exponential", width_rule="gauss_point", closure=True, G2S=0.79)
-    ply = replace(ply, brittle=0.4)
-    cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
-    assert [line.split() for line in cards] == [
-        ["ply"],
-        ["1", "1.6e-09", "153000.0", "10300.0", "10300.0", "0.3", "0.3", "0.4"],
-        ["6000.0", "6000.0", "3700.0"],
-        ["2537.0", "1580.0", "82.0", "236.0", "90.0", "0.0"],
-        ["91.6", "79.9", "0.22", "1.1", "0.0", "0.999999", "0.79"],
-        ["1", "0", "0.05", "0.0", "0.0"],
-        ["1", "0", "1.05", "0", "0", "1", "0.0", "0"],
-        ["0.4"],
-    ]
-
-
-def test_a_ply_can_take_its_shear_from_a_curve(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
-) -> None:
-    ply = replace(ply, shear="curve", shear_curve="shear")
-    curve = pre.Curve((0.0, 0.01, 0.05), (0.0, 44.3, 90.0))
-    with_curve = damaged(replace(study, curves={**study.curves, "shear": curve}), ply, bond)
-    cards = cards_of(text_of(with_curve))
-    start = cards["DEFINE_CURVE_TITLE"].index("shear")
-    lcid = cards["DEFINE_CURVE_TITLE"][start + 1].split()[0]
-    assert cards["MAT_PLY_CODAM2_TITLE"][5].split()[:2] == ["2", lcid]
-    assert "curves.shear" not in pre.unused(with_curve)
-    with pytest.raises(pre.RecipeError, match=r"materials\.ply\.shear_curve"):
-        damaged(study, ply, bond)
-
-
-def test_a_bond_that_fails_says_all_that_it_is(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
-) -> None:
-    nodes = replace(bond, quadrature="nodes", closing="whole", friction=0.3, fit="strengths")
-    cards = cards_of(text_of(damaged(study, ply, nodes)))
-    assert [line.split() for line in cards["MAT_COHESIVE_MIXED_MODE_TITLE"]] == [
-        ["bond"],
-        ["2", "0.0", "0", "0.0", "1373300.0", "493300.0", "0.28", "0.79"],
-        ["-1.634", "62.3", "92.3", "0.0", "0.0", "0.0"],
-    ]
-    assert cards["INTERFACE_COHESIVE"][0].split() == ["1", "0", "0", "2", "1", "1", "0.3", "2"]
-    assert cards["DATABASE_DELAM"][0].split() == ["1e-06"]
-    other = replace(bond, mixing="power", exponent=1.0)
-    cards = cards_of(text_of(damaged(study, ply, other)))
-    assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"
 
 
 def test_a_deck_that_fails_leaves_no_file(study: pre.Study, tmp_path: Path) -> None:

@@ -10,9 +10,10 @@ import pytest
 from decks import Deck, Ply
 from elasticity import CARBON, GLASS, Array
 from meshes import Mesh, distorted, plane_weights, regular
-from runs import DIGITS, Table, run
+from runs import DIGITS, Results, Table, run
 
 LENGTH, WIDTH = 12.0, 8.0
+RATE = 1500.0  # of the quarter turn, rad/s
 PLIES = [Ply(CARBON, 0.4, 0.0), Ply(GLASS, 0.6, 40.0), Ply(CARBON, 0.5, 90.0)]
 DENSITY_PER_AREA = sum(ply.material.density * ply.thickness for ply in PLIES)
 
@@ -84,6 +85,20 @@ def histories(table: Table, count: int, names: tuple[str, ...]) -> Array:
     )
 
 
+def turned_by_a_quarter(mesh: Mesh, ply: Ply, folder: Path) -> Results:
+    """A plate that spins freely until it has made a quarter turn."""
+    time = 0.5 * np.pi / RATE
+    deck = Deck("quarter turn", time)
+    deck.control()
+    deck.mesh(mesh)
+    deck.laminate([ply], 1)
+    deck.intervals(glstat=time / 100.0)
+    deck.velocities(spin(mesh, RATE))
+    deck.histories(range(len(mesh.points)), time / 50.0)
+    deck.profile(1, 5.0, 3.0, time)
+    return run(deck, folder)
+
+
 @pytest.mark.parametrize("nodes", [4, 9])
 def test_quarter_turn(nodes: int, tmp_path: Path) -> None:
     """A quarter turn in the plane strains no more than the centrifugal forces do.
@@ -91,26 +106,16 @@ def test_quarter_turn(nodes: int, tmp_path: Path) -> None:
     Those stretch by at most rho omega^2 R^2 / E, twice that when they set in suddenly; this is
     1e-6 here, while strains linear in the displacements would reach 1.
     """
-    rate = 1500.0
-    mesh, time = regular(LENGTH, WIDTH, 3, 2, nodes), 0.5 * np.pi / rate
-    deck = Deck("quarter turn", time)
-    deck.control()
-    deck.mesh(mesh)
-    ply = Ply(CARBON, 2.0)
-    deck.laminate([ply], 1)
-    deck.intervals(glstat=time / 100.0)
-    deck.velocities(spin(mesh, rate))
-    deck.histories(range(len(mesh.points)), time / 50.0)
-    deck.profile(1, 5.0, 3.0, time)
-    results = run(deck, tmp_path)
+    mesh, ply = regular(LENGTH, WIDTH, 3, 2, nodes), Ply(CARBON, 2.0)
+    results = turned_by_a_quarter(mesh, ply, tmp_path)
 
     centre = np.array([LENGTH / 2.0, WIDTH / 2.0])
     arm = mesh.points - centre
     radius = np.hypot(*arm.T).max()
-    stretch = 2.0 * CARBON.density * rate**2 * radius**2 / CARBON.young[1]
+    stretch = 2.0 * CARBON.density * RATE**2 * radius**2 / CARBON.young[1]
     table = results.table("nodes")
     place = arm[:, None, :, None] + histories(table, len(arm), ("ux", "uy"))
-    angle = rate * table["time"]
+    angle = RATE * table["time"]
     turned = np.array(
         [
             arm[:, :1] * np.cos(angle) - arm[:, 1:] * np.sin(angle),

@@ -1,0 +1,70 @@
+"""The cards of plies that are damaged and of interfaces that fail."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from deck_cards import cards_of, text_of
+
+import plydyn_pre as pre
+
+
+def damaged(study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive) -> pre.Study:
+    """The study with plies that are damaged and interfaces that fail."""
+    return replace(
+        study,
+        materials={"ply": ply, "bond": bond},
+        laminate=pre.Laminate("[0/90]s", 0.1, "ply", interfaces="bond"),
+        outputs=pre.Outputs(fields=("damage_matrix",), delamination_interval=1e-6),
+    )
+
+
+def test_a_ply_that_is_damaged_says_all_that_it_is(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    ply = replace(ply, shear="exponential", width_rule="gauss_point", closure=True, G2S=0.79)
+    ply = replace(ply, brittle=0.4)
+    cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
+    assert [line.split() for line in cards] == [
+        ["ply"],
+        ["1", "1.6e-09", "153000.0", "10300.0", "10300.0", "0.3", "0.3", "0.4"],
+        ["6000.0", "6000.0", "3700.0"],
+        ["2537.0", "1580.0", "82.0", "236.0", "90.0", "0.0"],
+        ["91.6", "79.9", "0.22", "1.1", "0.0", "0.999999", "0.79"],
+        ["1", "0", "0.05", "0.0", "0.0"],
+        ["1", "0", "1.05", "0", "0", "1", "0.0", "0"],
+        ["0.4"],
+    ]
+
+
+def test_a_ply_can_take_its_shear_from_a_curve(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    ply = replace(ply, shear="curve", shear_curve="shear")
+    curve = pre.Curve((0.0, 0.01, 0.05), (0.0, 44.3, 90.0))
+    with_curve = damaged(replace(study, curves={**study.curves, "shear": curve}), ply, bond)
+    cards = cards_of(text_of(with_curve))
+    start = cards["DEFINE_CURVE_TITLE"].index("shear")
+    lcid = cards["DEFINE_CURVE_TITLE"][start + 1].split()[0]
+    assert cards["MAT_PLY_CODAM2_TITLE"][5].split()[:2] == ["2", lcid]
+    assert "curves.shear" not in pre.unused(with_curve)
+    with pytest.raises(pre.RecipeError, match=r"materials\.ply\.shear_curve"):
+        damaged(study, ply, bond)
+
+
+def test_a_bond_that_fails_says_all_that_it_is(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    nodes = replace(bond, quadrature="nodes", closing="whole", friction=0.3, fit="strengths")
+    cards = cards_of(text_of(damaged(study, ply, nodes)))
+    assert [line.split() for line in cards["MAT_COHESIVE_MIXED_MODE_TITLE"]] == [
+        ["bond"],
+        ["2", "0.0", "0", "0.0", "1373300.0", "493300.0", "0.28", "0.79"],
+        ["-1.634", "62.3", "92.3", "0.0", "0.0", "0.0"],
+    ]
+    assert cards["INTERFACE_COHESIVE"][0].split() == ["1", "0", "0", "2", "1", "1", "0.3", "2"]
+    assert cards["DATABASE_DELAM"][0].split() == ["1e-06"]
+    other = replace(bond, mixing="power", exponent=1.0)
+    cards = cards_of(text_of(damaged(study, ply, other)))
+    assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"
