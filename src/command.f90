@@ -46,9 +46,6 @@ module plydyn_command
 
    !> Most threads that a run may ask for: more are a slip of the pen
    integer, parameter :: most_threads = 4096
-   !> Environment in which launchers say how many ranks there are
-   character(*), parameter :: rank_counts(2) = [character(24) :: "OMPI_COMM_WORLD_SIZE", &
-      & "PMI_SIZE"]
 
 contains
 
@@ -62,8 +59,6 @@ contains
       character(:), allocatable :: folder, word
       integer :: i
 
-      call refuse_ranks(error)
-      if (allocated(error)) return
       command%action = ""
       command%deck = ""
       command%job = ""
@@ -86,22 +81,6 @@ contains
       end do
       call finish(command, folder, error)
    end subroutine read_command
-
-   !> This program runs alone: several copies would write the same files
-   subroutine refuse_ranks(error)
-      type(error_type), allocatable, intent(out) :: error
-
-      character(12) :: value
-      integer :: i, status
-
-      do i = 1, size(rank_counts)
-         call get_environment_variable(trim(rank_counts(i)), value, status=status)
-         if (status /= 0 .or. trim(value) == "1") cycle
-         call fail(error, exit_usage, "plydyn runs on one rank; it was started on "//trim(value) &
-            & //" ("//trim(rank_counts(i))//"): start it without mpirun")
-         return
-      end do
-   end subroutine refuse_ranks
 
    !> One word of the command line
    function argument(i) result(word)

@@ -5,129 +5,134 @@ program plydyn
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
    use plydyn_command, only : command_type, read_command, usage
-   use plydyn_domain_build, only : build_domain
-   use plydyn_domain_domain, only : domain_type
    use plydyn_input_read_model, only : keyword_manual, read_decks_of_run
    use plydyn_model_model, only : model_type
+   use plydyn_model_control, only : changes_type
    use plydyn_output_dump_input, only : dump_input_type
    use plydyn_output_job, only : job_type
-   use plydyn_output_listing, only : write_end, write_listing, write_restart
+   use plydyn_output_listing, only : write_listing, write_restart
    use plydyn_output_places, only : new_places
-   use plydyn_output_profile, only : check_profiles
+   use plydyn_output_ranks_listing, only : write_ranks
    use plydyn_output_text_file, only : append_to, close_text, create_text
-   use plydyn_output_writer, only : writer_type
-   use plydyn_solver_contacts, only : contacts_type, new_contacts
+   use plydyn_parallel_comm, only : comm_type, start_ranks, stop_ranks
+   use plydyn_parallel_tell_archive, only : tell_archive
    use plydyn_solver_explicit, only : run, seconds_per_step
+   use plydyn_solver_journal, only : journal_type
    use plydyn_solver_restart, only : resume
-   use plydyn_solver_start, only : new_state
+   use plydyn_solver_setup, only : run_type, set_up
    use plydyn_solver_threads, only : choose_threads, set_threads
    use plydyn_solver_watch, only : watch_type
-   use plydyn_state_state, only : state_type
    use plydyn_version, only : build_text, version
    implicit none
 
+   type(comm_type) :: comm
    type(command_type) :: command
    type(error_type), allocatable :: error
    character(:), allocatable :: pages
 
+   call start_ranks(comm)
    call read_command(command, error)
-   call stop_on(error)
+   call stop_on(comm, error)
    select case (command%action)
    case ("--version")
       write (output_unit, "(a)") build_text()
    case ("--keywords")
       call keyword_manual(command%keyword, pages, error)
-      call stop_on(error)
+      call stop_on(comm, error)
       write (output_unit, "(a)") pages
    case ("--help")
       write (output_unit, "(a)") usage
    case ("restart")
-      call restart_run(command, error)
-      call stop_on(error)
+      call restart_run(comm, command, error)
+      call stop_on(comm, error)
    case default
-      call run_deck(command, error)
-      call stop_on(error)
+      call run_deck(comm, command, error)
+      call stop_on(comm, error)
    end select
+   call stop_ranks(comm)
 
 contains
 
    !> Check a deck, and run it
-   subroutine run_deck(command, error)
+   subroutine run_deck(comm, command, error)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
       !> What the user asks for
       type(command_type), intent(in) :: command
       !> What went wrong
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages
-      type(contacts_type) :: contacts
-      type(domain_type) :: domain
       type(job_type) :: job
-      type(model_type) :: model
-      type(state_type) :: state
+      type(run_type) :: parts
+      real(wp) :: seconds
 
-      call begin_job(command, job)
-      call read_decks_of_run(job%archive, command%deck, model, messages, error)
+      call begin_job(comm, command, job)
+      call read_model(comm, command%deck, job, parts%model, messages, error)
       if (allocated(error)) return
-      call build_run(command%threads, messages, model, domain, contacts, state, error)
+      call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
-      if (command%action == "check" .or. model%control%check_only) then
-         call write_listing(output_unit, build_text(), command%deck, messages, model, domain, &
-            & seconds_per_step(domain, state))
+      seconds = seconds_per_step(parts%domain, parts%state)
+      if (command%action == "check" .or. parts%model%control%check_only) then
+         if (comm%is_root()) call list(output_unit, command%deck, messages, seconds, parts)
          return
       end if
-      call create_text(job%path//".out", job%listing, error)
+      if (comm%is_root()) call create_text(job%path//".out", job%listing, error)
+      call comm%tell(error)
       if (allocated(error)) return
-      call write_listing(job%listing, build_text(), command%deck, messages, model, domain, &
-         & seconds_per_step(domain, state))
-      call run_job(job, command%most_seconds, model, domain, contacts, state, error)
+      if (comm%is_root()) call list(job%listing, command%deck, messages, seconds, parts)
+      call run_job(comm, job, command%most_seconds, parts, error)
    end subroutine run_deck
 
    !> Go on from a restart file
-   subroutine restart_run(command, error)
+   subroutine restart_run(comm, command, error)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
       !> What the user asks for
       type(command_type), intent(in) :: command
       !> What went wrong
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages, written_by
-      type(contacts_type) :: contacts
-      type(domain_type) :: domain
       type(dump_input_type) :: dump
       type(job_type) :: job
-      type(model_type) :: model
-      type(state_type) :: state
+      type(run_type) :: parts
 
-      call begin_job(command, job)
-      call dump%open(command%restart, error)
+      call begin_job(comm, command, job)
+      if (comm%is_root()) call dump%open(command%restart, error)
+      call comm%tell(error)
       if (allocated(error)) return
-      call dump%read_job(job, error)
+      if (comm%is_root()) call dump%read_job(job, error)
+      call comm%tell(error)
       if (allocated(error)) return
-      call move_alloc(job%version, written_by)
+      if (comm%is_root()) call move_alloc(job%version, written_by)
       job%version = version
       if (len(command%job) > 0) call rename_job(command%job, job)
-      call read_decks_of_run(job%archive, command%deck, model, messages, error)
+      call read_model(comm, command%deck, job, parts%model, messages, error)
       if (allocated(error)) return
-      call build_run(command%threads, messages, model, domain, contacts, state, error)
+      call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
-      call resume(dump, domain, model%changes, contacts, state, error)
+      call resume(dump, parts, error)
       if (allocated(error)) return
-      job%start_time = state%time
-      call append_to(job%path//".out", job%listing, error)
+      job%start_time = parts%state%time
+      if (comm%is_root()) call append_to(job%path//".out", job%listing, error)
+      call comm%tell(error)
       if (allocated(error)) return
-      call write_restart(job, build_text(), command%restart, written_by, command%deck, messages, &
-         & state)
-      call run_job(job, command%most_seconds, model, domain, contacts, state, error)
+      if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
+         & command%deck, messages, parts%state)
+      call run_job(comm, job, command%most_seconds, parts, error)
    end subroutine restart_run
 
    !> The job as the command line has it
-   subroutine begin_job(command, job)
+   subroutine begin_job(comm, command, job)
+      type(comm_type), intent(in) :: comm
       type(command_type), intent(in) :: command
       type(job_type), intent(out) :: job
 
       job%path = command%job
       job%deck = command%deck
       job%version = version
-      job%screen = output_unit
+      if (comm%is_root()) job%screen = output_unit
       job%places = new_places(job%path)
       job%archive%parameters = command%parameters
       if (command%action /= "restart") allocate (job%archive%bundles(0))
@@ -142,67 +147,105 @@ contains
 
       job%path = path
       job%places = new_places(path)
+      job%is_renamed = .true.
       job%dumps = 0
    end subroutine rename_job
 
-   !> From the model to a state at time zero
-   subroutine build_run(threads, messages, model, domain, contacts, state, error)
+   !> The model of all decks; files are read by the root, and told to the others
+   subroutine read_model(comm, deck, job, model, messages, error)
+      type(comm_type), intent(in) :: comm
+      !> Path of a new deck, empty for none
+      character(*), intent(in) :: deck
+      !> Gets the decks, word for word
+      type(job_type), intent(inout) :: job
+      type(model_type), intent(out) :: model
+      character(:), allocatable, intent(out) :: messages
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: changes(2)
+
+      if (comm%is_root()) call read_decks_of_run(job%archive, deck, model, messages, error)
+      call comm%tell(error)
+      if (allocated(error) .or. comm%ranks == 1) return
+      call tell_archive(comm, job%archive)
+      if (.not. comm%is_root()) then
+         call read_decks_of_run(job%archive, "", model, messages, error)
+         messages = ""
+      end if
+      changes(:) = merge(1, 0, [model%changes%conditions, model%changes%end])
+      call comm%tell(changes)
+      model%changes = changes_type(changes(1) == 1, changes(2) == 1)
+   end subroutine read_model
+
+   !> All that a run needs, with a state at time zero
+   subroutine build_run(comm, threads, messages, parts, error)
+      type(comm_type), intent(in) :: comm
       !> Threads that the command line asks for, 0 when it does not
       integer, intent(in) :: threads
       character(*), intent(in) :: messages
-      !> Gets the number of threads
-      type(model_type), intent(inout) :: model
-      type(domain_type), intent(out) :: domain
-      type(contacts_type), intent(out) :: contacts
-      type(state_type), intent(out) :: state
+      !> Has the model, which gets the number of threads
+      type(run_type), intent(inout) :: parts
       type(error_type), allocatable, intent(out) :: error
 
       if (len(messages) > 0) write (output_unit, "(a)") messages
-      model%control%threads = choose_threads(threads, model%control%threads)
-      call set_threads(model%control%threads)
-      call build_domain(model, domain, error)
-      if (allocated(error)) return
-      call check_profiles(model%request%profiles, domain, error)
-      if (allocated(error)) return
-      call new_contacts(domain, contacts, error)
-      if (allocated(error)) return
-      state = new_state(model, domain)
+      parts%model%control%threads = choose_threads(threads, parts%model%control%threads)
+      call set_threads(parts%model%control%threads)
+      call set_up(comm, parts, error)
    end subroutine build_run
 
+   !> Write what is known before the first step
+   subroutine list(unit, deck, messages, seconds, parts)
+      integer, intent(in) :: unit
+      character(*), intent(in) :: deck, messages
+      real(wp), intent(in) :: seconds
+      type(run_type), intent(in) :: parts
+
+      if (allocated(parts%whole)) then
+         call write_listing(unit, build_text(), deck, messages, parts%model, parts%whole, seconds)
+         call write_ranks(unit, parts%ranks)
+      else
+         call write_listing(unit, build_text(), deck, messages, parts%model, parts%domain, seconds)
+      end if
+   end subroutine list
+
    !> Run, and close all files whatever happens
-   subroutine run_job(job, most_seconds, model, domain, contacts, state, error)
+   subroutine run_job(comm, job, most_seconds, parts, error)
+      type(comm_type), intent(in) :: comm
       type(job_type), intent(inout) :: job
       real(wp), intent(in) :: most_seconds
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(inout) :: contacts
-      type(state_type), intent(inout) :: state
+      type(run_type), intent(inout) :: parts
       type(error_type), allocatable, intent(out) :: error
 
+      character(:), allocatable :: words
       type(error_type), allocatable :: close_error
+      type(journal_type) :: journal
       type(watch_type) :: watch
-      type(writer_type) :: writer
 
-      call watch%start(job, model%request, most_seconds)
-      call writer%open(job, model, domain, error)
-      if (.not. allocated(error) .and. state%cycle > 0 .and. size(job%places%list) == 0) then
-         call writer%record(domain, state, error)
-      end if
-      if (.not. allocated(error)) call run(domain, contacts, state, writer, watch, error)
-      call writer%close(close_error)
-      if (.not. allocated(error)) call move_alloc(close_error, error)
-      if (allocated(error)) then
-         call write_end(job%listing, model, domain, state, writer%elapsed(), error%message)
-      else
-         call write_end(job%listing, model, domain, state, writer%elapsed(), "normal end")
+      associate (model => parts%model, domain => parts%domain, state => parts%state)
+         call watch%start(comm, job, model%request, most_seconds)
+         call journal%open(job, model, domain, parts%whole, parts%assembly, error)
+         if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
+            call journal%record_now(domain, state, error)
+         end if
+         if (.not. allocated(error)) call run(domain, parts%contacts, state, journal, watch, error)
+         call journal%close(close_error)
+         if (.not. allocated(error)) call move_alloc(close_error, error)
+         words = "normal end"
+         if (allocated(error)) words = error%message
+         call journal%write_end(job%listing, model, domain, state, words)
+      end associate
+      if (.not. comm%is_root()) return
+      if (.not. allocated(error)) then
          write (output_unit, "(a)") "normal end, results in "//job%path//".*"
       end if
       call close_text(job%path//".out", job%listing, close_error)
       if (.not. allocated(error)) call move_alloc(close_error, error)
    end subroutine run_job
 
-   !> Print an error and end with its code
-   subroutine stop_on(error)
+   !> Print an error, which all ranks have, and end with its code
+   subroutine stop_on(comm, error)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
       !> What went wrong
       type(error_type), allocatable, intent(in) :: error
 
@@ -217,8 +260,9 @@ contains
 
       if (.not. allocated(error)) return
       flush (output_unit)
-      write (error_unit, "(a)") error%message
+      if (comm%is_root()) write (error_unit, "(a)") error%message
       flush (error_unit)
+      call stop_ranks(comm)
       if (error%code /= exit_normal) call leave(error%code)
    end subroutine stop_on
 

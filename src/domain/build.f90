@@ -43,6 +43,7 @@ contains
 
       domain%control = model%control
       domain%curves = model%curves
+      domain%initial_velocities = model%initial_velocities
       domain%node_id = model%mesh%node_id
       domain%position = model%mesh%position
       call check_step_curve(model, error)

@@ -12,6 +12,9 @@ module plydyn_domain_domain
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_layers, only : layers_type
+   use plydyn_model_support, only : initial_velocity_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_halo, only : halo_type
    implicit none
    private
 
@@ -46,6 +49,8 @@ module plydyn_domain_domain
       !> Points that this rank has, and whether it counts each of these
       integer, allocatable :: here(:)
       logical, allocatable :: own(:)
+      !> Points that each rank counts, and those of all ranks, one rank after the other
+      integer, allocatable :: counts(:), of_ranks(:)
       !> Position at time zero, (3, points)
       real(wp), allocatable :: position(:, :)
       !> Inverse mass, zero in directions that are held, (3, points)
@@ -97,6 +102,9 @@ module plydyn_domain_domain
 
    !> Everything the loop reads
    type, public :: domain_type
+      !> The ranks of the run, and what this one exchanges with the others in a step
+      type(comm_type) :: comm
+      type(halo_type) :: halo
       !> How to run
       type(control_type) :: control
       !> Curves over time
@@ -119,6 +127,9 @@ module plydyn_domain_domain
       type(interface_type), allocatable :: interfaces(:)
       !> Chunks of all quads or bricks
       type(chunk_type), allocatable :: chunks(:)
+      !> The order in which they are best taken: first those, so many, whose forces other ranks need
+      integer, allocatable :: order(:)
+      integer :: outer = 0
       !> Nodes where chunks meet: node, and first and last of its columns behind, (3, nodes)
       integer, allocatable :: borders(:, :)
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
@@ -131,6 +142,8 @@ module plydyn_domain_domain
       integer, allocatable :: far_ties(:, :)
       !> Places in the arrays of motion that do not move
       integer, allocatable :: held(:)
+      !> Velocities at time zero
+      type(initial_velocity_type), allocatable :: initial_velocities(:)
       !> Prescribed motions
       type(prescribed_type), allocatable :: motions(:)
       !> Forces

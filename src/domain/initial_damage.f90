@@ -28,7 +28,7 @@ contains
          associate (initial => model%initial_damages(i))
             do b = 1, size(domain%interfaces)
                associate (batch => domain%interfaces(b))
-                  if (model%mesh%quad_part(batch%quad(1)) /= initial%part) cycle
+                  if (batch%plate /= initial%part) cycle
                   do l = 1, lanes
                      if (batch%lower(l) == 0 .or. batch%law%histories == 0) cycle
                      ply = interface_ply(domain, batch, l)

@@ -14,11 +14,12 @@ module plydyn_domain_numbering
       !> The columns that it has, not those behind, and whether it counts each
       integer, allocatable :: here(:)
       logical, allocatable :: own(:)
-      !> Length of a column in the arrays of motion
-      integer, private :: height = 0
+      !> Length of a column in the arrays of motion, and nodes in it
+      integer, private :: height = 0, abreast = 1
    contains
       procedure :: has
       procedure :: counts
+      procedure :: node
       procedure :: place
       procedure :: mass_place
    end type numbering_type
@@ -38,6 +39,7 @@ contains
       integer :: b, c, last, i
 
       self%height = whole%columns%height
+      self%abreast = whole%columns%abreast
       allocate (self%column(size(owner)))
       self%column(:) = 0
       where (owner == rank) self%column(:) = 1
@@ -82,6 +84,18 @@ contains
          if (column > 0) counts = self%own(column)
       end associate
    end function counts
+
+   !> The rank's number of a node, 0 where it does not have it
+   elemental integer function node(self, whole_node)
+      class(numbering_type), intent(in) :: self
+      !> The node in the whole model
+      integer, intent(in) :: whole_node
+
+      associate (column => self%column(1 + (whole_node - 1)/self%abreast))
+         node = 0
+         if (column > 0) node = self%abreast*(column - 1) + 1 + mod(whole_node - 1, self%abreast)
+      end associate
+   end function node
 
    !> A place in the rank's arrays of motion
    elemental integer function place(self, whole_place)

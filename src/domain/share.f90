@@ -9,7 +9,10 @@ module plydyn_domain_share
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_numbering, only : new_numbering, numbering_type
    use plydyn_domain_share_elements, only : take_bricks, take_interfaces, take_plates
-   use plydyn_domain_share_points, only : take_inertia, take_loads, take_supports, take_surfaces
+   use plydyn_domain_share_points, only : take_inertia, take_loads, take_supports, &
+      & take_surfaces, take_velocities
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_halo, only : new_halo
    implicit none
    private
 
@@ -41,6 +44,7 @@ contains
             allocate (chunk%guests(0))
          end associate
       end do
+      domain%order = [(c, c=1, size(domain%chunks))]
       do i = 1, size(domain%loads)
          domain%loads(i)%own = spread(.true., 1, size(domain%loads(i)%last))
       end do
@@ -51,6 +55,8 @@ contains
          associate (surface => domain%surfaces(i))
             surface%here = [(c, c=1, size(surface%node))]
             surface%own = spread(.true., 1, size(surface%node))
+            surface%counts = [size(surface%node)]
+            surface%of_ranks = surface%here
          end associate
       end do
       domain%moved_links%own = spread(.true., 1, size(domain%moved_links%inertia))
@@ -74,25 +80,28 @@ contains
    end function column_owners
 
    !> The domain of a rank
-   subroutine take_share(whole, rank_of_chunk, rank, domain, share)
+   subroutine take_share(whole, rank_of_chunk, comm, domain, share)
       !> The whole model
       type(domain_type), intent(in) :: whole
       !> Rank of each chunk
       integer, intent(in) :: rank_of_chunk(:)
-      !> The rank
-      integer, intent(in) :: rank
+      !> The ranks
+      type(comm_type), intent(in) :: comm
       !> Its domain
       type(domain_type), intent(out) :: domain
       !> What it has of the whole
       type(share_type), intent(out) :: share
 
       type(numbering_type) :: numbering
+      integer, allocatable :: owner(:)
       integer :: c, i
 
-      numbering = new_numbering(whole, column_owners(whole, rank_of_chunk), rank)
+      owner = column_owners(whole, rank_of_chunk)
+      numbering = new_numbering(whole, owner, comm%rank)
       domain = whole
+      domain%comm = comm
       call take_columns(whole, numbering, domain)
-      call take_chunks(whole, rank_of_chunk == rank, domain)
+      call take_chunks(whole, rank_of_chunk == comm%rank, domain)
       allocate (share%history(3, 0))
       domain%histories = front
       call take_plates(whole, numbering, domain, share%history)
@@ -101,7 +110,8 @@ contains
       call renumber_chunks(whole, numbering, domain)
       call take_supports(whole, numbering, domain, share%support, share%own_support)
       call take_loads(whole, numbering, domain)
-      call take_surfaces(whole, numbering, domain)
+      call take_velocities(whole, numbering, domain)
+      call take_surfaces(whole, numbering, owner, comm%ranks, domain)
       call take_inertia(whole, numbering, domain)
       share%column = numbering%here
       share%own = numbering%own
@@ -110,7 +120,65 @@ contains
             & domain%chunks(c)%column <= size(share%column))
       end do
       call place_guests(domain, pack([(i, i=1, size(share%own))], .not. share%own))
+      call join_ranks(whole, numbering, owner, domain)
    end subroutine take_share
+
+   !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
+   subroutine join_ranks(whole, numbering, owner, domain)
+      type(domain_type), intent(in) :: whole
+      type(numbering_type), intent(in) :: numbering
+      !> Rank that adds to each column
+      integer, intent(in) :: owner(:)
+      type(domain_type), intent(inout) :: domain
+
+      integer, allocatable :: received(:, :), sent(:, :)
+      logical :: is_sent(size(owner)), is_outer(size(domain%chunks))
+      integer :: b, c
+
+      allocate (received(2, 0), sent(2, 0))
+      do b = 1, size(whole%borders, 2)
+         if (numbering%column(whole%borders(1, b)) == 0) cycle
+         call join_border([whole%borders(1, b), (c, c=whole%borders(2, b), whole%borders(3, b))], &
+            & owner, domain%comm%rank, sent, received)
+      end do
+      is_sent(:) = .false.
+      is_sent(numbering%column(sent(2, :))) = .true.
+      is_outer(:) = [(any(is_sent(domain%chunks(c)%column)), c=1, size(domain%chunks))]
+      domain%outer = count(is_outer)
+      domain%order = [pack([(c, c=1, size(is_outer))], is_outer), &
+         & pack([(c, c=1, size(is_outer))], .not. is_outer)]
+      associate (height => domain%columns%height)
+         sent(2, :) = front + height*(numbering%column(sent(2, :)) - 1)
+         received(2, :) = front + height*(numbering%column(received(2, :)) - 1)
+         domain%halo = new_halo(domain%comm%ranks, height, sent, received)
+      end associate
+   end subroutine join_ranks
+
+   !> Columns of a node that this rank sends to others that have it, or gets from them
+   pure subroutine join_border(column, owner, rank, sent, received)
+      !> All columns of the node
+      integer, intent(in) :: column(:)
+      integer, intent(in) :: owner(:), rank
+      !> Rank and column, (2, columns)
+      integer, allocatable, intent(inout) :: sent(:, :), received(:, :)
+
+      integer :: c, k
+
+      do c = 1, size(column)
+         associate (from => owner(column(c)))
+            if (from /= rank) then
+               received = reshape([received, from, column(c)], [2, size(received, 2) + 1])
+               cycle
+            end if
+         end associate
+         do k = 1, size(column)
+            associate (to => owner(column(k)))
+               if (to == rank .or. any(owner(column(:k - 1)) == to)) cycle
+               sent = reshape([sent, to, column(c)], [2, size(sent, 2) + 1])
+            end associate
+         end do
+      end do
+   end subroutine join_border
 
    !> Some chunks, as they are. (`pack` of gfortran 12 leaves the copies the lists of the originals)
    pure subroutine take_chunks(whole, taken, domain)

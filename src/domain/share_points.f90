@@ -6,7 +6,7 @@ module plydyn_domain_share_points
    implicit none
    private
 
-   public :: take_inertia, take_loads, take_supports, take_surfaces
+   public :: take_inertia, take_loads, take_supports, take_surfaces, take_velocities
 
 contains
 
@@ -95,40 +95,60 @@ contains
       load%own = numbering%counts(whole%freedom(whole%last(column)))
    end subroutine cut_load
 
-   !> Faces that impactors may touch: whole, with the points that the rank has
-   pure subroutine take_surfaces(whole, numbering, domain)
+   !> Velocities at time zero
+   pure subroutine take_velocities(whole, numbering, domain)
       !> The whole model
       type(domain_type), intent(in) :: whole
       !> The rank's numbers of columns
       type(numbering_type), intent(in) :: numbering
-      !> Gets the faces
+      !> Gets the velocities
       type(domain_type), intent(inout) :: domain
       integer :: i
 
+      do i = 1, size(whole%initial_velocities)
+         associate (nodes => numbering%node(whole%initial_velocities(i)%nodes))
+            domain%initial_velocities(i)%nodes = pack(nodes, nodes > 0)
+         end associate
+      end do
+   end subroutine take_velocities
+
+   !> Faces that impactors may touch: whole, with the points that the rank has
+   pure subroutine take_surfaces(whole, numbering, owner, ranks, domain)
+      !> The whole model
+      type(domain_type), intent(in) :: whole
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Rank that adds to each column, and how many ranks there are
+      integer, intent(in) :: owner(:), ranks
+      !> Gets the faces
+      type(domain_type), intent(inout) :: domain
+
+      integer, allocatable :: of_point(:)
+      integer :: i, r
+
       do i = 1, size(whole%surfaces)
-         call mark_points(whole%surfaces(i), whole%columns%abreast, numbering, domain%surfaces(i))
+         of_point = owner(whole%columns%column_of(whole%surfaces(i)%freedom(1, :)))
+         domain%surfaces(i)%counts = [(count(of_point == r), r=0, ranks - 1)]
+         domain%surfaces(i)%of_ranks = [(indices(of_point == r), r=0, ranks - 1)]
+         call mark_points(whole%surfaces(i), numbering, domain%surfaces(i))
       end do
    end subroutine take_surfaces
 
    !> Points of a face that the rank has
-   pure subroutine mark_points(whole, abreast, numbering, surface)
+   pure subroutine mark_points(whole, numbering, surface)
       type(surface_type), intent(in) :: whole
-      !> Nodes in a column
-      integer, intent(in) :: abreast
       type(numbering_type), intent(in) :: numbering
       type(surface_type), intent(inout) :: surface
 
-      integer :: column(size(whole%node)), i
+      integer :: i
 
       surface%here = indices(numbering%has(whole%freedom(1, :)))
       surface%own = numbering%counts(whole%freedom(1, surface%here))
       surface%freedom(:, :) = 0
-      surface%node(:) = 0
-      column(:) = numbering%column(1 + (whole%node - 1)/abreast)
+      surface%node(:) = numbering%node(whole%node)
       do i = 1, size(surface%here)
          associate (k => surface%here(i))
             surface%freedom(:, k) = numbering%place(whole%freedom(:, k))
-            surface%node(k) = abreast*(column(k) - 1) + 1 + mod(whole%node(k) - 1, abreast)
          end associate
       end do
    end subroutine mark_points

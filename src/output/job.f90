@@ -21,6 +21,8 @@ module plydyn_output_job
       type(archive_type) :: archive
       !> Where to go on with files of an earlier run; of no length for a run that begins
       type(places_type) :: places
+      !> Whether a run that goes on has files of its own
+      logical :: is_renamed = .false.
       !> Time at which this run begins
       real(wp) :: start_time = 0.0_wp
       !> Kept restart files that were written so far

@@ -44,11 +44,12 @@ module plydyn_output_writer
       type(pulse_type) :: pulse
    contains
       procedure :: open => open_writer
+      procedure :: due
       procedure :: record
+      procedure :: show
       procedure :: keep
       procedure :: plot
       procedure :: tell
-      procedure :: save_state
       procedure :: elapsed
       procedure :: close => close_writer
    end type writer_type
@@ -195,8 +196,27 @@ contains
          call self%interfaces%write(domain, state, error)
          if (allocated(error)) return
       end if
-      if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show(self, state, is_last)
    end subroutine record
+
+   !> Whether there is anything to write at this time
+   pure logical function due(self, state)
+      class(writer_type), intent(in) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+      integer :: i
+
+      associate (time => state%time)
+         due = state%is_finished() .or. self%energy%due(time) &
+            & .or. self%nodes%history%due(time) .or. self%delamination%history%due(time) &
+            & .or. self%supports%history%due(time) .or. self%field_schedule%due(time)
+         do i = 1, size(self%impactors)
+            due = due .or. self%impactors(i)%due(time)
+         end do
+         do i = 1, size(self%profiles)
+            due = due .or. self%profiles(i)%history%due(time)
+         end do
+      end associate
+   end function due
 
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
@@ -248,22 +268,20 @@ contains
       !> The state
       type(state_type), intent(in) :: state
 
-      call show(self, state, .true.)
+      call show_line(self, state, .true.)
    end subroutine tell
 
-   !> Write the fields of a run that is stopped, if they are not in the file already
-   subroutine save_state(self, domain, state)
+   !> Write the line of life when its time has come
+   subroutine show(self, state)
       class(writer_type), intent(inout) :: self
-      !> The domain
-      type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
 
-      type(error_type), allocatable :: error
+      logical :: is_last
 
-      ! what stopped the run is worse than a state that cannot be written
-      call self%plot(domain, state, error)
-   end subroutine save_state
+      is_last = state%is_finished()
+      if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show_line(self, state, is_last)
+   end subroutine show
 
    !> Lines of the histories
    subroutine record_histories(self, domain, state, is_last, error)
@@ -294,7 +312,7 @@ contains
    end subroutine record_histories
 
    !> The line of life, when its time has come
-   subroutine show(self, state, is_last)
+   subroutine show_line(self, state, is_last)
       class(writer_type), intent(inout) :: self
       type(state_type), intent(in) :: state
       logical, intent(in) :: is_last
@@ -314,7 +332,7 @@ contains
       if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
       write (self%job%screen, "(a)") progress_line(self%progress, seconds)
       flush (self%job%screen)
-   end subroutine show
+   end subroutine show_line
 
    !> Seconds since the start of the run
    real(wp) function elapsed(self)

@@ -23,6 +23,8 @@ module plydyn_solver_contacts
       real(wp), allocatable :: position(:, :), correction(:, :)
       !> Their inverse mass, zero in directions that do not give way now, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
+      !> Positions of the points that this rank counts, and of those of all ranks
+      real(wp), allocatable :: sent(:), received(:)
    end type pair_type
 
    !> All contacts
@@ -68,6 +70,7 @@ contains
             pair%position = surface%position
             pair%inverse_mass = surface%inverse_mass
             allocate (pair%correction(3, size(surface%position, 2)))
+            allocate (pair%sent(3*count(surface%own)), pair%received(size(surface%position)))
             gap = pair%pair%initial_gap(surface%position, impactor%centre)
             if (gap >= -touching*impactor%radius) cycle
             call fail(error, exit_input, "impactor "//text(impactor%id)//" begins "//text(-gap) &
@@ -158,15 +161,9 @@ contains
 
       real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
-      integer :: c, k
 
       associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
-         do k = 1, size(self%position, 2)
-            do c = 1, 3
-               self%position(c, k) = surface%position(c, k) &
-                  & + state%displacement(surface%freedom(c, k))
-            end do
-         end do
+         call find_positions(domain, surface, state%displacement, self)
          if (size(domain%motions) > 0) then
             call resist_moved(domain, surface, state%time, self%inverse_mass)
          end if
@@ -201,6 +198,34 @@ contains
          end do
       end do
    end subroutine resist_moved
+
+   !> Where the points of the face are, those of other ranks too
+   subroutine find_positions(domain, surface, displacement, self)
+      type(domain_type), intent(in) :: domain
+      type(surface_type), intent(in) :: surface
+      real(wp), intent(in) :: displacement(:)
+      type(pair_type), intent(inout) :: self
+
+      integer :: c, i, k
+
+      do i = 1, size(surface%here)
+         k = surface%here(i)
+         do c = 1, 3
+            self%position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
+         end do
+      end do
+      if (domain%comm%ranks == 1) return
+      k = 0
+      do i = 1, size(surface%here)
+         if (.not. surface%own(i)) cycle
+         self%sent(3*k + 1:3*k + 3) = self%position(:, surface%here(i))
+         k = k + 1
+      end do
+      call domain%comm%collect(self%sent, 3*surface%counts, self%received)
+      do i = 1, size(surface%of_ranks)
+         self%position(:, surface%of_ranks(i)) = self%received(3*i - 2:3*i)
+      end do
+   end subroutine find_positions
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which that before is the velocity at the full step. What shares its

@@ -10,8 +10,8 @@ module plydyn_solver_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_forces, only : count_load_power
    use plydyn_solver_supports, only : count_support_power
-   use plydyn_state_state, only : contact_power_sum, contact_sum, power_after_sum, &
-      & power_before_sum, state_type, sums_of, support_sum
+   use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, output_sum, &
+      & power_after_sum, power_before_sum, state_type, sums_of, support_sum
    implicit none
    private
 
@@ -48,7 +48,7 @@ contains
       call count_support_power(domain, state%support_force, state%velocity, state%tally, sum)
    end subroutine count_power
 
-   !> Energies at the end of a step, from the accelerations there
+   !> Energies at the end of a step, from the accelerations there and what all ranks have counted
    subroutine balance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -59,7 +59,10 @@ contains
       integer :: i
 
       call count_power(domain, state, power_after_sum)
+      call domain%comm%add_up(state%tally%limb)
       state%sums = sums_of(state%tally)
+      state%output_due = state%tally%value(output_sum) > 0.0_wp
+      state%attention = state%tally%value(attention_sum) > 0.0_wp
       step = state%step_before
       associate (e => state%energies, sums => state%sums, tally => state%tally)
          outside_before = tally%value(power_before_sum)

@@ -4,11 +4,11 @@ module plydyn_solver_explicit
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_output_writer, only : writer_type
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_energies, only : balance, begin_work, change_step
    use plydyn_solver_forces, only : add_loads, find_internal_forces
    use plydyn_solver_health, only : check_health
+   use plydyn_solver_journal, only : journal_type
    use plydyn_solver_motion, only : accelerate, advance
    use plydyn_solver_supports, only : hold_supports, move_supports, resist_columns
    use plydyn_solver_watch, only : watch_type
@@ -24,7 +24,7 @@ module plydyn_solver_explicit
 contains
 
    !> From the state at time zero, or from where a run was left, to the end
-   subroutine run(domain, contacts, state, writer, watch, error)
+   subroutine run(domain, contacts, state, journal, watch, error)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts and their work space
@@ -32,7 +32,7 @@ contains
       !> The state
       type(state_type), intent(inout) :: state
       !> What writes the results
-      type(writer_type), intent(inout) :: writer
+      type(journal_type), intent(inout) :: journal
       !> What looks after the run
       type(watch_type), intent(inout) :: watch
       !> What stopped the run
@@ -42,7 +42,7 @@ contains
          call find_accelerations(domain, state)
          call balance(domain, state)
          state%energies%start = state%energies%kinetic + state%energies%impactor
-         call writer%record(domain, state, error)
+         call journal%record_now(domain, state, error)
          if (allocated(error)) return
       end if
 
@@ -65,15 +65,18 @@ contains
          state%step_before = state%step
          call find_accelerations(domain, state)
 
+         ! energies, and what is to be written
+         call journal%announce(state)
+         call watch%announce(state)
          call balance(domain, state)
-         call writer%record(domain, state, error)
+         call journal%record(domain, state, error)
          if (allocated(error)) return
          call check_health(domain, state, error)
          if (allocated(error)) then
-            call writer%save_state(domain, state)
+            call journal%conclude(domain, state, error)
             return
          end if
-         call watch%look(domain, contacts, state, writer, error)
+         call watch%look(domain, contacts, state, journal, error)
          if (allocated(error)) return
       end do
    end subroutine run

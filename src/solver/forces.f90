@@ -8,6 +8,7 @@ module plydyn_solver_forces
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
+   use plydyn_parallel_halo, only : messages_type
    implicit none
    private
 
@@ -16,7 +17,8 @@ module plydyn_solver_forces
 contains
 
    !> Internal forces of plies and interfaces, or of bricks, on all points, chunk by chunk, and then
-   !> the sums at the nodes where chunks meet
+   !> the sums at the nodes where chunks meet. What other ranks need comes first, and is on its way
+   !> while the other chunks are taken
    subroutine find_internal_forces(domain, step, displacement, velocity, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -27,34 +29,63 @@ contains
       !> History of all Gauss points
       real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points, those of the borders behind
-      real(wp), intent(inout), contiguous :: force(:)
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
+      type(messages_type) :: messages
       integer :: c, i
 
       !$omp parallel default(shared) private(c, i)
+      if (domain%outer > 0) then
+         !$omp do schedule(dynamic)
+         do i = 1, domain%outer
+            call find_chunk_forces(domain, domain%chunks(domain%order(i)), step, displacement, &
+               & velocity, history, force)
+         end do
+         !$omp end do
+         !$omp master
+         call domain%halo%start(force, messages)
+         !$omp end master
+      end if
       !$omp do schedule(dynamic)
-      do c = 1, size(domain%chunks)
-         call clear_columns(domain%columns%height, domain%chunks(c)%column, &
-            & force(front + 1:))
-         if (size(domain%bricks) > 0) then
-            associate (bricks => domain%bricks(domain%chunks(c)%plate))
-               call add_brick_forces(bricks, domain%chunks(c)%quads, &
-                  & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
-                  & history(bricks%first_history:), force)
-            end associate
-            cycle
-         end if
-         call add_ply_forces(domain, domain%chunks(c), step, displacement, history, force)
-         call add_interface_forces(domain, domain%chunks(c), displacement, history, force)
+      do i = domain%outer + 1, size(domain%chunks)
+         call find_chunk_forces(domain, domain%chunks(domain%order(i)), step, displacement, &
+            & velocity, history, force)
       end do
       !$omp end do
+      if (domain%outer > 0) then
+         !$omp master
+         call domain%halo%finish(force, messages)
+         !$omp end master
+         !$omp barrier
+      end if
       !$omp do schedule(static)
-      do i = 1, size(domain%borders, 2)
-         call add_columns(domain%columns%height, domain%borders(:, i), force(front + 1:))
+      do c = 1, size(domain%borders, 2)
+         call add_columns(domain%columns%height, domain%borders(:, c), force(front + 1:))
       end do
       !$omp end do nowait
       !$omp end parallel
    end subroutine find_internal_forces
+
+   !> Internal forces of one chunk, on columns of its own
+   subroutine find_chunk_forces(domain, chunk, step, displacement, velocity, history, force)
+      type(domain_type), intent(in) :: domain
+      type(chunk_type), intent(in) :: chunk
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
+      if (size(domain%bricks) > 0) then
+         associate (bricks => domain%bricks(chunk%plate))
+            call add_brick_forces(bricks, chunk%quads, &
+               & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
+               & history(bricks%first_history:), force)
+         end associate
+      else
+         call add_ply_forces(domain, chunk, step, displacement, history, force)
+         call add_interface_forces(domain, chunk, displacement, history, force)
+      end if
+   end subroutine find_chunk_forces
 
    !> Set some columns to zero
    pure subroutine clear_columns(height, column, force)

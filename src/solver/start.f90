@@ -43,7 +43,7 @@ contains
       allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
       state%load_factor(:) = 0.0_wp
       state%support_force(:) = 0.0_wp
-      call set_velocities(model, domain, state%velocity)
+      call set_velocities(domain, state%velocity)
       allocate (state%support_velocity(0))
       do i = 1, size(domain%motions)
          state%support_velocity = [state%support_velocity, &
@@ -58,16 +58,15 @@ contains
    end function new_state
 
    !> Initial velocities of whole columns; held points keep still
-   subroutine set_velocities(model, domain, velocity)
-      type(model_type), intent(in) :: model
+   subroutine set_velocities(domain, velocity)
       type(domain_type), intent(in) :: domain
       real(wp), intent(inout) :: velocity(:)
 
       integer :: c, i, k, t
 
       associate (columns => domain%columns)
-         do i = 1, size(model%initial_velocities)
-            associate (initial => model%initial_velocities(i))
+         do i = 1, size(domain%initial_velocities)
+            associate (initial => domain%initial_velocities(i))
                do k = 1, size(columns%home, 2)
                   do t = 1, columns%levels(k)
                      do c = 1, 3

@@ -7,13 +7,13 @@ module plydyn_solver_watch
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : request_type
-   use plydyn_output_dump, only : write_dump
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
-   use plydyn_output_writer, only : writer_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_contacts, only : contacts_type
+   use plydyn_solver_journal, only : journal_type
    use plydyn_solver_requests, only : requests_type, take_requests
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : attention_sum, state_type
    implicit none
    private
 
@@ -29,8 +29,15 @@ module plydyn_solver_watch
       real(wp) :: most_seconds = huge(1.0_wp)
       !> Clock at the start, and at the last look for requests
       integer(int64) :: started = 0_int64, looked = 0_int64
+      !> Whether this rank looks at the clock and for files
+      logical :: is_root = .true.
+      !> What was found in this step: whether anything, who asks the run to stop, and what else
+      logical :: is_asked = .false.
+      character(:), allocatable :: asked_by
+      type(requests_type) :: requests
    contains
       procedure :: start
+      procedure :: announce
       procedure :: look
    end type watch_type
 
@@ -40,8 +47,10 @@ module plydyn_solver_watch
 contains
 
    !> Begin to look after a run
-   subroutine start(self, job, request, most_seconds)
+   subroutine start(self, comm, job, request, most_seconds)
       class(watch_type), intent(inout) :: self
+      !> The ranks
+      type(comm_type), intent(in) :: comm
       !> The job
       type(job_type), intent(in) :: job
       !> What the deck asks for
@@ -49,6 +58,8 @@ contains
       !> Seconds on the wall that the run may take
       real(wp), intent(in) :: most_seconds
 
+      self%is_root = comm%is_root()
+      self%asked_by = ""
       self%job = job
       self%kept_cycles = request%kept_cycles
       self%running_cycles = request%running_cycles
@@ -58,73 +69,113 @@ contains
       self%looked = self%started
    end subroutine start
 
+   !> Before the sums of a step are made: let all ranks know that this one is asked for something
+   subroutine announce(self, state)
+      class(watch_type), intent(inout) :: self
+      !> The state; the sum is counted
+      type(state_type), intent(inout) :: state
+
+      call find_requests(self, state)
+      if (has_caught_signal() .or. self%is_asked) call state%tally%add(attention_sum, 1.0_wp)
+   end subroutine announce
+
    !> After a step: write the restart files that are due, and do what is asked for
-   subroutine look(self, domain, contacts, state, writer, error)
+   subroutine look(self, domain, contacts, state, journal, error)
       class(watch_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts, which put their memory into the state
       type(contacts_type), intent(in) :: contacts
-      !> The state
+      !> The state; says whether any rank is asked for something
       type(state_type), intent(inout) :: state
       !> What writes the results
-      type(writer_type), intent(inout) :: writer
-      !> The run is to stop, or a restart file could not be written
+      type(journal_type), intent(inout) :: journal
+      !> The run is to stop, or a restart file could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: asked_by, path
       type(requests_type) :: requests
       logical :: keep
 
-      call find_requests(self, state, asked_by, requests)
+      asked_by = ""
+      if (state%attention) call take_orders(self, domain%comm, asked_by, requests)
       if (requests%end_time > 0.0_wp) state%end_time = requests%end_time
-      if (requests%plot) call writer%plot(domain, state, error)
+      if (requests%plot) call journal%plot(domain, state, error)
       if (allocated(error)) return
-      if (requests%status) call writer%tell(state)
-      if (allocated(asked_by) .and. state%is_finished()) deallocate (asked_by)
-      keep = allocated(asked_by) .or. requests%dump .or. is_due(self%kept_cycles, state)
+      if (requests%status) call journal%tell(state)
+      if (state%is_finished()) asked_by = ""
+      keep = len(asked_by) > 0 .or. requests%dump .or. is_due(self%kept_cycles, state)
       if (keep) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
       else if (is_due(self%running_cycles, state)) then
          path = running_path(self, state)
       else
-         if (requests%flush) call flush_all(self, writer, error)
+         if (requests%flush) call flush_all(self, journal, error)
          return
       end if
-      call save_run(self, path, contacts, state, writer, error)
+      call contacts%remember(state)
+      call journal%dump(path, self%job, state, error)
       if (allocated(error)) return
       if (keep) call self%job%note("restart file "//path//" at cycle "//text(state%cycle) &
          & //", time "//text(state%time))
-      if (allocated(asked_by)) call fail(error, exit_stopped, "stopped by "//asked_by &
+      if (len(asked_by) > 0) call fail(error, exit_stopped, "stopped by "//asked_by &
          & //" at cycle "//text(state%cycle)//", time "//text(state%time) &
          & //"; to go on: plydyn restart "//path)
    end subroutine look
 
-   !> Who asks the run to stop, and what else is asked for
-   subroutine find_requests(self, state, asked_by, requests)
+   !> Look for signals, at the clock, and for a file of requests, all but the first on the root
+   subroutine find_requests(self, state)
       class(watch_type), intent(inout) :: self
       type(state_type), intent(in) :: state
-      !> Not allocated when nobody does
-      character(:), allocatable, intent(out) :: asked_by
-      type(requests_type), intent(out) :: requests
 
       integer(int64) :: now, rate
       logical :: found
 
-      if (has_caught_signal()) asked_by = caught_signal()
+      self%is_asked = .false.
+      if (.not. self%is_root) return
       call system_clock(now, rate)
-      if (.not. allocated(asked_by) &
-         & .and. real(now - self%started, wp)/rate > self%most_seconds) then
-         asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
+      if (real(now - self%started, wp)/rate > self%most_seconds) then
+         self%asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
+         self%is_asked = .true.
       end if
       if (now - self%looked < seconds_per_look*rate) return
       self%looked = now
-      call take_requests(self%job%path//".ctl", state%time, requests, found)
+      call take_requests(self%job%path//".ctl", state%time, self%requests, found)
       if (.not. found) return
-      call self%job%note(requests%answer)
-      if (requests%stop .and. .not. allocated(asked_by)) asked_by = self%job%path//".ctl"
+      self%is_asked = .true.
+      call self%job%note(self%requests%answer)
+      if (self%requests%stop .and. len(self%asked_by) == 0) self%asked_by = self%job%path//".ctl"
    end subroutine find_requests
+
+   !> What the root was asked for, and who asks the run to stop, a signal to any rank too
+   subroutine take_orders(self, comm, asked_by, requests)
+      class(watch_type), intent(inout) :: self
+      type(comm_type), intent(in) :: comm
+      !> Empty when nobody does
+      character(:), allocatable, intent(out) :: asked_by
+      type(requests_type), intent(out) :: requests
+
+      integer :: orders(5)
+      real(wp) :: end_time(1)
+
+      asked_by = self%asked_by
+      if (has_caught_signal()) asked_by = caught_signal()
+      if (self%is_asked) requests = self%requests
+      call comm%tell(asked_by)
+      orders(:) = merge(1, 0, [requests%dump, requests%plot, requests%status, requests%flush, &
+         & self%is_asked])
+      end_time(1) = requests%end_time
+      call comm%tell(orders)
+      call comm%tell(end_time)
+      requests%dump = orders(1) == 1
+      requests%plot = orders(2) == 1
+      requests%status = orders(3) == 1
+      requests%flush = orders(4) == 1
+      requests%end_time = end_time(1)
+      ! attention, but not the root's
+      if (len(asked_by) == 0 .and. sum(orders) == 0) asked_by = "a signal to one of the ranks"
+   end subroutine take_orders
 
    !> Whether a restart file is due: at every so many steps, and at the end
    pure logical function is_due(cycles, state)
@@ -157,32 +208,15 @@ contains
          & //text(modulo(state%cycle/self%running_cycles - 1, self%running_files) + 1)
    end function running_path
 
-   !> Write a restart file
-   subroutine save_run(self, path, contacts, state, writer, error)
-      type(watch_type), intent(inout) :: self
-      character(*), intent(in) :: path
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
-      type(writer_type), intent(inout) :: writer
-      type(error_type), allocatable, intent(out) :: error
-
-      type(places_type) :: places
-
-      call contacts%remember(state)
-      call writer%keep(places, error)
-      if (allocated(error)) return
-      call write_dump(path, self%job, places, state, error)
-   end subroutine save_run
-
    !> Bring all results to the disk
-   subroutine flush_all(self, writer, error)
+   subroutine flush_all(self, journal, error)
       type(watch_type), intent(in) :: self
-      type(writer_type), intent(inout) :: writer
+      type(journal_type), intent(inout) :: journal
       type(error_type), allocatable, intent(out) :: error
 
       type(places_type) :: places
 
-      call writer%keep(places, error)
+      call journal%keep(places, error)
       if (.not. allocated(error)) call self%job%note("all results are on the disk")
    end subroutine flush_all
 

@@ -15,8 +15,11 @@ module plydyn_state_state
    !> motions; work of contact on the plate, and what contact changes of the power at the beginning
    integer, parameter, public :: power_before_sum = 8, power_after_sum = 9, support_sum = 10, &
       & contact_sum = 11, contact_power_sum = 12
+   !> Whether there is something to write, and whether anything asks a rank to stop or to attend to
+   !> something: more than zero
+   integer, parameter, public :: output_sum = 13, attention_sum = 14
    !> How many sums there are
-   integer, parameter, public :: tally_sums = 12
+   integer, parameter, public :: tally_sums = 14
 
    !> Energies at the present time
    type, public :: energies_type
@@ -113,6 +116,9 @@ module plydyn_state_state
       type(sums_type), allocatable :: chunk_sums(:)
       !> What this rank has counted in this step; zero between two steps
       type(exact_sums_type) :: tally
+      !> Whether there is something to write after this step, and whether any rank was asked for
+      !> something
+      logical :: output_due = .false., attention = .false.
       !> Power of all forces at the beginning of the step under way, with the velocity over it
       real(wp) :: internal_power = 0.0_wp
       !> Energies

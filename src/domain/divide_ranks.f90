@@ -1,0 +1,127 @@
+!> Which rank gets which chunk.
+module plydyn_domain_divide_ranks
+   use plydyn_base_error, only : error_type, exit_usage, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_share, only : column_owners
+   use plydyn_element_plate, only : plate_type
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_parallel_partition, only : divide_graph
+   implicit none
+   private
+
+   public :: chunk_works, divide_ranks
+
+   !> Work at a Gauss point of eight plies with linear strain, with large displacement, and with a
+   !> law, and at one of eight interfaces: nanoseconds as tests/bench measures them
+   real(wp), parameter :: linear_work = 21.0_wp, large_work = 31.0_wp, law_work = 76.0_wp, &
+      & interface_work = 33.0_wp
+
+contains
+
+   !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet
+   subroutine divide_ranks(domain, ranks, rank_of_chunk, error)
+      !> The whole model
+      type(domain_type), intent(in) :: domain
+      !> How many ranks there are
+      integer, intent(in) :: ranks
+      !> Rank of each chunk
+      integer, allocatable, intent(out) :: rank_of_chunk(:)
+      !> More ranks than chunks
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: first(size(domain%chunks) + 1)
+      integer, allocatable :: nodes(:), other(:)
+
+      if (ranks > size(domain%chunks)) then
+         call fail(error, exit_usage, text(ranks)//" ranks are too many for a model of " &
+            & //text(size(domain%chunks))//" chunks of elements: take "//text(size(domain%chunks)) &
+            & //" or fewer")
+         return
+      end if
+      call find_neighbours(domain, first, other, nodes)
+      rank_of_chunk = divide_graph(first, other, chunk_works(domain), nodes, ranks)
+   end subroutine divide_ranks
+
+   !> Chunks that meet, and in how many nodes
+   subroutine find_neighbours(domain, first, other, nodes)
+      type(domain_type), intent(in) :: domain
+      !> As in `divide_graph`
+      integer, intent(out) :: first(:)
+      integer, allocatable, intent(out) :: other(:), nodes(:)
+
+      integer :: b, c, i, k, shared(size(domain%chunks), size(domain%chunks))
+      integer, allocatable :: owner(:), meeting(:)
+
+      owner = column_owners(domain, [(c, c=1, size(domain%chunks))])
+      shared(:, :) = 0
+      do b = 1, size(domain%borders, 2)
+         associate (border => domain%borders(:, b))
+            meeting = [owner(border(1)), owner(border(2):border(3))]
+         end associate
+         do i = 1, size(meeting)
+            do k = 1, size(meeting)
+               if (i == k) cycle
+               shared(meeting(i), meeting(k)) = shared(meeting(i), meeting(k)) + 1
+            end do
+         end do
+      end do
+      first(1) = 0
+      allocate (other(count(shared > 0)), nodes(count(shared > 0)))
+      k = 0
+      do c = 1, size(domain%chunks)
+         do i = 1, size(domain%chunks)
+            if (shared(i, c) == 0) cycle
+            k = k + 1
+            other(k) = i - 1
+            nodes(k) = shared(i, c)
+         end do
+         first(c + 1) = k
+      end do
+   end subroutine find_neighbours
+
+   !> Work of each chunk in a step, nanoseconds
+   pure function chunk_works(domain) result(work)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      integer :: work(size(domain%chunks))
+
+      real(wp) :: quad
+      integer :: c, k
+
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c))
+            quad = real(lanes, wp)
+            if (size(domain%plates) > 0) then
+               quad = plate_work(domain%plates(chunk%plate), &
+                  & domain%control%kinematics == total_lagrangian)
+            end if
+            do k = 1, size(domain%interfaces)
+               if (domain%interfaces(k)%plate /= chunk%plate) cycle
+               quad = quad + interface_work*domain%interfaces(k)%side**2
+            end do
+            work(c) = max(1, nint(quad*(chunk%quads(2) - chunk%quads(1) + 1)))
+         end associate
+      end do
+   end function chunk_works
+
+   !> Work of a quad in all its plies
+   pure real(wp) function plate_work(plate, large) result(work)
+      type(plate_type), intent(in) :: plate
+      logical, intent(in) :: large
+
+      real(wp) :: point
+      integer :: b
+
+      work = 0.0_wp
+      do b = 1, size(plate%batches)
+         associate (batch => plate%batches(b))
+            point = merge(large_work, linear_work, large)
+            if (size(batch%laws) > 0) point = law_work
+            work = work + point*batch%blocks*(batch%expansion%order + 1)*plate%side**2
+         end associate
+      end do
+   end function plate_work
+
+end module plydyn_domain_divide_ranks

@@ -1,0 +1,35 @@
+!> What the listing says of the ranks of a run.
+module plydyn_output_ranks_listing
+   use plydyn_base_precision, only : wp
+   use plydyn_output_table, only : write_section
+   implicit none
+   private
+
+   public :: write_ranks
+
+   !> What each rank has, in the order of the table's columns
+   integer, parameter, public :: rank_numbers = 5
+
+   !> Bytes in a kilobyte
+   real(wp), parameter :: kilobyte = 1.0e3_wp
+
+contains
+
+   !> What each rank has and sends
+   subroutine write_ranks(unit, ranks)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> Chunks, nodes, nodes that another rank counts, ranks that it meets, and bytes that it sends
+      !> them in a step, (`rank_numbers`, ranks)
+      real(wp), intent(in) :: ranks(:, :)
+      integer :: r
+
+      call write_section(unit, "Ranks")
+      write (unit, "(a)") "rank   chunks    nodes  shared  meets  sends in a step [kB]"
+      do r = 1, size(ranks, 2)
+         write (unit, "(i4,i9,i9,i8,i7,f21.3)") r - 1, nint(ranks(:4, r)), ranks(5, r)/kilobyte
+      end do
+      write (unit, "(a,f0.3)") "all ranks send in a step [kB] ", sum(ranks(5, :))/kilobyte
+   end subroutine write_ranks
+
+end module plydyn_output_ranks_listing

@@ -1,0 +1,237 @@
+!> What is written about a run: by its only rank, or by the root, which has the others' parts brought
+!> to it when something is due.
+module plydyn_solver_journal
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_model, only : model_type
+   use plydyn_output_dump, only : write_dump
+   use plydyn_output_job, only : job_type
+   use plydyn_output_listing, only : write_end
+   use plydyn_output_places, only : places_type
+   use plydyn_output_writer, only : writer_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_solver_assembly, only : assembly_type
+   use plydyn_solver_health, only : check_health
+   use plydyn_state_state, only : output_sum, state_type
+   implicit none
+   private
+
+   !> The results of a job, whatever the number of ranks
+   type, public :: journal_type
+      private
+      !> The ranks
+      type(comm_type) :: comm
+      !> What writes; on the root
+      type(writer_type) :: writer
+      !> The whole model; on the root of several ranks
+      type(domain_type), allocatable :: whole
+      type(state_type) :: state
+      !> How the parts come together; with several ranks
+      type(assembly_type) :: assembly
+   contains
+      procedure :: open => open_journal
+      procedure :: announce
+      procedure :: record
+      procedure :: record_now
+      procedure :: plot
+      procedure :: conclude
+      procedure :: tell
+      procedure :: keep
+      procedure :: dump
+      procedure :: write_end => write_end_of_run
+      procedure :: close => close_journal
+   end type journal_type
+
+contains
+
+   !> Create all files, or go on with those of an earlier run
+   subroutine open_journal(self, job, model, domain, whole, assembly, error)
+      class(journal_type), intent(inout) :: self
+      !> The job
+      type(job_type), intent(in) :: job
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> The whole model; allocated on the root of several ranks, which takes it over
+      type(domain_type), allocatable, intent(inout) :: whole
+      !> How the parts come together
+      type(assembly_type), intent(in) :: assembly
+      !> Why a file could not be created; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      self%comm = domain%comm
+      self%assembly = assembly
+      call move_alloc(whole, self%whole)
+      if (allocated(self%whole)) then
+         call self%writer%open(job, model, self%whole, error)
+      else if (self%comm%is_root()) then
+         call self%writer%open(job, model, domain, error)
+      end if
+      call self%comm%tell(error)
+   end subroutine open_journal
+
+   !> Let all ranks know with the sums of this step whether something is due
+   subroutine announce(self, state)
+      class(journal_type), intent(in) :: self
+      !> The state; the sum is counted
+      type(state_type), intent(inout) :: state
+
+      if (.not. self%comm%is_root()) return
+      if (self%writer%due(state)) call state%tally%add(output_sum, 1.0_wp)
+   end subroutine announce
+
+   !> Write whatever is due at this time
+   subroutine record(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state; its sums say whether something is due
+      type(state_type), intent(in) :: state
+      !> Why something could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (state%output_due) call self%record_now(domain, state, error)
+      if (self%comm%is_root()) call self%writer%show(state)
+   end subroutine record
+
+   !> Write what is due, as it is known to be
+   subroutine record_now(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why something could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%ranks == 1) then
+         call self%writer%record(domain, state, error)
+         return
+      end if
+      call self%assembly%gather(state, self%state)
+      if (allocated(self%whole)) call self%writer%record(self%whole, self%state, error)
+      call self%comm%tell(error)
+   end subroutine record_now
+
+   !> Write the fields at this time, if they are not in the file already
+   subroutine plot(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why they could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%ranks == 1) then
+         call self%writer%plot(domain, state, error)
+         return
+      end if
+      call self%assembly%gather(state, self%state)
+      if (allocated(self%whole)) call self%writer%plot(self%whole, self%state, error)
+      call self%comm%tell(error)
+   end subroutine plot
+
+   !> Write the fields of a run that is stopped, and find the cause in the whole model
+   subroutine conclude(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> What stopped the run, as this rank knows it; out the same on all ranks
+      type(error_type), allocatable, intent(inout) :: error
+
+      type(error_type), allocatable :: better, plot_error
+
+      ! what stopped the run is worse than a state that cannot be written
+      call self%plot(domain, state, plot_error)
+      if (allocated(self%whole)) then
+         call check_health(self%whole, self%state, better)
+         if (allocated(better)) call move_alloc(better, error)
+      end if
+      call self%comm%tell(error)
+   end subroutine conclude
+
+   !> Write the line of life, due or not
+   subroutine tell(self, state)
+      class(journal_type), intent(inout) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+
+      if (self%comm%is_root()) call self%writer%tell(state)
+   end subroutine tell
+
+   !> Bring all files to the disk, and note how far each of them goes
+   subroutine keep(self, places, error)
+      class(journal_type), intent(inout) :: self
+      !> Gets the places, on the root
+      type(places_type), intent(out) :: places
+      !> Why something is not on the disk; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%is_root()) call self%writer%keep(places, error)
+      call self%comm%tell(error)
+   end subroutine keep
+
+   !> Write a restart file
+   subroutine dump(self, path, job, state, error)
+      class(journal_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The job
+      type(job_type), intent(in) :: job
+      !> The state, with the memory of contacts
+      type(state_type), intent(inout) :: state
+      !> Why the file is not there; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      type(places_type) :: places
+
+      call self%keep(places, error)
+      if (allocated(error)) return
+      if (self%comm%ranks == 1) then
+         call write_dump(path, job, places, state, error)
+         return
+      end if
+      call self%assembly%gather(state, self%state)
+      if (self%comm%is_root()) call write_dump(path, job, places, self%state, error)
+      call self%comm%tell(error)
+   end subroutine dump
+
+   !> Say in the listing how the run ended
+   subroutine write_end_of_run(self, unit, model, domain, state, words)
+      class(journal_type), intent(inout) :: self
+      !> Unit of the listing, on the root
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The last state
+      type(state_type), intent(in) :: state
+      !> Normal end, or what stopped it
+      character(*), intent(in) :: words
+
+      if (self%comm%ranks == 1) then
+         call write_end(unit, model, domain, state, self%writer%elapsed(), words)
+         return
+      end if
+      call self%assembly%gather(state, self%state)
+      if (allocated(self%whole)) call write_end(unit, model, self%whole, self%state, &
+         & self%writer%elapsed(), words)
+   end subroutine write_end_of_run
+
+   !> Close all files, also after an error
+   subroutine close_journal(self, error)
+      class(journal_type), intent(inout) :: self
+      !> The first file that could not be closed; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%is_root()) call self%writer%close(error)
+      call self%comm%tell(error)
+   end subroutine close_journal
+
+end module plydyn_solver_journal
