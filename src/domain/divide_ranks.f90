@@ -1,8 +1,6 @@
 !> Which rank gets which chunk.
 module plydyn_domain_divide_ranks
-   use plydyn_base_error, only : error_type, exit_usage, fail
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_base_text, only : text
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_domain_share, only : column_owners
    use plydyn_element_plate, only : plate_type
@@ -20,28 +18,22 @@ module plydyn_domain_divide_ranks
 
 contains
 
-   !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet
-   subroutine divide_ranks(domain, ranks, rank_of_chunk, error)
+   !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet. Where there
+   !> are more ranks than chunks, the last ones have nothing to do
+   subroutine divide_ranks(domain, ranks, rank_of_chunk)
       !> The whole model
       type(domain_type), intent(in) :: domain
       !> How many ranks there are
       integer, intent(in) :: ranks
       !> Rank of each chunk
       integer, allocatable, intent(out) :: rank_of_chunk(:)
-      !> More ranks than chunks
-      type(error_type), allocatable, intent(out) :: error
 
       integer :: first(size(domain%chunks) + 1)
       integer, allocatable :: nodes(:), other(:)
 
-      if (ranks > size(domain%chunks)) then
-         call fail(error, exit_usage, text(ranks)//" ranks are too many for a model of " &
-            & //text(size(domain%chunks))//" chunks of elements: take "//text(size(domain%chunks)) &
-            & //" or fewer")
-         return
-      end if
       call find_neighbours(domain, first, other, nodes)
-      rank_of_chunk = divide_graph(first, other, chunk_works(domain), nodes, ranks)
+      rank_of_chunk = divide_graph(first, other, chunk_works(domain), nodes, &
+         & min(ranks, size(domain%chunks)))
    end subroutine divide_ranks
 
    !> Chunks that meet, and in how many nodes

@@ -43,8 +43,8 @@ contains
 
       part(:) = 0
       if (parts == 1) return
-      status = metis_part(size(weight), 1_c_int, first, neighbour, weight, c_null_ptr, edge_weight, &
-         & parts, c_null_ptr, c_null_ptr, c_null_ptr, cut, found)
+      status = metis_part(size(weight), 1_c_int, first, neighbour, weight, c_null_ptr, &
+         & edge_weight, parts, c_null_ptr, c_null_ptr, c_null_ptr, cut, found)
       part(:) = found
       if (status /= metis_ok .or. any([(all(part /= p), p=0, parts - 1)])) then
          part(:) = in_a_row(weight, parts)

@@ -1,5 +1,5 @@
-!> What is written about a run: by its only rank, or by the root, which has the others' parts brought
-!> to it when something is due.
+!> What is written about a run: by its only rank, or by the root, to which the others bring their
+!> parts when something is due.
 module plydyn_solver_journal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp

@@ -55,8 +55,7 @@ contains
          call move_alloc(self%whole, self%domain)
          allocate (self%ranks(rank_numbers, 0))
       else
-         call share_out(comm, self, error)
-         if (allocated(error)) return
+         call share_out(comm, self)
       end if
       call new_contacts(self%domain, self%contacts, error)
       if (allocated(error)) return
@@ -64,18 +63,16 @@ contains
    end subroutine set_up
 
    !> Give every rank its share
-   subroutine share_out(comm, self, error)
+   subroutine share_out(comm, self)
       type(comm_type), intent(in) :: comm
       type(run_type), intent(inout) :: self
-      type(error_type), allocatable, intent(out) :: error
 
       integer, allocatable :: rank_of_chunk(:)
       real(wp) :: all(rank_numbers*comm%ranks), own(rank_numbers)
       type(share_type) :: share
       integer :: r
 
-      call divide_ranks(self%whole, comm%ranks, rank_of_chunk, error)
-      if (allocated(error)) return
+      call divide_ranks(self%whole, comm%ranks, rank_of_chunk)
       call comm%tell(rank_of_chunk)
       allocate (self%domain)
       call take_share(self%whole, rank_of_chunk, comm, self%domain, share)

@@ -11,11 +11,11 @@ program test_solver_explicit
    use plydyn_model_support, only : top_face
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : new_places
-   use plydyn_output_writer, only : writer_type
-   use plydyn_solver_contacts, only : contacts_type, new_contacts
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_explicit, only : run
    use plydyn_solver_forces, only : find_internal_forces
-   use plydyn_solver_start, only : new_state
+   use plydyn_solver_journal, only : journal_type
+   use plydyn_solver_setup, only : run_type, set_up
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -94,27 +94,26 @@ contains
       type(state_type), intent(out) :: state
       type(error_type), allocatable, intent(out) :: error
 
-      type(contacts_type) :: contacts
-      type(domain_type) :: domain
+      type(comm_type) :: alone
       type(error_type), allocatable :: close_error
       type(job_type) :: job
+      type(journal_type) :: journal
+      type(run_type) :: parts
       type(watch_type) :: watch
-      type(writer_type) :: writer
 
-      call build_domain(model, domain, error)
+      parts%model = model
+      call set_up(alone, parts, error)
       if (allocated(error)) return
-      call new_contacts(domain, contacts, error)
-      if (allocated(error)) return
-      state = new_state(model, domain)
+      state = parts%state
       job%path = "test_solver_explicit"
       job%deck = "none"
       job%version = "test"
       job%places = new_places(job%path)
-      call writer%open(job, model, domain, error)
+      call journal%open(job, model, parts%domain, parts%whole, parts%assembly, error)
       if (allocated(error)) return
-      call watch%start(job, model%request, huge(1.0_wp))
-      call run(domain, contacts, state, writer, watch, error)
-      call writer%close(close_error)
+      call watch%start(alone, job, model%request, huge(1.0_wp))
+      call run(parts%domain, parts%contacts, state, journal, watch, error)
+      call journal%close(close_error)
    end subroutine run_model
 
    !> Strain energy of linear elasticity, 1/2 u . K u

@@ -1,0 +1,101 @@
+"""A run on several ranks is stopped, or loses one of them, and goes on to the same bits."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from broken import impact, said, unlike
+from ranks import PATIENT, command, launch
+
+NORMAL, STOPPED = 0, 4
+END = 3.0e-4
+SECONDS = 20.0
+
+
+def start(folder: Path, ranks: int) -> subprocess.Popen[str]:
+    """Start a long run in a folder, and wait until it has a restart file."""
+    folder.mkdir()
+    deck = impact(1, end=END)
+    deck.add("DATABASE_BINARY_RUNRSF", (20,))
+    words = command(ranks, ["run", deck.write(folder / "job.k"), "-o", folder])
+    pipe = subprocess.PIPE
+    environment = {**os.environ, **PATIENT, "OMP_NUM_THREADS": "1"}
+    run = subprocess.Popen(words, stdout=pipe, stderr=subprocess.STDOUT, text=True, env=environment)
+    while not (folder / "job.runrsf").exists():
+        assert run.poll() is None, run.communicate()[0]
+        time.sleep(0.01)
+    return run
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The run in one piece, on one rank."""
+    folder = tmp_path_factory.mktemp("runs") / "whole"
+    run = start(folder, 1)
+    text = run.communicate()[0]
+    assert run.returncode == NORMAL, text
+    return folder
+
+
+def ranks_of(run: subprocess.Popen[str]) -> list[int]:
+    """Processes that the launcher has started."""
+    told = subprocess.run(
+        ["pgrep", "-P", str(run.pid), "plydyn"], capture_output=True, text=True, check=False
+    )
+    return [int(word) for word in told.stdout.split()]
+
+
+def goes_on(folder: Path, dump: Path, whole: Path) -> None:
+    """The run ends as the run in one piece, on another number of ranks."""
+    done = launch(3, "restart", dump)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert unlike(whole, folder) == []
+
+
+@pytest.mark.parametrize("rank", [0, 1])
+def test_rank_dies(rank: int, whole: Path, tmp_path: Path) -> None:
+    """The job ends with a message within seconds, and its last restart file is good."""
+    run = start(tmp_path / "broken", 2)
+    processes = ranks_of(run)
+    assert len(processes) == 2
+    began = time.monotonic()
+    os.kill(processes[rank], signal.SIGKILL)
+    text = run.communicate(timeout=SECONDS)[0]
+    assert time.monotonic() - began < SECONDS
+    assert run.returncode != NORMAL
+    assert "signal 9" in text
+    goes_on(tmp_path / "broken", tmp_path / "broken" / "job.runrsf", whole)
+
+
+@pytest.mark.parametrize("rank", [0, 1])
+def test_signal_to_one_rank_stops_all(rank: int, whole: Path, tmp_path: Path) -> None:
+    """Batch systems may tell one process only: all ranks leave with a restart file."""
+    folder = tmp_path / "broken"
+    run = start(folder, 2)
+    os.kill(ranks_of(run)[rank], signal.SIGUSR1)
+    text = run.communicate(timeout=SECONDS)[0]
+    assert run.returncode == STOPPED, text
+    assert "stopped by" in text
+    goes_on(folder, folder / "job.dump01", whole)
+
+
+def test_words_steer_all_ranks(whole: Path, tmp_path: Path) -> None:
+    """A file of requests stops a run of several ranks; nonsense in it stops nothing."""
+    folder = tmp_path / "broken"
+    run = start(folder, 2)
+    (folder / "job.ctl").write_text("please hurry\nplot\nstatus\nflush\n")
+    while not (folder / "job.ctl.read").exists():
+        assert run.poll() is None, run.communicate()[0]
+        time.sleep(0.01)
+    (folder / "job.ctl").write_text("stop")
+    text = run.communicate(timeout=SECONDS)[0]
+    assert run.returncode == STOPPED, text
+    assert "not understood" in text
+    code, text = said("restart", folder / "job.dump01")
+    assert code == NORMAL, text

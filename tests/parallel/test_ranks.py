@@ -1,0 +1,125 @@
+"""Ranks: the results are the same to the last bit for any number of them."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from broken import CYCLES, bricks, impact, metal, unlike
+from decks import Deck
+from ranks import launch, results
+from spread import springs, tied
+
+NORMAL, INPUT, FAILED = 0, 2, 3
+
+CASES: dict[str, Callable[[], Deck]] = {
+    "tied": tied,
+    "springs": springs,
+    "nodes on sphere": lambda: impact(1),
+    "implicit springs": lambda: impact(1, "springs", implicit=1),
+    "implicit thickness": lambda: impact(2, "springs", implicit=2),
+    "failing interfaces": lambda: impact(1, "cohesive"),
+    "failing plies": lambda: impact(1, "springs", failing=True),
+    "metal": metal,
+    "bricks of one point": lambda: bricks(1),
+    "bricks of eight points": lambda: bricks(8),
+}
+
+
+def run(deck: Path, folder: Path, ranks: int, threads: int = 1) -> dict[str, bytes]:
+    """What a run writes."""
+    folder.mkdir()
+    done = launch(ranks, "run", deck, "-o", folder, threads=threads)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    if ranks > 1:
+        table = (folder / "job.out").read_text().split("\nRanks\n")[1].splitlines()
+        assert [line.split()[0] for line in table[3 : 3 + ranks]] == [str(r) for r in range(ranks)]
+    return results(folder)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_same_bits_for_any_number_of_ranks(case: str, tmp_path: Path) -> None:
+    """Every file of histories, profiles and fields, and the last state, byte by byte."""
+    deck = CASES[case]()
+    deck.add("DATABASE_BINARY_RUNRSF", (CYCLES,))
+    path = deck.write(tmp_path / "job.k")
+    alone = run(path, tmp_path / "1", 1)
+    assert {"job.vtkhdf", "job.energy.csv", "job.supports.csv", "job.runrsf"} <= set(alone)
+    for ranks in (2, 3, 4, 7):
+        assert run(path, tmp_path / str(ranks), ranks) == alone, f"{ranks} ranks"
+
+
+@pytest.mark.parametrize("case", ["springs", "failing interfaces"])
+def test_ranks_have_threads(case: str, tmp_path: Path) -> None:
+    """Four ranks of one thread, two of two and one of one do the same."""
+    path = CASES[case]().write(tmp_path / "job.k")
+    alone = run(path, tmp_path / "1x1", 1)
+    assert run(path, tmp_path / "4x1", 4) == alone
+    assert run(path, tmp_path / "2x2", 2, threads=2) == alone
+
+
+@pytest.mark.parametrize("before, after", [(1, 3), (3, 1), (2, 4)])
+def test_restart_on_another_number_of_ranks(before: int, after: int, tmp_path: Path) -> None:
+    """In mid-contact and mid-damage, the run goes on to the bits of the run in one piece."""
+    deck = impact(1, "cohesive")
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    path = deck.write(tmp_path / "job.k")
+    run(path, tmp_path / "whole", 1)
+    run(path, tmp_path / "broken", before)
+    dump = sorted((tmp_path / "broken").glob("job.dump??"))[1]
+    with h5py.File(dump) as file:
+        assert file["state/impactor_1"][12] > 0, "contact nodes press"
+    done = launch(after, "restart", dump)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert unlike(tmp_path / "whole", tmp_path / "broken") == []
+
+
+def test_restart_changes_supports_on_ranks(tmp_path: Path) -> None:
+    """A small deck may change supports and the end, on any number of ranks."""
+    deck = impact(1)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    first = tmp_path / "first"
+    run(deck.write(tmp_path / "job.k"), first, 1)
+    small = tmp_path / "small.k"
+    small.write_text(
+        "*KEYWORD\n*CONTROL_TERMINATION\n4.0e-5,\n*SET_NODE_LIST\n77,\n1,2,3,4,5,6,7\n"
+        "*BOUNDARY_SPC_SET\n77,0,1,1,1,0,0,0\n*END\n"
+    )
+    for ranks in (1, 2):
+        shutil.copytree(first, tmp_path / str(ranks))
+        done = launch(ranks, "restart", tmp_path / str(ranks) / "job.dump01", small)
+        assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert unlike(tmp_path / "1", tmp_path / "2") == []
+
+
+def test_broken_deck_is_told_once(tmp_path: Path) -> None:
+    """The message is that of one rank, and so is the exit code."""
+    text = impact(1).text().replace("*END", "*NO_SUCH_KEYWORD\n*END")
+    (tmp_path / "job.k").write_text(text)
+    alone, several = (launch(ranks, "run", tmp_path / "job.k") for ranks in (1, 3))
+    assert alone.returncode == several.returncode == INPUT
+    assert several.stderr.count(alone.stderr.strip()) == 1
+
+
+def test_culprit_is_found_on_any_rank(tmp_path: Path) -> None:
+    """A number that is none is told as by one rank, whichever has it."""
+    deck = impact(1, "springs")
+    deck.add("DATABASE_BINARY_RUNRSF", (CYCLES,))
+    folder = tmp_path / "job"
+    run(deck.write(tmp_path / "job.k"), folder, 1)
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n5.0e-5,\n*END\n")
+    with h5py.File(folder / "job.runrsf", "r+") as file:
+        file["state/displacement"][-30] = np.nan
+    told = []
+    for ranks in (1, 3):
+        done = launch(ranks, "restart", folder / "job.runrsf", small)
+        assert done.returncode == FAILED, done.stdout + done.stderr
+        told.append([line for line in done.stderr.splitlines() if "no longer finite" in line])
+    assert told[0] == told[1]
+    assert len(told[0]) == 1
