@@ -61,6 +61,7 @@ tests_of release output
 tests_of release preprocessor
 tests_of release deck
 tests_of debug debug_deck
+tests_of release parallel
 tests_of release faults
 tests_of release hpc
 tests_of release postprocessor

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell unit output deck debug_deck faults hpc preprocessor postprocessor verification
+# Parts: lint shell unit output deck debug_deck parallel faults hpc preprocessor postprocessor
+# verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -25,7 +26,7 @@ run_shell() {
 }
 
 run_unit() {
-  ctest --test-dir build/debug --output-on-failure --no-tests=error --parallel "$workers"
+  ctest --test-dir build/debug --label-regex unit --output-on-failure --no-tests=error --parallel "$workers"
 }
 
 run_output() {
@@ -38,6 +39,10 @@ run_deck() {
 
 run_debug_deck() {
   PLYDYN=$PWD/build/debug/plydyn pytest_of tests/deck
+}
+
+run_parallel() {
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/parallel
 }
 
 run_faults() {
@@ -61,6 +66,6 @@ run_verification() {
 }
 
 for part in "$@"; do
-  declare -F "run_$part" >/dev/null || { sed -n 2,4p "$0" >&2; exit 1; }
+  declare -F "run_$part" >/dev/null || { sed -n 2,5p "$0" >&2; exit 1; }
   "run_$part"
 done

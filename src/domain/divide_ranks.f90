@@ -18,8 +18,8 @@ module plydyn_domain_divide_ranks
 
 contains
 
-   !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet. Where there
-   !> are more ranks than chunks, the last ones have nothing to do
+   !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet. Of more
+   !> ranks than chunks the last ones have nothing to do
    subroutine divide_ranks(domain, ranks, rank_of_chunk)
       !> The whole model
       type(domain_type), intent(in) :: domain

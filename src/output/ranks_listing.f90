@@ -29,8 +29,10 @@ contains
       do r = 1, size(ranks, 2)
          write (unit, "(i4,i9,i9,i8,i7,f21.3)") r - 1, nint(ranks(:4, r)), ranks(5, r)/kilobyte
       end do
-      if (any(ranks(1, :) < 1.0_wp)) write (unit, "(a,i0,a)") "there are fewer chunks than ranks: ", &
-         & count(ranks(1, :) < 1.0_wp), " of them have nothing to do"
+      if (any(ranks(1, :) < 1.0_wp)) then
+         write (unit, "(a,i0,a)") "more ranks than chunks: ", count(ranks(1, :) < 1.0_wp), &
+            & " of them have nothing to do"
+      end if
       write (unit, "(a,f0.3)") "all ranks send in a step [kB] ", sum(ranks(5, :))/kilobyte
    end subroutine write_ranks
 

@@ -14,6 +14,8 @@ class Plydyn(CMakePackage):
     depends_on("cmake@3.25:", type="build")
     depends_on("hdf5@1.10:+fortran")
     depends_on("lapack")
+    depends_on("metis@5:~int64")
+    depends_on("mpi")
 
     def cmake_args(self) -> list[str]:
         """The instruction set of the nodes, in gcc's spelling of Spack's name."""
