@@ -10,6 +10,7 @@
     .venv/bin/python decks/study.py table2
     .venv/bin/python decks/study.py table4
     .venv/bin/python decks/study.py bimetal
+    .venv/bin/python decks/study.py bimetal_ladder
     .venv/bin/python decks/study.py choices
     .venv/bin/python decks/study.py refine
 

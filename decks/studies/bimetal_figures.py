@@ -8,18 +8,23 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.ticker import MaxNLocator
+from plydyn_post.grid import largest_deflection, read_point_field, read_times
 from plydyn_post.results import Results
 from plydyn_post.style import PLAIN_MAP, WIDE, figure, legend_above, look_of, save
 
-#: Share of the plate's thickness within which a point lies on its top face
+#: Share of the plate's size within which a point lies on a face or on the plane of the section
 ON_FACE = 1e-6
 #: Half the length of the line of figure 7, and half the width of the pictures of figure 8, mm
 LINE, AROUND = 10.0, 3.0
+#: Milliseconds
+MS = 1e3
 
 
 @dataclass(frozen=True)
 class Face:
-    """Points of the top face at the end of a run."""
+    """Points of the top face."""
 
     place: np.ndarray  # (points, 2), mm, from the middle
     deflection: np.ndarray  # (points,), mm
@@ -27,29 +32,72 @@ class Face:
     time: float  # s
 
 
-def read_face(results: Results) -> Face:
-    """The top face of the last state, with the values of the ply below it."""
-    with h5py.File(results.fields) as file:
-        grid = file["VTKHDF"]
-        points = np.array(grid["Points"])
-        fields = {
-            name: np.array(grid["PointData"][name][-len(points) :])
-            for name in ("displacement", "plastic_strain")
-        }
-        time = float(grid["Steps/Values"][-1])
+@dataclass(frozen=True)
+class Layer:
+    """What a section through x = 0 cuts of a layer."""
+
+    y: np.ndarray  # (2, places), mm, from the middle, on its lower and upper face
+    z: np.ndarray  # (2, places), mm, from the middle
+    strain: np.ndarray  # (2, places)
+
+
+def read_face(results: Results, step: int = -1) -> Face:
+    """The top face in a state, by default the last, with the values of the ply below it."""
+    path = results.fields
+    times = read_times(path)
+    step %= len(times)
+    points = _points(path)
     low, high = points.min(axis=0), points.max(axis=0)
     top = points[:, 2] > high[2] - ON_FACE * (high[2] - low[2])
-    place = points[top, :2] - 0.5 * (low + high)[:2]
-    return Face(place, fields["displacement"][top, 2], fields["plastic_strain"][top], time)
+    return Face(
+        points[top, :2] - 0.5 * (low + high)[:2],
+        read_point_field(path, "displacement", step)[top, 2],
+        read_point_field(path, "plastic_strain", step)[top],
+        float(times[step]),
+    )
+
+
+def read_section(results: Results) -> list[Layer]:
+    """The layers of plates or bricks, cut by x = 0 in the last state, from the bottom up."""
+    path = results.fields
+    points = _points(path)
+    strain = read_point_field(path, "plastic_strain", len(read_times(path)) - 1)
+    with h5py.File(path) as file:
+        offsets = np.array(file["VTKHDF/Offsets"])
+        cells = np.array(file["VTKHDF/Connectivity"]).reshape(-1, offsets[1] - offsets[0])
+    place = points - 0.5 * (points.min(axis=0) + points.max(axis=0))
+    close = ON_FACE * np.ptp(place, axis=0)
+    bottom, top = place[cells, 2].min(axis=1), place[cells, 2].max(axis=1)
+    layers = []
+    for number in np.unique(np.round(bottom / close[2])):
+        own = np.round(bottom / close[2]) == number
+        nodes = np.unique(cells[own])
+        nodes = nodes[np.abs(place[nodes, 0]) < close[0]]
+        lines = []
+        for height in (bottom[own][0], top[own][0]):
+            line = nodes[np.abs(place[nodes, 2] - height) < close[2]]
+            lines.append(line[np.argsort(place[line, 1])])
+        both = np.array(lines)
+        layers.append(Layer(place[both, 1], place[both, 2], strain[both]))
+    return layers
+
+
+def _points(path: Path) -> np.ndarray:
+    """Where the points are before the impact, mm."""
+    with h5py.File(path) as file:
+        return np.array(file["VTKHDF/Points"])
 
 
 def draw_bimetal(jobs: Sequence[tuple[str, Results]], folder: Path) -> list[Path]:
     """All three figures, layers and bricks in one picture each."""
     faces = [(name, read_face(results)) for name, results in jobs]
+    deepest = largest_deflection(jobs[0][1].fields)
+    early = [(name, read_face(results, deepest)) for name, results in jobs]
+    sections = [read_section(results) for _, results in jobs]
     return [
-        _draw_line(faces, "deflection", "Deflection u_z [mm]", folder / "figure6.png"),
-        _draw_line(faces, "strain", "Effective plastic strain [-]", folder / "figure7.png"),
-        _draw_faces(faces, folder / "figure8.png"),
+        _draw_deflections((early, faces), folder / "figure6.png"),
+        _draw_strain(faces, folder / "figure7.png"),
+        _draw_zone(faces, sections, folder / "figure8.png"),
     ]
 
 
@@ -61,31 +109,61 @@ def along_y(face: Face, what: str) -> tuple[np.ndarray, np.ndarray]:
     return face.place[line, 1][order], getattr(face, what)[line][order]
 
 
-def _draw_line(faces: Sequence[tuple[str, Face]], what: str, words: str, path: Path) -> Path:
-    """Values along the middle line."""
+def _draw_deflections(states: Sequence[Sequence[tuple[str, Face]]], path: Path) -> Path:
+    """Deflection along the middle line when it is largest, and at the end."""
+    with figure(1, 2, (WIDE, 3.3)) as (drawn, panels):
+        for axes, faces in zip(panels, states, strict=True):
+            for k, (name, face) in enumerate(faces):
+                axes.plot(*along_y(face, "deflection"), label=name, **look_of(k))
+            time = f"at {MS * faces[0][1].time:.2g} ms"
+            axes.set_xlabel(f"y from the middle [mm], {time}")
+        panels[0].set_ylabel("Deflection $u_z$ of the impacted face [mm]")
+        legend_above(drawn, panels[0])
+        return save(drawn, path)
+
+
+def _draw_strain(faces: Sequence[tuple[str, Face]], path: Path) -> Path:
+    """Plastic strain along the middle line."""
     with figure() as (drawn, axes):
         for k, (name, face) in enumerate(faces):
-            axes.plot(*along_y(face, what), label=name, **look_of(k))
+            place, strain = along_y(face, "strain")
+            axes.plot(place, 100.0 * strain, label=name, **look_of(k))
         axes.set_xlabel("y from the middle of the impacted face [mm]")
-        axes.set_ylabel(words)
-        if what == "strain":
-            axes.set_xlim(-LINE, LINE)
+        axes.set_ylabel("Effective plastic strain [%]")
+        axes.set_xlim(-LINE, LINE)
         legend_above(drawn, axes)
         return save(drawn, path)
 
 
-def _draw_faces(faces: Sequence[tuple[str, Face]], path: Path) -> Path:
-    """Plastic strain around the middle, face beside face, in one scale."""
-    near = [(name, face, np.abs(face.place).max(axis=1) < 2.0 * AROUND) for name, face in faces]
-    most = max(float(face.strain[close].max()) for _, face, close in near)
-    levels = np.linspace(0.0, most if most > 0.0 else 1.0, 13)
-    size = (WIDE, 0.6 + WIDE / max(len(faces), 2))
-    with figure(1, len(faces), size, sharey=True, squeeze=False) as (drawn, rows):
-        for axes, (name, face, close) in zip(rows[0], near, strict=True):
+def _draw_zone(
+    faces: Sequence[tuple[str, Face]], sections: Sequence[Sequence[Layer]], path: Path
+) -> Path:
+    """Plastic strain around the middle, on the face and in a section, in one scale."""
+    most = max(
+        [100.0 * face.strain.max() for _, face in faces]
+        + [100.0 * layer.strain.max() for layers in sections for layer in layers]
+    )
+    levels = MaxNLocator(12).tick_values(0.0, most if most > 0.0 else 1.0)
+    size = (WIDE, 1.35 * WIDE / max(len(faces), 2) + 0.7)
+    shares = {"sharex": True, "sharey": "row", "gridspec_kw": {"height_ratios": (3.0, 2.0)}}
+    with figure(2, len(faces), size, squeeze=False, **shares) as (drawn, rows):
+        for axes, (name, face) in zip(rows[0], faces, strict=True):
+            close = np.abs(face.place).max(axis=1) < 2.0 * AROUND
             x, y = face.place[close].T
-            shown = axes.tricontourf(x, y, face.strain[close], levels, cmap=PLAIN_MAP)
-            axes.set(title=name, aspect="equal", xlabel="x [mm]")
-            axes.set(xlim=(-AROUND, AROUND), ylim=(-AROUND, AROUND))
-        rows[0][0].set_ylabel("y [mm]")
-        drawn.colorbar(shown, ax=list(rows[0]), label="Effective plastic strain [-]")
+            strain = 100.0 * face.strain[close]
+            shown = axes.tricontourf(x, y, strain, levels, cmap=PLAIN_MAP)
+            axes.set(title=name, xlim=(-AROUND, AROUND), ylim=(-AROUND, AROUND))
+        for axes, layers in zip(rows[1], sections, strict=True):
+            _draw_section(axes, layers, levels)
+        rows[0][0].set_ylabel("Face: y [mm]")
+        rows[1][0].set_ylabel("Section: z [mm]")
+        drawn.colorbar(shown, ax=list(rows.flat), label="Effective plastic strain [%]")
         return save(drawn, path)
+
+
+def _draw_section(axes: Axes, layers: Sequence[Layer], levels: np.ndarray) -> None:
+    """Plastic strain through the thickness."""
+    for layer in layers:
+        axes.contourf(layer.y, layer.z, 100.0 * layer.strain, levels, cmap=PLAIN_MAP)
+    axes.set_xlabel("x; section: y [mm]", fontsize=7.5)
+    axes.grid(visible=False)

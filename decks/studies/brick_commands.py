@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 from plydyn_post.results import open_results
 
-from studies import bricks
+from studies import bimetal_ladder, bricks
 from studies.bimetal_figures import draw_bimetal
 from studies.bricks import TABLE_2, TABLE_4, Row
 from studies.commands import (
@@ -85,6 +85,32 @@ def bimetal(
         (row.name, open_results(output / job.name)) for row, job in zip(rows, jobs, strict=True)
     ]
     list_files(draw_bimetal(found, output))
+
+
+@app.command("bimetal_ladder")
+def bimetal_ladder_command(
+    output: Folder = DEFAULT / "bimetal_ladder",
+    kept: Kept = False,
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """Layers and bricks of the bimetallic plate on finer and finer meshes; takes an hour."""
+    rungs = (*bimetal_ladder.RUNGS, *bimetal_ladder.CHOICES)
+    if not kept:
+        jobs = [rung.job(overrides or ()) for rung in rungs]
+        run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found = bimetal_ladder.open_found(output, rungs)
+    if not found:
+        raise StudyError(f"no mesh of the ladder has run to its end in {output}")
+    text = bimetal_ladder.ladder_text(found)
+    tell(output / "bimetal_ladder.md", [("Ladder", text)])
+    list_files([bimetal_ladder.draw_ladder(found, output)])
+    list_files(draw_bimetal(bimetal_ladder.for_figures(found), output))
+    if into:
+        insert(into, "ladder", text)
 
 
 def pick(rows: Sequence[Row], names: str) -> list[Row]:

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from plydyn_post.curves import read_numbers
 from plydyn_post.results import open_results
 
-from studies.jobs import ROOT, Effort, Job, Tools, kept_effort, run_job
+from studies.jobs import ROOT, STOPPED, Effort, Job, Tools, kept_effort, run_job
 from studies.markdown import table
 from studies.times import UNDISTURBED, processor
+
+#: Share of the time from which on a run is whole
+WHOLE = 0.999
 
 
 @dataclass(frozen=True)
@@ -70,7 +73,20 @@ class Outcome:
     row: Row
     effort: Effort
     peak: float  # N
-    force: np.ndarray  # N, at common times
+    time: np.ndarray  # s
+    force: np.ndarray  # N
+    share: float = 1.0  # of the time of the event that was run
+
+    @property
+    def processor(self) -> float:
+        """Time on the processor of the whole event, s; in proportion if it was stopped."""
+        return self.effort.processor / self.share
+
+    def off(self, other: Outcome) -> float:
+        """Difference of the force from that of another, over the time that both have."""
+        times = np.linspace(0.0, min(self.time[-1], other.time[-1]), 200)
+        own, its = (np.interp(times, one.time, one.force) for one in (self, other))
+        return float(np.sqrt(np.mean((own - its) ** 2) / np.mean(its**2)))
 
 
 def measure(
@@ -81,13 +97,16 @@ def measure(
     overrides: Sequence[str],
     tick: Callable[[str, float], None],
 ) -> None:
-    """Run the models one after the other, each with one thread, on one core if it is given."""
+    """Run the models one after the other, each with one thread, on one core if it is given.
+
+    A run that takes too long may be stopped by its file of requests.
+    """
     for place, row in enumerate(rows):
 
         def follow(share: float, name: str = row.name, done: int = place) -> None:
             tick(name, done + share)
 
-        run_job(tools, row.job(overrides), folder, follow, core)
+        run_job(tools, row.job(overrides), folder, follow, core, good=(0, STOPPED))
 
 
 def collect(folder: Path, rows: Sequence[Row]) -> list[Outcome]:
@@ -100,10 +119,10 @@ def collect(folder: Path, rows: Sequence[Row]) -> list[Outcome]:
             continue
         results = open_results(folder / job.name)
         history = results.impactor()
-        times = np.linspace(0.0, float(history["time"][-1]), 200)
-        force = np.interp(times, history["time"], history["force"])
-        found.append(Outcome(row, effort, read_numbers(results).peak_force, force))
-    return found
+        peak = read_numbers(results).peak_force
+        found.append(Outcome(row, effort, peak, history["time"], history["force"]))
+    end = max((one.time[-1] for one in found), default=0.0)
+    return [replace(one, share=min(1.0, one.time[-1] / end)) for one in found]
 
 
 def bricks_text(found: Sequence[Outcome], version: str) -> str:
@@ -126,6 +145,13 @@ def bricks_text(found: Sequence[Outcome], version: str) -> str:
         "The difference of the force is the root of its mean square over that of the last model. "
         "The paper's times are those of its authors' desktop computer, one core.\n"
     )
+    for one in found:
+        if one.share < WHOLE:
+            text += (
+                f"\n{one.row.name} was stopped at {100.0 * one.share:.0f} % of the time, after "
+                f"{one.effort.steps:,} steps; steps and time of the whole are in proportion, and "
+                "forces are compared up to there.\n"
+            )
     if any(one.effort.processor < UNDISTURBED * one.effort.wall for one in found):
         text += (
             "\nOther work ran meanwhile: processor time leaves out what that work took, but not "
@@ -144,23 +170,22 @@ def _claim_text(found: Sequence[Outcome], last: Outcome) -> str:
         f"\n{claim.name} against {last.row.name}: the paper claims {claim.freedoms:g} times fewer "
         f"DOF and {claim.time:g} times less time; here it is "
         f"{last.effort.freedoms / one.effort.freedoms:.0f} and "
-        f"{last.effort.processor / one.effort.processor:.0f} times, with a peak force "
+        f"{last.processor / one.processor:.0f} times, with a peak force "
         f"{100.0 * (one.peak / last.peak - 1.0):+.0f} % off.\n"
     )
 
 
 def _cells(one: Outcome, last: Outcome) -> list[str]:
     """One line of the table."""
-    off = np.sqrt(np.mean((one.force - last.force) ** 2) / np.mean(last.force**2))
     return [
         one.row.name,
         f"{one.effort.freedoms:,}",
-        f"{one.effort.steps:,}",
-        _clock(one.effort.processor),
+        f"{one.effort.steps / one.share:,.0f}",
+        _clock(one.processor),
         f"{one.peak:.0f}",
-        "-" if one is last else f"{100.0 * off:.1f}",
+        "-" if one is last else f"{100.0 * one.off(last):.1f}",
         f"1/{last.effort.freedoms / one.effort.freedoms:.1f}",
-        f"1/{last.effort.processor / one.effort.processor:.1f}",
+        f"1/{last.processor / one.processor:.1f}",
         one.row.paper,
     ]
 

@@ -17,6 +17,8 @@ from plydyn_post.results import Results
 
 #: Top of the checkout
 ROOT = Path(__file__).resolve().parents[2]
+#: Exit code of the solver when it was stopped on request
+STOPPED = 4
 #: Gets the share of a run that is done
 Tick = Callable[[float], None]
 _DONE = re.compile(r"\s(\d+\.\d)%\s")
@@ -105,8 +107,12 @@ def run_job(
     tick: Tick = lambda _: None,
     core: int | None = None,
     threads: int = 1,
+    good: tuple[int, ...] = (0,),
 ) -> Effort:
-    """Make the deck of a job and run it, on one core if its number is given."""
+    """Make the deck of a job and run it, on one core if its number is given.
+
+    Other exit codes of the solver than the good ones are an error.
+    """
     deck = make_deck(tools, job, folder)
     words = [tools.solver, "run", deck, "-j", job.name, "-o", folder, f"ncpu={threads}"]
     if core is not None and shutil.which("taskset"):
@@ -121,7 +127,7 @@ def run_job(
         _, status, usage = os.wait4(process.pid, 0)
         wall = time.perf_counter() - start
         process.returncode = os.waitstatus_to_exitcode(status)
-    if process.returncode:
+    if process.returncode not in good:
         raise StudyError(f"{job.name}: the solver left with {process.returncode}: {last.strip()}")
     took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
     kept.write_text(json.dumps(took), encoding="utf-8")
@@ -153,11 +159,9 @@ def read_effort(listing: Path, wall: float, processor: float) -> Effort:
 
 
 def kept_effort(job: Job, folder: Path) -> Effort | None:
-    """What the run of a job took that lies in a folder, if it came to its end."""
+    """What the run of a job took that lies in a folder, if it came to a good end."""
     kept, listing = folder / f"{job.name}.effort", folder / f"{job.name}.out"
     if not (kept.is_file() and listing.is_file()):
-        return None
-    if "\nnormal end" not in listing.read_text(encoding="utf-8"):
         return None
     took = json.loads(kept.read_text(encoding="utf-8"))
     return read_effort(listing, took["wall"], took["processor"])

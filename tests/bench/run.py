@@ -2,7 +2,7 @@
 
     .venv/bin/python tests/bench/run.py [--print]
 
-Takes about five minutes on a quiet machine; needs build/release and the preprocessor. `--print`
+Takes about eight minutes on a quiet machine; needs build/release and the preprocessor. `--print`
 shows the tables and leaves the page alone. No test: nothing is compared with anything.
 """
 
@@ -38,6 +38,14 @@ DAMAGE = [
     ("damage_impact/q192_le2", "192 Q9/LE2", "8:46:22"),
     ("damage_impact/q192_le3", "192 Q9/LE3", "11:37:57"),
     ("damage_impact/q260_le2", "260 Q9/LE2", "11:49:58"),
+]
+# and bricks, of which there are so many, on one core; steps that are timed, and repeats
+BRICKS = [
+    ("elastic_impact/bricks_1", "ABQ-Coarse, elastic", 102_400, "0:09:04", 100, 3),
+    ("elastic_impact/bricks_3", "ABQ-Medium, elastic", 307_200, "1:15:06", 40, 2),
+    ("elastic_impact/bricks_5", "ABQ-Refined, elastic", 512_000, "3:16:33", 25, 2),
+    ("bimetal_impact/bricks_1", "ABQ-Coarse, metals", 102_400, "0:24:18", 100, 2),
+    ("bimetal_impact/bricks_2", "ABQ-Refined, metals", 270_848, "1:55:12", 40, 2),
 ]
 STEPS = 1000
 # quads along a side of the panels, and steps that are timed
@@ -118,6 +126,29 @@ def models(chosen: list[tuple[str, str, str]], folder: Path) -> str:
     return table([*heads, "2 threads", "whole run so, 1 thread", "in the paper"], rows)
 
 
+def bricks(folder: Path) -> str:
+    """Time of whole steps of bricks of one point; metals before they yield."""
+    rows = []
+    for recipe, name, count, paper, steps, repeats in BRICKS:
+        deck = jobs.recipe_deck(recipe, folder)
+        one = jobs.measure(BUILD / "plydyn", deck, steps, 1, repeats)
+        rows.append(
+            [
+                name,
+                f"{count:,}",
+                f"{one.freedoms:,}",
+                f"{one.steps:,}",
+                f"{1e3 * one.step:.2f}",
+                f"{count / one.step:.2e}",
+                clock(one.step * one.steps),
+                paper,
+            ]
+        )
+        deck.unlink()
+    heads = ["model", "bricks", "DOF", "steps", "ms per step", "brick-steps/s/core"]
+    return table([*heads, "whole run so, 1 thread", "in the paper"], rows)
+
+
 def panels(folder: Path) -> str:
     """Time and memory over size."""
     rows = []
@@ -152,6 +183,8 @@ def main() -> None:
                 kernels(),
                 "### Elastic impact (Table 2 of the paper, one core)",
                 models(ELASTIC, folder),
+                "### Bricks of one point (Tables 2 and 4 of the paper, one core)",
+                bricks(folder),
                 "### Impact with interfaces (Table 7 of the paper, six cores)",
                 models(DAMAGE, folder),
                 "### Panels of eight tied plies of order 2, total Lagrangian",
