@@ -112,13 +112,30 @@ def test_metals(law: str, body: str, tmp_path: Path) -> None:
     assert energy["internal"][-1] == pytest.approx(dissipated + stored, rel=CLOSE)
 
 
+def by_stress(deck: Deck) -> None:
+    """*MAT_PLY_CODAM2."""
+    deck.add("MAT_PLY_CODAM2", *HTS40.cards(1))
+
+
+def by_strain(deck: Deck) -> None:
+    """*MAT_CODAM2, fibres along x."""
+    deck.add(
+        "MAT_CODAM2",
+        (1, 1.6e-9, 130.0e3, 9.0e3, 0, 0.02, 0, 0.4),
+        (5.0e3, 0, 0, 1, 0, 0, 0),
+        (0, 0, 0, 1.0, 0.0, 0.0, 2.0),
+        (0, 0, 0, 0.0, 1.0, 0.0, 0, 1),
+        (0.0,) * 8,
+        (0.008, 0.009, 0.06, 0.0, 0.032, 0.06, 0.08, 0.0),
+        (0.020, 0.011, 0.09, 0.0, 0.07, 0.09, 0.11, 0.0),
+        (0, 1.2, 0.4, 0.0),
+    )
+
+
 @pytest.mark.parametrize("body", BODIES)
-def test_damaged_ply(body: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("ply", [by_stress, by_strain])
+def test_damaged_ply(ply: Callable[[Deck], None], body: str, tmp_path: Path) -> None:
     """Cracks unload to the origin: back at no strain, all work has been dissipated."""
-
-    def ply(deck: Deck) -> None:
-        deck.add("MAT_PLY_CODAM2", *HTS40.cards(1))
-
     results = strain_body(body, ply, *path(np.zeros(6)), tmp_path)
     energy = results.table("energy")
     spent = energy["fibre damage"][-1] + energy["matrix damage"][-1]
