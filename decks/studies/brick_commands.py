@@ -115,8 +115,8 @@ def bimetal_ladder_command(
 
 def pick(rows: Sequence[Row], names: str) -> list[Row]:
     """Models by the names of their recipes, in the order of the table."""
-    wanted = names.split(",") if names else [row.recipe.split("/")[1] for row in rows]
-    known = {row.recipe.split("/")[1]: row for row in rows}
+    known = {row.key: row for row in rows}
+    wanted = names.split(",") if names else list(known)
     unknown = [name for name in wanted if name not in known]
     if unknown:
         raise StudyError(f"there is no model {unknown[0]}; there are {', '.join(known)}")
