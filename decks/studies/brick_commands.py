@@ -142,6 +142,9 @@ def _compare(name: str, rows: tuple[Sequence[Row], Sequence[Row]], common: _Comm
     if not found:
         raise StudyError(f"no model of {name} has run to its end in {output}")
     text = bricks.bricks_text(found, tools.version())
+    missing = [row.name for row in table if all(row != one.row for one in found)]
+    if missing:
+        text += f"\nNot run: {', '.join(missing)}.\n"
     tell(output / f"{name}.md", [(f"Table {name[-1]}", text)])
     if into:
         insert(into, f"table {name[-1]}", text)

@@ -89,6 +89,7 @@ class Outcome:
     time: np.ndarray  # s
     force: np.ndarray  # N, mean over some time around
     share: float = 1.0  # of the time of the event that was run
+    dissipated: float = 0.0  # mJ
 
     @property
     def processor(self) -> float:
@@ -132,7 +133,8 @@ def collect(folder: Path, rows: Sequence[Row]) -> list[Outcome]:
             continue
         results = open_results(folder / job.name)
         time, force = mean_force(results)
-        found.append(Outcome(row, effort, float(force.max()), time, force))
+        lost = float(results.energy()["dissipated"][-1])
+        found.append(Outcome(row, effort, float(force.max()), time, force, dissipated=lost))
     end = max((one.time[-1] for one in found), default=0.0)
     return [replace(one, share=min(1.0, one.time[-1] / end)) for one in found]
 
@@ -146,6 +148,7 @@ def bricks_text(found: Sequence[Outcome], version: str) -> str:
         "steps",
         "processor time [h:mm:ss]",
         "peak force, 20 µs mean [N]",
+        "dissipated [mJ]",
         f"force off {last.row.name} [%]",
         "DOF over the last",
         "time over the last",
@@ -196,6 +199,7 @@ def _cells(one: Outcome, last: Outcome) -> list[str]:
         f"{one.effort.steps / one.share:,.0f}",
         _clock(one.processor),
         f"{one.peak:.0f}",
+        f"{one.dissipated:.1f}",
         "-" if one is last else f"{100.0 * one.off(last):.1f}",
         f"1/{last.effort.freedoms / one.effort.freedoms:.1f}",
         f"1/{last.processor / one.processor:.1f}",

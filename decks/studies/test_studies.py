@@ -31,7 +31,13 @@ def test_bricks_are_set_against_the_last_model():
     ]
     text = bricks_text(found, "plydyn")
     line = next(row for row in text.splitlines() if "LE1" in row)
-    assert [cell.strip() for cell in line.split("|")][5:9] == ["110", "10.0", "1/20.0", "1/5.0"]
+    assert [cell.strip() for cell in line.split("|")][5:10] == [
+        "110",
+        "0.0",
+        "10.0",
+        "1/20.0",
+        "1/5.0",
+    ]
     assert "claims 80 times fewer DOF and 3.6 times less time; here it is 20 and 5 times" in text
     assert "peak force +10 % off" in text
 
