@@ -117,8 +117,8 @@ def _draw_deflections(states: Sequence[Sequence[tuple[str, Face]]], path: Path) 
                 axes.plot(*along_y(face, "deflection"), label=name, **look_of(k))
             time = f"at {MS * faces[0][1].time:.2g} ms"
             axes.set_xlabel(f"y from the middle [mm], {time}")
-        panels[0].set_ylabel("Deflection $u_z$ of the impacted face [mm]")
-        legend_above(drawn, panels[0])
+        panels[0].set_ylabel("Deflection $u_z$ of the face [mm]")
+        legend_above(drawn, panels[0], longest=100)
         return save(drawn, path)
 
 
@@ -152,7 +152,8 @@ def _draw_zone(
             x, y = face.place[close].T
             strain = 100.0 * face.strain[close]
             shown = axes.tricontourf(x, y, strain, levels, cmap=PLAIN_MAP)
-            axes.set(title=name, xlim=(-AROUND, AROUND), ylim=(-AROUND, AROUND))
+            axes.set_title(name, fontsize=8.0)
+            axes.set(xlim=(-AROUND, AROUND), ylim=(-AROUND, AROUND))
         for axes, layers in zip(rows[1], sections, strict=True):
             _draw_section(axes, layers, levels)
         rows[0][0].set_ylabel("Face: y [mm]")

@@ -70,6 +70,7 @@ PAPER_BRICKS = Rung(BRICKS, SIDE, 80)
 #: From coarse to fine, layers and then bricks, and what else was tried
 RUNGS = (
     Rung(LAYERS, 20.0, 4, 2),
+    Rung(LAYERS, 20.0, 4, 8),
     Rung(LAYERS, 20.0, 8, 2),
     Rung(LAYERS, 20.0, 8, 4),
     Rung(LAYERS, 20.0, 8, 8),
@@ -79,6 +80,7 @@ RUNGS = (
     Rung(LAYERS, 8.0, 16, 12, 4.0),
     Rung(BRICKS, SIDE, 40),
     PAPER_BRICKS,
+    Rung(BRICKS, 20.0, 8, 8),
     Rung(BRICKS, 20.0, 16, 8),
     Rung(BRICKS, 20.0, 32, 12),
     Rung(BRICKS, 8.0, 16, 16, 4.0),
@@ -95,8 +97,9 @@ CHOICES = (
         choice="points of the plate",
         overrides=('contact.method="points_on_plate"',),
     ),
+    Rung(BRICKS, 20.0, 8, 8, choice="QH 1", overrides=("bricks.coefficient=1.0",)),
     Rung(BRICKS, 20.0, 16, 8, choice="QH 1", overrides=("bricks.coefficient=1.0",)),
-    Rung(BRICKS, 20.0, 16, 8, choice="eight points", overrides=('bricks.points="eight"',)),
+    Rung(BRICKS, 20.0, 8, 8, choice="eight points", overrides=('bricks.points="eight"',)),
 )
 
 
@@ -154,7 +157,7 @@ def _cells(one: Found) -> list[str]:
     around = "equal" if rung.rings == 0 else f"{rung.n} x {rung.n}, {rung.rings} rings"
     middle = np.abs(one.face.place).max(axis=1).argmin()
     return [
-        " ".join(word for word in (rung.family, rung.choice) if word),
+        f"{rung.family}; {rung.choice}" if rung.choice else rung.family,
         f"{rung.core:g}",
         around,
         f"{rung.apart:.3g}",
@@ -199,7 +202,7 @@ def for_figures(found: Sequence[Found]) -> list[tuple[str, Results]]:
     for family, word in ((LAYERS, "LE1"), (BRICKS, "bricks")):
         own = [one for one in found if one.rung.family == family and not one.rung.choice]
         coarse = [one for one in own if one.rung in (RUNGS[0], PAPER_BRICKS)]
-        chosen += [(f"{word}, as in Table 4", one.results) for one in coarse]
+        chosen += [(f"{word}, Table 4", one.results) for one in coarse]
         if own:
             finest = min(own, key=lambda one: one.rung.apart)
             chosen.append((f"{word}, {finest.rung.apart:.2g} mm", finest.results))
