@@ -5,7 +5,7 @@ module plydyn_law_damage_growth
    implicit none
    private
 
-   public :: grow
+   public :: can_grow, grow
 
    !> History of a mode: damage; strain at onset, negative in compression, 0 before; strain at which
    !> the falling line meets zero
@@ -15,6 +15,40 @@ module plydyn_law_damage_growth
    real(wp), parameter :: small = 1.0e-30_wp
 
 contains
+
+   !> Whether damage that has begun grows in any lane: what `grow` takes does nothing elsewhere
+   pure logical function can_grow(plateau, brittle, strain, mode)
+      !> As in `grow`
+      real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2), strain(lanes, 2)
+      !> History of each mode
+      real(wp), intent(in) :: mode(lanes, of_finish, 2)
+
+      real(wp) :: ahead, cut, each(lanes), fall, floor, most, onset, part, rise
+      integer :: k, l
+
+      each(:) = 0.0_wp
+      do k = 1, 2
+         !$omp simd private(ahead, cut, fall, floor, onset, part, rise)
+         do l = 1, lanes
+            onset = abs(mode(l, of_onset, k))
+            fall = mode(l, of_finish, k) - onset
+            floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            call find_reached(mode(l, of_damage, k), onset, mode(l, of_finish, k), floor, &
+               & part, rise)
+            ahead = max(strain(l, k)*part - rise, &
+               & cut*fall - max(mode(l, of_finish, k) - strain(l, k), floor*fall))
+            ! begun, not complete, and beyond what it has been
+            each(l) = max(each(l), min(fall, 1.0_wp - mode(l, of_damage, k), ahead))
+         end do
+      end do
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         most = max(most, each(l))
+      end do
+      can_grow = most > 0.0_wp
+   end function can_grow
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
    !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
@@ -32,12 +66,11 @@ contains
       !> makes the end value of the driving force its mean when all strains grow in proportion
       real(wp), intent(out) :: share(lanes, 2)
 
-      real(wp) :: cut, damage, fall, floor, intact, last, left, now, onset, part, rise
+      real(wp) :: cut, damage, fall, floor, last, left, now, onset, part, rise
       integer :: k, l
 
       do k = 1, 2
-         !$omp simd private(cut, damage, fall, floor, intact, last, left, now, onset, part, &
-         !$omp& rise)
+         !$omp simd private(cut, damage, fall, floor, last, left, now, onset, part, rise)
          do l = 1, lanes
             damage = mode(l, of_damage, k)
             onset = abs(mode(l, of_onset, k))
@@ -46,11 +79,7 @@ contains
             floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
             cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
 
-            ! the old damage stands for the strain rise/part, on the line or on the plateau
-            left = max(last - damage*fall, small)
-            intact = max(1.0_wp - damage, small)
-            rise = onset*max(last*intact, floor*left)
-            part = left*intact
+            call find_reached(damage, onset, last, floor, part, rise)
             share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
 
             now = max(strain(l, k), onset, small)
@@ -62,5 +91,24 @@ contains
          end do
       end do
    end subroutine grow
+
+   !> The strain that damage stands for, rise/part, on the line or on the plateau
+   pure subroutine find_reached(damage, onset, last, floor, part, rise)
+      !> Damage
+      real(wp), intent(in) :: damage
+      !> Size of the strain at onset, and strain at which the falling line meets zero
+      real(wp), intent(in) :: onset, last
+      !> Share of the strength that remains
+      real(wp), intent(in) :: floor
+      !> Denominator and numerator
+      real(wp), intent(out) :: part, rise
+
+      real(wp) :: intact, left
+
+      left = max(last - damage*(last - onset), small)
+      intact = max(1.0_wp - damage, small)
+      rise = onset*max(last*intact, floor*left)
+      part = left*intact
+   end subroutine find_reached
 
 end module plydyn_law_damage_growth

@@ -6,7 +6,7 @@
 !> the strain of the step, and the work on the shear strain that stays.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : grow
+   use plydyn_law_damage_growth, only : can_grow, grow
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
@@ -60,6 +60,8 @@ module plydyn_law_ply_damage
       real(wp) :: excess(lanes, 2)
       !> Mean of the driving forces over their values at the end, for fibres and for matrix
       real(wp) :: share(lanes, 2)
+      !> Whether the shear that stays, or any damage, grows
+      logical :: grows
    end type step_type
 
 contains
@@ -187,7 +189,7 @@ contains
          call soften(self, e, h, now, share, s(:, 1:3))
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
-      call add_energies(self, e, now, s(:, 1:2), h)
+      if (now%grows) call add_energies(self, e, now, s(:, 1:2), h)
       call add_damaged(self, e, now, s)
       if (self%any_closes) call swap_closed(self%closes, now%sense, h)
    end subroutine advance
@@ -202,12 +204,11 @@ contains
 
       real(wp) :: cracked(lanes), size(lanes)
       integer :: l
-      logical :: grows
 
       cracked(:) = h(:, matrix_finish)
       if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
       size(:) = merge(0.0_wp, abs(strain), cracked > 0.0_wp)
-      call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, grows)
+      call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, now%grows)
       associate (modulus => self%ply%secant%shear, shear => now%shear)
          !$omp simd
          do l = 1, lanes
@@ -257,10 +258,16 @@ contains
          size(l, 1) = abs(e(l, 1))
          size(l, 2) = sqrt(e(l, 2)**2 + now%shear(l, 2)**2)
       end do
-      call grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish), share)
-      ! where cracks close, another damage may meet the strain of the step at once
-      if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
-      call find_remains(self%residual, self%any_closes, h, now%sense, now%after)
+      if (can_grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish))) then
+         now%grows = .true.
+         call grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish), share)
+         ! where cracks close, another damage may meet the strain of the step at once
+         if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
+         call find_remains(self%residual, self%any_closes, h, now%sense, now%after)
+      else
+         share(:, :) = 1.0_wp
+         now%after(:, :) = now%before
+      end if
       call self%ply%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), stress)
    end subroutine soften
 

@@ -121,16 +121,21 @@ contains
       !> Sizes of shear stress and elastic shear strain, stresses 11 and 22
       real(wp), intent(in) :: shear(lanes, 2), normal(lanes, 2)
 
-      real(wp) :: excess(lanes, 2), most
+      real(wp) :: excess(lanes, 2), least, most
       integer :: l
 
+      least = 0.0_wp
+      !$omp simd reduction(min:least)
+      do l = 1, lanes
+         least = min(least, self%own(l)*length(l, 1), self%own(l)*length(l, 2))
+      end do
+      is_quiet = least >= 0.0_wp
+      if (.not. is_quiet) return
       call self%onset%find_onset(normal, strain, shear, length, excess)
       most = -1.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
-         ! damage that has begun counts as an excess
-         most = max(most, excess(l, 1), excess(l, 2), &
-            & merge(0.0_wp, -1.0_wp, self%own(l)*min(length(l, 1), length(l, 2)) < 0.0_wp))
+         most = max(most, excess(l, 1), excess(l, 2))
       end do
       is_quiet = most < 0.0_wp
    end function is_quiet

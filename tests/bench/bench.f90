@@ -78,7 +78,7 @@ contains
 
       write (line, "(2a,i0)") name, " q", side**2
       if (index(line, trim(chosen)) == 0) return
-      call plate_case(side, in_cache, 1, linear_strain, .true., domain)
+      call plate_case(side, in_cache, 2, linear_strain, .true., domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
          & nano*best_time(joints)/real((lanes - 1)*size(domain%plates(1)%quad), wp)

@@ -1,7 +1,7 @@
 !> Damage grows as the stress has to fall, and never heals.
 program test_law_damage_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : grow
+   use plydyn_law_damage_growth, only : can_grow, grow
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage
    use ply_point, only : new_point, paper_ply, point_type
@@ -14,11 +14,47 @@ program test_law_damage_growth
    integer, parameter :: steps = 16000
 
    call test_grow()
+   call test_can_grow()
    call test_plateau()
    call test_brittle()
    call finish()
 
 contains
+
+   !> What is said to stay, stays; what is said to grow, grows: tension and compression, with a
+   !> plateau, with a drop
+   subroutine test_can_grow()
+      real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp
+      integer, parameter :: tries = 2000
+      real(wp) :: before, brittle(lanes, 2), mode(lanes, 3, 2), path(2), plateau(lanes, 2)
+      real(wp) :: share(lanes, 2), strain(lanes, 2)
+      integer :: growing, i, wrong
+      logical :: grows
+
+      call begin("can_grow")
+      growing = 0
+      wrong = 0
+      do i = 1, tries
+         mode(:, :, :) = 0.0_wp
+         mode(:, 2, 1) = merge(onset, -onset, mod(i, 2) == 0)
+         mode(:, 3, 1) = last
+         plateau(:, :) = merge(0.3_wp, 0.0_wp, mod(i, 3) == 0)
+         brittle(:, :) = merge(0.4_wp, 0.0_wp, mod(i, 3) == 1)
+         call random_number(path)
+         strain(:, :) = onset + (last - onset)*path(1)
+         call grow(plateau, brittle, strain, mode, share)
+         before = mode(1, 1, 1)
+         strain(:, :) = onset + 1.2_wp*(last - onset)*path(2)
+         grows = can_grow(plateau, brittle, strain, mode)
+         call grow(plateau, brittle, strain, mode, share)
+         if (grows) growing = growing + 1
+         if (grows .neqv. mode(1, 1, 1) > before + 1.0e-12_wp) wrong = wrong + 1
+      end do
+      call check(wrong == 0, "tells whether damage grows")
+      call check(growing > tries/5 .and. growing < tries - tries/5, "both ways")
+      mode(:, :, :) = 0.0_wp
+      call check(.not. can_grow(plateau, brittle, strain, mode), "nothing does before onset")
+   end subroutine test_can_grow
 
    !> One mode from onset to the end and back, and one that has not begun
    subroutine test_grow()
