@@ -53,26 +53,33 @@ CHOICES = (
            (f"{BOND}.fit=strengths",)),
     Choice("residual", "what remains of broken points", "5 %", (f"{PLY}.largest_damage=0.95",)),
     Choice("central", "scheme", "central differences", _CENTRAL),
-    Choice("core_10", "side of the core", "10 mm, central differences",
-           ("mesh.core=10", *_CENTRAL)),
+    Choice("core_10", "side of the core", "10 mm", ("mesh.core=10",)),
     Choice("core_15", "side of the core", "15 mm", ("mesh.core=15",)),
     Choice("core_22", "side of the core", "22 mm", ("mesh.core=22",)),
     Choice("points", "contact", "points of the plate", ("contact.method=points_on_plate",)),
 )  # fmt: skip
 
 
-def pick(names: str, recipe: str, overrides: Sequence[str] = ()) -> list[Choice]:
+def pick(
+    names: str, recipe: str, overrides: Sequence[str] = (), unwanted: str = ""
+) -> list[Choice]:
     """The base and the choices with some names, separated by commas; all without.
 
-    A choice that a recipe has made already is left out.
+    A choice that a recipe has made already is left out, and so are those with unwanted names.
     """
-    wanted = {name.strip() for name in names.split(",") if name.strip()}
+    wanted = _split(names)
     path = RECIPES / f"{recipe}.toml"
     base = load_recipe(path, overrides)
     others = [choice for choice in CHOICES if not wanted or choice.name in wanted]
+    others = [choice for choice in others if choice.name not in _split(unwanted)]
     return [BASE] + [
         choice for choice in others if load_recipe(path, (*overrides, *choice.overrides)) != base
     ]
+
+
+def _split(names: str) -> set[str]:
+    """Names between commas."""
+    return {name.strip() for name in names.split(",") if name.strip()}
 
 
 def job_of(choice: Choice, recipe: str, overrides: Sequence[str]) -> Job:

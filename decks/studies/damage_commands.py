@@ -113,6 +113,7 @@ def choices(
     output: Folder = DEFAULT / "choices",
     model: Recipe = "q192_le1",
     only: Annotated[str, typer.Option("--only", help="Names of choices, by commas.")] = "",
+    without: Annotated[str, typer.Option("--without", help="Names of those not to make.")] = "",
     into: Into = None,
     plydyn: Solver = None,
     parallel: Parallel = 1,
@@ -120,7 +121,7 @@ def choices(
     again: Again = False,
 ) -> None:
     """What each choice that the paper leaves open does to the force and to the areas."""
-    wanted = open_choices.pick(only, model, overrides or ())
+    wanted = open_choices.pick(only, model, overrides or (), without)
     jobs = [open_choices.job_of(choice, model, overrides or ()) for choice in wanted]
     run_all(find_tools(plydyn), jobs, output, parallel, again)
     found = [
