@@ -99,12 +99,15 @@ contains
       end associate
    end subroutine find_accelerations
 
-   !> The share of the stable step that the deck allows, and no step beyond the end
+   !> The share of the stable step that the deck allows, and no step beyond the end. The last two
+   !> steps share what is left: contact that closes a gap within a tiny step would push too hard.
    real(wp) function next_step(domain, state) result(step)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
+
+      real(wp) :: left
 
       associate (control => domain%control)
          step = domain%step
@@ -114,8 +117,11 @@ contains
          if (control%step_curve > 0) then
             step = min(step, domain%curves(control%step_curve)%at(state%time))
          end if
-         if (state%time + step*(1.0_wp + stretch) >= state%end_time) then
-            step = state%end_time - state%time
+         left = state%end_time - state%time
+         if (left <= step*(1.0_wp + stretch)) then
+            step = left
+         else if (left < 2.0_wp*step) then
+            step = 0.5_wp*left
          end if
       end associate
    end function next_step

@@ -30,6 +30,7 @@ program test_solver_explicit
    call test_impact(nodes_on_impactor, 2, implicit_thickness)
    call test_impact(points_on_plate, 1, implicit_thickness)
    call test_unstable()
+   call test_last_steps()
    call finish()
 
 contains
@@ -74,6 +75,25 @@ contains
       call run_model(model, state, error)
       call check_error(error, "cycle", "an unstable run is stopped at some cycle")
    end subroutine test_unstable
+
+   !> A rest that is shorter than a step is shared by the last two steps
+   subroutine test_last_steps()
+      integer, parameter :: whole = 40
+      real(wp), parameter :: rest = 1.0e-3_wp
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(state_type) :: state
+
+      call begin("last steps")
+      model = impact_model(points_on_plate, 1)
+      call run_model(model, state, error)
+      model%control%end_time = (real(whole, wp) + rest)*state%first_step
+      call run_model(model, state, error)
+      call check(state%cycle, whole + 1, "as many as a cut one would make")
+      call check(state%step_before, 0.5_wp*(1.0_wp + rest)*state%first_step, &
+         & 1.0e-9_wp*state%first_step, "but two of half the length")
+      call check(state%time, model%control%end_time, 1.0e-12_wp*state%time, "and the end on time")
+   end subroutine test_last_steps
 
    !> A free plate and a sphere above its middle
    function impact_model(method, order) result(model)
