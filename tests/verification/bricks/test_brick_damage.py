@@ -99,6 +99,37 @@ def test_mode(mode: str, points: int, rule: int, tmp_path: Path) -> None:
     assert whole == pytest.approx(np.zeros(8), abs=1.0e-12)
 
 
+@pytest.mark.parametrize("points", [1, 8])
+def test_damage_between_strains(points: int, tmp_path: Path) -> None:
+    """A brick of *MAT_CODAM2 across its fibres spends half of modulus, onset and saturation."""
+    young, onset, finish, size = 9.0e3, 0.008, 0.032, (0.3, 0.2, 0.125)
+
+    def add(deck: Deck) -> None:
+        elastic = (1, 1.6e-9, 130.0e3, young, 0, 0.02, 0, 0.4)
+        axes = ((0, 0, 0, 1.0, 0.0, 0.0, 2.0), (0, 0, 0, 0.0, 1.0, 0.0, 0, 0), (90.0,))
+        tension = (onset, 0.015, 0.06, 0, finish, 0.06, 0.08, 0)
+        compression = (0.02, 0.011, 0.09, 0, 0.07, 0.09, 0.11, 0)
+        cards = (elastic, (5.0e3, 0, 0, 1, 0, 0, 0), *axes, tension, compression)
+        deck.add("MAT_CODAM2", *cards)
+
+    mesh = box(size, (1, 1, 1))
+    deck = Deck("between strains", END)
+    deck.control(linear=True, damping=DAMPING)
+    add_bricks(deck, mesh, add, points=points)
+    curve = deck.curve([(0.0, 0.0), (END, 1.0)])
+    for direction in "xyz":
+        deck.hold(mesh.where(**{direction: 0.0}), direction)
+    deck.move(mesh.where(x=size[0]), 1, curve, 1.05 * finish * size[0])
+    deck.intervals(glstat=END / 400.0, binary_d3plot=END)
+    energy = run(deck, tmp_path).table("energy")
+    spent = 0.5 * young * onset * finish * np.prod(size)
+    # what the least stiffness, a millionth, stores at the end, and the inertia of the sides
+    close = 1.3e-6 * finish / onset + 2.0e-5
+    assert energy["matrix damage"][-1] == pytest.approx(spent, rel=close)
+    assert np.all(energy["fibre damage"] == 0.0)
+    assert np.abs(energy["error"]).max() < 1.0e-9
+
+
 def bar(bricks: int, points: int, folder: Path) -> Table:
     """Pull a bar of plies across it, the brick in its middle weaker by a tenth."""
     length, side, thickness = 0.6, 0.6, 0.125
