@@ -14,10 +14,11 @@ SPRING_STEP = 2.0 / np.sqrt(STIFFNESS * 4.0 / (DENSITY * PLY))
 def check(results: Results) -> None:
     """At rest to some 1e-5: the pull rises over 40 periods of the plies and is damped since.
 
-    The energy balance is an identity of the scheme but for damping where the last step is cut.
+    The energy balance is an identity of the scheme but for damping where the last two steps are
+    shorter.
     """
     nodes, energy = results.table("nodes"), results.table("energy")
-    assert energy["step"][1:-1].min() > 2.0 * SPRING_STEP
+    assert energy["step"][1:-2].min() > 2.0 * SPRING_STEP
     stretch = PULL * (1.0 / STIFFNESS + 2.0 * PLY / YOUNG)
     for name in ("n1", "n9"):
         found = nodes[f"{name} top uz"] - nodes[f"{name} bottom uz"]

@@ -112,7 +112,7 @@ def test_plate_answers_as_its_modes_do(tmp_path: Path) -> None:
     results = impact(1, 2, tmp_path, quads=20, linear=True)
     ball, nodes = results.table("impactor_1"), results.table("nodes")
     name = next(name for name in nodes.names if name.endswith("bottom uz")).split()[0]
-    even = slice(0, -1)  # the last step is shorter
+    even = slice(0, -2)  # the last two steps are shorter
     found = nodes[f"{name} bottom uz"][even]
     exact = answer(ball["time"][even], -ball["force"][even], 41)
     assert found == pytest.approx(exact, abs=1.0e-2 * np.abs(exact).max())
