@@ -225,7 +225,7 @@ contains
          call watch%start(comm, job, model%request, most_seconds)
          call journal%open(job, model, domain, parts%whole, parts%assembly, error)
          if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
-            call journal%record_now(domain, state, error)
+            call journal%begin(domain, state, error)
          end if
          if (.not. allocated(error)) call run(domain, parts%contacts, state, journal, watch, error)
          call journal%close(close_error)

@@ -1,5 +1,6 @@
 !> Energies of bricks: what their laws have dissipated, and what hourglass control has.
 module plydyn_domain_brick_energies
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_brick_kernel, only : hourglass_energy
@@ -8,21 +9,21 @@ module plydyn_domain_brick_energies
    implicit none
    private
 
-   public :: brick_dissipation, held_energy
+   public :: count_brick_dissipation, held_energy
 
 contains
 
-   !> Dissipated energies in the order of `mechanism_names`
-   pure function brick_dissipation(domain, history) result(energy)
+   !> Add what the laws of bricks have dissipated, batch by batch
+   pure subroutine count_brick_dissipation(domain, history, sums)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
-      real(wp) :: energy(mechanisms)
+      !> Sums in the order of `mechanism_names`
+      type(exact_sums_type), intent(inout) :: sums
 
       integer :: b, i, last, m, p
 
-      energy(:) = 0.0_wp
       do p = 1, size(domain%bricks)
          associate (bricks => domain%bricks(p))
             if (size(bricks%laws) == 0) cycle
@@ -33,36 +34,40 @@ contains
                      do m = 1, bricks%points
                         last = bricks%first_history - 1 + lanes*(law%energy_at(i) &
                            & + bricks%histories*(m - 1 + bricks%points*(b - 1)))
-                        energy(i) = energy(i) + dot_product( &
+                        call sums%add(i, dot_product( &
                            & bricks%shapes(bricks%shape(b))%volume(:, m), &
-                           & history(last - lanes + 1:last))
+                           & history(last - lanes + 1:last)))
                      end do
                   end do
                end do
             end associate
          end associate
       end do
-   end function brick_dissipation
+   end subroutine count_brick_dissipation
 
-   !> Energy that hourglass control has stored or taken
-   pure real(wp) function held_energy(domain, displacement, history) result(energy)
+   !> Energy that hourglass control has stored or taken. All ranks must come here
+   real(wp) function held_energy(domain, displacement, history) result(energy)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
 
-      integer :: last, p
+      type(exact_sums_type) :: sums
+      integer :: b, p
 
-      energy = 0.0_wp
+      sums = new_exact_sums(1)
       do p = 1, size(domain%bricks)
          associate (bricks => domain%bricks(p))
-            last = bricks%first_history - 1 &
-               & + lanes*bricks%histories*bricks%points*size(bricks%shape)
-            energy = energy + hourglass_energy(bricks, &
-               & domain%control%kinematics == total_lagrangian, displacement, &
-               & history(bricks%first_history:last))
+            if (bricks%points > 1) cycle
+            do b = 1, size(bricks%shape)
+               call sums%add(1, hourglass_energy(bricks, b, &
+                  & domain%control%kinematics == total_lagrangian, displacement, &
+                  & history(bricks%first_history:)))
+            end do
          end associate
       end do
+      call domain%comm%add_up(sums%limb)
+      energy = sums%value(1)
    end function held_energy
 
 end module plydyn_domain_brick_energies

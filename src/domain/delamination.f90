@@ -1,8 +1,9 @@
 !> What the interfaces of a model have lost: areas and energies, one by one from the bottom up.
 module plydyn_domain_delamination
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_interface, only : add_lanes, history_size, interface_sums_type, interface_type
+   use plydyn_element_interface, only : interface_sums_type, interface_type, sum_lanes
    use plydyn_law_cohesive, only : damage_at
    implicit none
    private
@@ -16,6 +17,9 @@ module plydyn_domain_delamination
       !> Energies lost in fracture, by a falling penalty, and in friction
       real(wp) :: fracture = 0.0_wp, closing = 0.0_wp, friction = 0.0_wp
    end type delamination_type
+
+   !> Numbers of what one interface has lost
+   integer, parameter :: losses = 5
 
 contains
 
@@ -39,74 +43,105 @@ contains
       ply = domain%layers%ply(batch%lower(lane))
    end function interface_ply
 
-   !> Losses of the interfaces above each ply but the last, (plies - 1)
-   pure function delamination(domain, history) result(lost)
+   !> Losses of the interfaces above each ply but the last, (plies - 1). All ranks must come here,
+   !> and get those of the whole model
+   function delamination(domain, history) result(lost)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
       type(delamination_type) :: lost(maxval(domain%layers%ply) - 1)
 
-      type(interface_sums_type) :: sums
-      integer :: b, k, l
+      type(exact_sums_type) :: sums
+      integer :: b, k
 
+      sums = new_exact_sums(losses*size(lost))
       do b = 1, size(domain%interfaces)
-         associate (batch => domain%interfaces(b))
-            if (batch%law%histories == 0) cycle
-            sums = interface_sums_type()
-            call add_lanes(batch, history(batch%first_history:batch%first_history - 1 &
-               & + history_size(batch)), sums)
-            do l = 1, lanes
-               if (batch%lower(l) == 0) cycle
-               k = interface_ply(domain, batch, l)
-               lost(k)%begun = lost(k)%begun + sums%begun(l)
-               lost(k)%failed = lost(k)%failed + sums%failed(l)
-               lost(k)%fracture = lost(k)%fracture + sums%fracture(l)
-               lost(k)%closing = lost(k)%closing + sums%closing(l)
-               lost(k)%friction = lost(k)%friction + sums%friction(l)
-            end do
+         if (domain%interfaces(b)%law%histories == 0) cycle
+         call count_batch(domain, domain%interfaces(b), &
+            & history(domain%interfaces(b)%first_history:), sums)
+      end do
+      call domain%comm%add_up(sums%limb)
+      do k = 1, size(lost)
+         associate (last => losses*k)
+            lost(k) = delamination_type(begun=sums%value(last - 4), failed=sums%value(last - 3), &
+               & fracture=sums%value(last - 2), closing=sums%value(last - 1), &
+               & friction=sums%value(last))
          end associate
       end do
    end function delamination
 
-   !> Energies that all interfaces have lost in failing, a falling penalty included, and in friction
-   pure function interface_losses(domain, history) result(losses)
+   !> The share of a batch of interfaces, quad by quad
+   pure subroutine count_batch(domain, batch, history, sums)
+      type(domain_type), intent(in) :: domain
+      type(interface_type), intent(in) :: batch
+      real(wp), intent(in) :: history(lanes, batch%law%histories, size(batch%node, 1), &
+         & size(batch%node, 2))
+      type(exact_sums_type), intent(inout) :: sums
+
+      type(interface_sums_type) :: part
+      integer :: e, l
+
+      do e = 1, size(batch%node, 2)
+         part = sum_lanes(batch, e, history(:, :, :, e))
+         do l = 1, lanes
+            if (batch%lower(l) == 0) cycle
+            associate (last => losses*interface_ply(domain, batch, l))
+               call sums%add(last - 4, part%begun(l))
+               call sums%add(last - 3, part%failed(l))
+               call sums%add(last - 2, part%fracture(l))
+               call sums%add(last - 1, part%closing(l))
+               call sums%add(last, part%friction(l))
+            end associate
+         end do
+      end do
+   end subroutine count_batch
+
+   !> Energies that all interfaces have lost in failing, a falling penalty included, or in friction.
+   !> All ranks must come here
+   function interface_losses(domain, history) result(lost_energies)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
-      real(wp) :: losses(2)
+      real(wp) :: lost_energies(2)
 
       type(delamination_type) :: lost(maxval(domain%layers%ply) - 1)
 
-      losses(:) = 0.0_wp
+      lost_energies(:) = 0.0_wp
       if (.not. can_fail(domain)) return
       lost(:) = delamination(domain, history)
-      losses(:) = [sum(lost%fracture + lost%closing), sum(lost%friction)]
+      lost_energies(:) = [sum(lost%fracture + lost%closing), sum(lost%friction)]
    end function interface_losses
 
    !> Area over which at least one interface has failed; Gauss points and nodes of a quad with the
-   !> same place in tensor order count as one
-   pure real(wp) function projected_area(domain, history) result(area)
+   !> same place in tensor order count as one. All ranks must come here
+   real(wp) function projected_area(domain, history) result(area)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
 
       real(wp), allocatable :: failed(:, :)
-      integer :: b, p
+      type(exact_sums_type) :: sums
+      integer :: b, e, p
 
-      allocate (failed(domain%plates(1)%side**2, sum([(size(domain%plates(p)%quad), &
-         & p=1, size(domain%plates))])))
-      failed(:, :) = 0.0_wp
-      do b = 1, size(domain%interfaces)
-         associate (batch => domain%interfaces(b))
-            if (batch%law%histories == 0) cycle
-            call mark_failed(batch, history(batch%first_history:batch%first_history - 1 &
-               & + history_size(batch)), failed)
-         end associate
+      sums = new_exact_sums(1)
+      do p = 1, size(domain%plates)
+         allocate (failed(domain%plates(p)%side**2, size(domain%plates(p)%quad)), source=0.0_wp)
+         do b = 1, size(domain%interfaces)
+            associate (batch => domain%interfaces(b))
+               if (batch%law%histories == 0 .or. batch%plate /= p) cycle
+               call mark_failed(batch, history(batch%first_history:), failed)
+            end associate
+         end do
+         do e = 1, size(failed, 2)
+            call sums%add(1, sum(failed(:, e)))
+         end do
+         deallocate (failed)
       end do
-      area = sum(failed)
+      call domain%comm%add_up(sums%limb)
+      area = sums%value(1)
    end function projected_area
 
    !> Note the areas of the points of some interfaces that have failed
@@ -115,7 +150,7 @@ contains
       !> History of these interfaces
       real(wp), intent(in) :: history(lanes, batch%law%histories, size(batch%node, 1), &
          & size(batch%node, 2))
-      !> Area of the points at which an interface has failed, else 0; (points, quads of the mesh)
+      !> Area of the points at which an interface has failed, else 0; (points, quads of the plate)
       real(wp), intent(inout) :: failed(:, :)
 
       integer :: e, q
@@ -123,7 +158,7 @@ contains
       do e = 1, size(batch%node, 2)
          do q = 1, size(batch%node, 1)
             if (any(history(:, damage_at, q, e) >= 1.0_wp .and. batch%lower > 0)) then
-               failed(q, batch%quad(e)) = batch%metric(5, q, e)
+               failed(q, e) = batch%metric(5, q, e)
             end if
          end do
       end do

@@ -1,7 +1,8 @@
 !> Energy that has been dissipated, mechanism by mechanism, from the histories of all points.
 module plydyn_domain_dissipation
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_brick_energies, only : brick_dissipation
+   use plydyn_domain_brick_energies, only : count_brick_dissipation
    use plydyn_domain_delamination, only : interface_losses
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type
@@ -13,8 +14,9 @@ module plydyn_domain_dissipation
 
 contains
 
-   !> Sums over all points of plies and of interfaces of what each mechanism has dissipated there
-   pure function dissipated_energies(domain, history) result(energy)
+   !> Sums over all points of plies, bricks and interfaces of what each mechanism has dissipated.
+   !> All ranks must come here, and get those of the whole model
+   function dissipated_energies(domain, history) result(energy)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
@@ -22,55 +24,57 @@ contains
       !> In the order of `mechanism_names`
       real(wp) :: energy(mechanisms)
 
-      integer :: b, last, p
+      type(exact_sums_type) :: sums
+      integer :: b, i, p
 
-      energy(:) = 0.0_wp
-      energy(by_delamination:by_friction) = interface_losses(domain, history)
-      if (size(domain%bricks) > 0) energy(:) = energy + brick_dissipation(domain, history)
+      sums = new_exact_sums(mechanisms)
+      call count_brick_dissipation(domain, history, sums)
       do p = 1, size(domain%plates)
          associate (plate => domain%plates(p))
             do b = 1, size(plate%batches)
-               associate (batch => plate%batches(b))
-                  last = batch%first_history - 1 + lanes*batch%histories*batch%blocks &
-                     & *size(batch%expansion%weight)*size(plate%node)
-                  energy(:) = energy + batch_dissipation(batch, plate%metric, &
-                     & history(batch%first_history:last))
-               end associate
+               call count_batch(plate%batches(b), plate%metric, &
+                  & history(plate%batches(b)%first_history:), sums)
             end do
          end associate
       end do
+      call domain%comm%add_up(sums%limb)
+      energy(:) = [(sums%value(i), i=1, mechanisms)]
+      energy(by_delamination:by_friction) = energy(by_delamination:by_friction) &
+         & + interface_losses(domain, history)
    end function dissipated_energies
 
-   !> The share of a batch of layers
-   pure function batch_dissipation(batch, metric, history) result(energy)
+   !> The share of a batch of layers, quad by quad
+   pure subroutine count_batch(batch, metric, history, sums)
       type(layer_batch_type), intent(in) :: batch
       !> Geometry of each quad, area of a Gauss point last
       real(wp), intent(in) :: metric(:, :, :)
       !> History of the batch, thickness before plane
       real(wp), intent(in) :: history(lanes, batch%histories, size(batch%expansion%weight), &
          & size(metric, 2), batch%blocks, size(metric, 3))
-      real(wp) :: energy(mechanisms)
+      type(exact_sums_type), intent(inout) :: sums
 
+      real(wp) :: energy
       integer :: e, i, k, m, q
 
-      energy(:) = 0.0_wp
       do k = 1, size(batch%laws)
          associate (block => batch%laws(k)%block, law => batch%laws(k)%law, &
             & weight => batch%expansion%weight)
             do i = 1, mechanisms
                if (law%energy_at(i) == 0) cycle
                do e = 1, size(metric, 3)
+                  energy = 0.0_wp
                   do q = 1, size(metric, 2)
                      do m = 1, size(weight)
-                        energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
+                        energy = energy + metric(size(metric, 1), q, e)*weight(m) &
                            & *sum(batch%half(:, block) &
                            & *history(:, law%energy_at(i), m, q, block, e), law%owns)
                      end do
                   end do
+                  call sums%add(i, energy)
                end do
             end do
          end associate
       end do
-   end function batch_dissipation
+   end subroutine count_batch
 
 end module plydyn_domain_dissipation

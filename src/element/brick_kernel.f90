@@ -223,10 +223,12 @@ contains
       end do
    end subroutine integrate
 
-   !> Energy that hourglass control has stored, or taken
-   pure real(wp) function hourglass_energy(bricks, large, displacement, history) result(energy)
-      !> The bricks of a part
+   !> Energy that hourglass control of one point has stored in a batch of bricks, or taken from it
+   pure real(wp) function hourglass_energy(bricks, b, large, displacement, history) result(energy)
+      !> The bricks of a part, with one point
       type(bricks_type), intent(in) :: bricks
+      !> The batch
+      integer, intent(in) :: b
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points
@@ -235,23 +237,17 @@ contains
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
 
       real(wp) :: h(lanes, 3, 3), q(lanes, 3, shapes_unfelt), u(lanes, corners, 3)
-      integer :: b
 
-      energy = 0.0_wp
-      if (bricks%points > 1) return
-      do b = 1, size(bricks%shape)
-         if (bricks%drag > 0.0_wp) then
-            energy = energy + sum(history(:, bricks%histories, 1, b))
-            cycle
-         end if
-         associate (shape => bricks%shapes(bricks%shape(b)))
-            call gather(bricks%place(:, :, b), displacement, u)
-            call gradient_of(u, shape%gradient(:, :, :, 1), h)
-            call unfelt_motion(u, h, shape%bent, q)
-            energy = energy + sum(hold_energy(shape%hold, shape%axis, h, &
-               & merge(1.0_wp, 0.0_wp, large), q))
-         end associate
-      end do
+      if (bricks%drag > 0.0_wp) then
+         energy = sum(history(:, bricks%histories, 1, b))
+         return
+      end if
+      associate (shape => bricks%shapes(bricks%shape(b)))
+         call gather(bricks%place(:, :, b), displacement, u)
+         call gradient_of(u, shape%gradient(:, :, :, 1), h)
+         call unfelt_motion(u, h, shape%bent, q)
+         energy = sum(hold_energy(shape%hold, shape%axis, h, merge(1.0_wp, 0.0_wp, large), q))
+      end associate
    end function hourglass_energy
 
 end module plydyn_element_brick_kernel

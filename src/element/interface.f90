@@ -15,7 +15,7 @@ module plydyn_element_interface
    implicit none
    private
 
-   public :: add_lanes, history_size, point_positions, set_damage, set_plane
+   public :: history_size, point_positions, set_damage, set_plane, sum_lanes
 
    !> Where the points of one face lie in the arrays of motion, for each lane
    type, public :: face_type
@@ -149,32 +149,31 @@ contains
       end do
    end subroutine set_damage
 
-   !> Add areas and energies of all points
-   pure subroutine add_lanes(self, history, sums)
+   !> Areas and energies of all points over a quad
+   pure function sum_lanes(self, quad, history) result(sums)
       !> The interfaces
       type(interface_type), intent(in) :: self
-      !> History of these interfaces
-      real(wp), intent(in) :: history(lanes, self%law%histories, size(self%node, 1), &
-         & size(self%node, 2))
-      !> Sums; those of all lanes without an interface stay
-      type(interface_sums_type), intent(inout) :: sums
+      !> The quad, counted in these
+      integer, intent(in) :: quad
+      !> History over this quad
+      real(wp), intent(in) :: history(lanes, self%law%histories, size(self%node, 1))
+      !> Sums; zero in all lanes without an interface
+      type(interface_sums_type) :: sums
 
-      integer :: e, q
+      integer :: q
 
       if (self%law%histories == 0) return
-      do e = 1, size(self%node, 2)
-         do q = 1, size(self%node, 1)
-            associate (area => self%metric(5, q, e)*self%present, h => history(:, :, q, e))
-               sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
-               sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
-               sums%fracture(:) = sums%fracture + area*h(:, fracture_at)
-               if (self%law%histories < closing_at) cycle
-               sums%closing(:) = sums%closing + area*h(:, closing_at)
-               if (self%law%histories < friction_at) cycle
-               sums%friction(:) = sums%friction + area*h(:, friction_at)
-            end associate
-         end do
+      do q = 1, size(self%node, 1)
+         associate (area => self%metric(5, q, quad)*self%present, h => history(:, :, q))
+            sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
+            sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
+            sums%fracture(:) = sums%fracture + area*h(:, fracture_at)
+            if (self%law%histories < closing_at) cycle
+            sums%closing(:) = sums%closing + area*h(:, closing_at)
+            if (self%law%histories < friction_at) cycle
+            sums%friction(:) = sums%friction + area*h(:, friction_at)
+         end associate
       end do
-   end subroutine add_lanes
+   end function sum_lanes
 
 end module plydyn_element_interface

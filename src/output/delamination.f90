@@ -3,13 +3,12 @@ module plydyn_output_delamination
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : delamination, delamination_type, interface_ply, &
-      & projected_area
+   use plydyn_domain_delamination, only : interface_ply
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : units_type
    use plydyn_output_places, only : places_type
    use plydyn_output_recorder, only : recorder_type
-   use plydyn_state_state, only : state_type
+   use plydyn_output_rows, only : rows_type
    implicit none
    private
 
@@ -84,26 +83,22 @@ contains
    end subroutine open_delamination
 
    !> Add a line if one is due
-   subroutine record_delamination(self, domain, state, is_last, error)
+   subroutine record_delamination(self, rows, time, is_last, error)
       class(delamination_history_type), intent(inout) :: self
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> The state
-      type(state_type), intent(in) :: state
+      !> What the interfaces have lost
+      type(rows_type), intent(in) :: rows
+      !> Time now
+      real(wp), intent(in) :: time
       !> Whether the run ends here
       logical, intent(in) :: is_last
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      type(delamination_type), allocatable :: lost(:)
-
       if (.not. self%history%is_open()) return
-      if (.not. (self%history%due(state%time) .or. is_last)) return
-      lost = delamination(domain, state%history)
-      associate (here => self%interfaces)
-         call self%history%record(state%time, [state%time, lost(here)%failed, &
-            & sum(lost(here)%failed), projected_area(domain, state%history), &
-            & lost(here)%fracture + lost(here)%closing + lost(here)%friction], error)
+      if (.not. (self%history%due(time) .or. is_last)) return
+      associate (lost => rows%lost(self%interfaces))
+         call self%history%record(time, [time, lost%failed, sum(lost%failed), &
+            & rows%projected_area, lost%fracture + lost%closing + lost%friction], error)
       end associate
    end subroutine record_delamination
 

@@ -5,6 +5,7 @@
 module plydyn_output_rows
    use plydyn_base_precision, only : wp
    use plydyn_domain_brick_energies, only : held_energy
+   use plydyn_domain_delamination, only : can_fail, delamination, delamination_type, projected_area
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : mechanism_names, mechanisms
@@ -12,7 +13,7 @@ module plydyn_output_rows
    implicit none
    private
 
-   public :: energy_row, impactor_row
+   public :: impactor_row, new_rows
 
    !> Columns of the energies
    character(16), parameter, public :: energy_names(*) = [character(16) :: "cycle", "time", &
@@ -24,10 +25,34 @@ module plydyn_output_rows
       & "displacement", "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", &
       & "penetration"]
 
+   !> What the lines of the whole model are made of
+   type, public :: rows_type
+      !> The line of the energies
+      real(wp), allocatable :: energy(:)
+      !> What each interface has lost, and the area over which any has failed; none where none can
+      type(delamination_type), allocatable :: lost(:)
+      real(wp) :: projected_area = 0.0_wp
+   end type rows_type
+
 contains
 
+   !> All that histories tell of the whole model; all ranks must come here
+   function new_rows(domain, state) result(rows)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      type(rows_type) :: rows
+
+      rows%energy = energy_row(domain, state)
+      allocate (rows%lost(0))
+      if (.not. can_fail(domain)) return
+      rows%lost = delamination(domain, state%history)
+      rows%projected_area = projected_area(domain, state%history)
+   end function new_rows
+
    !> One line of the energies
-   pure function energy_row(domain, state) result(row)
+   function energy_row(domain, state) result(row)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state

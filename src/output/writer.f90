@@ -17,7 +17,7 @@ module plydyn_output_writer
    use plydyn_output_places, only : new_places, places_type
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
-   use plydyn_output_rows, only : energy_names, energy_row, impactor_names, impactor_row
+   use plydyn_output_rows, only : energy_names, impactor_names, impactor_row, rows_type
    use plydyn_output_support_history, only : support_history_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -46,6 +46,10 @@ module plydyn_output_writer
       procedure :: open => open_writer
       procedure :: due
       procedure :: record
+      procedure :: rows_due
+      procedure :: record_rows
+      procedure :: impactors_due
+      procedure :: record_impactors
       procedure :: show
       procedure :: keep
       procedure :: plot
@@ -166,7 +170,7 @@ contains
       end associate
    end subroutine open_progress
 
-   !> Write whatever is due at this time
+   !> Write what is due of the state of the whole model: nodes, supports, profiles, fields
    subroutine record(self, domain, state, error)
       class(writer_type), intent(inout) :: self
       !> The domain
@@ -180,25 +184,33 @@ contains
       integer :: i
 
       is_last = state%is_finished()
-      call record_histories(self, domain, state, is_last, error)
+      call self%nodes%record(state, is_last, error)
+      if (allocated(error)) return
+      call self%supports%record(state, is_last, error)
       if (allocated(error)) return
       do i = 1, size(self%profiles)
          call self%profiles(i)%record(domain, state, is_last, error)
          if (allocated(error)) return
       end do
-      if (self%field_schedule%due(state%time) .or. is_last) then
-         call self%field_schedule%advance(state%time)
-         self%field_time = state%time
-         call self%fields%write(domain, state, error)
-         if (allocated(error)) return
-         call self%bricks%write(domain, state, error)
-         if (allocated(error)) return
-         call self%interfaces%write(domain, state, error)
-         if (allocated(error)) return
-      end if
+      if (.not. (self%field_schedule%due(state%time) .or. is_last)) return
+      call self%field_schedule%advance(state%time)
+      call write_fields(self, domain, state, error)
    end subroutine record
 
-   !> Whether there is anything to write at this time
+   !> Add the state to the files of fields
+   subroutine write_fields(self, domain, state, error)
+      class(writer_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      self%field_time = state%time
+      call self%fields%write(domain, state, error)
+      if (.not. allocated(error)) call self%bricks%write(domain, state, error)
+      if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
+   end subroutine write_fields
+
+   !> Whether `record` has anything to write at this time
    pure logical function due(self, state)
       class(writer_type), intent(in) :: self
       !> The state
@@ -206,17 +218,75 @@ contains
       integer :: i
 
       associate (time => state%time)
-         due = state%is_finished() .or. self%energy%due(time) &
-            & .or. self%nodes%history%due(time) .or. self%delamination%history%due(time) &
+         due = state%is_finished() .or. self%nodes%history%due(time) &
             & .or. self%supports%history%due(time) .or. self%field_schedule%due(time)
-         do i = 1, size(self%impactors)
-            due = due .or. self%impactors(i)%due(time)
-         end do
          do i = 1, size(self%profiles)
             due = due .or. self%profiles(i)%history%due(time)
          end do
       end associate
    end function due
+
+   !> Write what is due of sums over the whole model: energies and losses of interfaces
+   subroutine record_rows(self, rows, state, error)
+      class(writer_type), intent(inout) :: self
+      !> The sums
+      type(rows_type), intent(in) :: rows
+      !> The state, of any rank
+      type(state_type), intent(in) :: state
+      !> Why something could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: is_last
+
+      is_last = state%is_finished()
+      if (self%energy%due(state%time) .or. is_last) then
+         call self%energy%record(state%time, rows%energy, error)
+         if (allocated(error)) return
+      end if
+      call self%delamination%record(rows, state%time, is_last, error)
+   end subroutine record_rows
+
+   !> Whether `record_rows` has anything to write at this time
+   pure logical function rows_due(self, state)
+      class(writer_type), intent(in) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+
+      rows_due = state%is_finished() .or. self%energy%due(state%time) &
+         & .or. self%delamination%history%due(state%time)
+   end function rows_due
+
+   !> Write what is due of the impactors
+   subroutine record_impactors(self, domain, state, error)
+      class(writer_type), intent(inout) :: self
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      !> The state, of any rank
+      type(state_type), intent(in) :: state
+      !> Why something could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      do i = 1, size(self%impactors)
+         if (.not. (self%impactors(i)%due(state%time) .or. state%is_finished())) cycle
+         call self%impactors(i)%record(state%time, impactor_row(domain, state, i), error)
+         if (allocated(error)) return
+      end do
+   end subroutine record_impactors
+
+   !> Whether `record_impactors` has anything to write at this time
+   pure logical function impactors_due(self, state)
+      class(writer_type), intent(in) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+      integer :: i
+
+      impactors_due = state%is_finished()
+      do i = 1, size(self%impactors)
+         impactors_due = impactors_due .or. self%impactors(i)%due(state%time)
+      end do
+   end function impactors_due
 
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
@@ -256,10 +326,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (state%time <= self%field_time) return
-      self%field_time = state%time
-      call self%fields%write(domain, state, error)
-      if (.not. allocated(error)) call self%bricks%write(domain, state, error)
-      if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
+      call write_fields(self, domain, state, error)
    end subroutine plot
 
    !> Write the line of life, due or not
@@ -282,34 +349,6 @@ contains
       is_last = state%is_finished()
       if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show_line(self, state, is_last)
    end subroutine show
-
-   !> Lines of the histories
-   subroutine record_histories(self, domain, state, is_last, error)
-      class(writer_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      logical, intent(in) :: is_last
-      type(error_type), allocatable, intent(out) :: error
-
-      integer :: i
-
-      associate (time => state%time)
-         if (self%energy%due(time) .or. is_last) then
-            call self%energy%record(time, energy_row(domain, state), error)
-            if (allocated(error)) return
-         end if
-         do i = 1, size(self%impactors)
-            if (.not. (self%impactors(i)%due(time) .or. is_last)) cycle
-            call self%impactors(i)%record(time, impactor_row(domain, state, i), error)
-            if (allocated(error)) return
-         end do
-         call self%nodes%record(state, is_last, error)
-         if (allocated(error)) return
-         call self%delamination%record(domain, state, is_last, error)
-         if (allocated(error)) return
-         call self%supports%record(state, is_last, error)
-      end associate
-   end subroutine record_histories
 
    !> The line of life, when its time has come
    subroutine show_line(self, state, is_last)

@@ -10,8 +10,8 @@ module plydyn_solver_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_forces, only : count_load_power
    use plydyn_solver_supports, only : count_support_power
-   use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, output_sum, &
-      & power_after_sum, power_before_sum, state_type, sums_of, support_sum
+   use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, impactors_sum, &
+      & output_sum, power_after_sum, power_before_sum, rows_sum, state_type, sums_of, support_sum
    implicit none
    private
 
@@ -62,6 +62,8 @@ contains
       call domain%comm%add_up(state%tally%limb)
       state%sums = sums_of(state%tally)
       state%output_due = state%tally%value(output_sum) > 0.0_wp
+      state%rows_due = state%tally%value(rows_sum) > 0.0_wp
+      state%impactors_due = state%tally%value(impactors_sum) > 0.0_wp
       state%attention = state%tally%value(attention_sum) > 0.0_wp
       step = state%step_before
       associate (e => state%energies, sums => state%sums, tally => state%tally)

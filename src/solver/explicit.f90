@@ -42,7 +42,7 @@ contains
          call find_accelerations(domain, state)
          call balance(domain, state)
          state%energies%start = state%energies%kinetic + state%energies%impactor
-         call journal%record_now(domain, state, error)
+         call journal%begin(domain, state, error)
          if (allocated(error)) return
       end if
 

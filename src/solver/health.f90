@@ -2,7 +2,6 @@
 module plydyn_solver_health
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_error, only : error_type, exit_run, fail
-   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_delamination, only : can_fail
@@ -62,14 +61,10 @@ contains
       type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
 
-      type(exact_sums_type) :: lost
       real(wp) :: stored
 
       if (.not. can_fail(domain)) return
-      lost = new_exact_sums(1)
-      call lost%add(1, sum(dissipated_energies(domain, state%history)))
-      call domain%comm%add_up(lost%limb)
-      stored = state%energies%internal - lost%value(1)
+      stored = state%energies%internal - sum(dissipated_energies(domain, state%history))
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
       call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
          & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near " &

@@ -9,11 +9,12 @@ module plydyn_solver_journal
    use plydyn_output_job, only : job_type
    use plydyn_output_listing, only : write_end
    use plydyn_output_places, only : places_type
+   use plydyn_output_rows, only : new_rows, rows_type
    use plydyn_output_writer, only : writer_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_assembly, only : assembly_type
    use plydyn_solver_health, only : check_health
-   use plydyn_state_state, only : output_sum, state_type
+   use plydyn_state_state, only : impactors_sum, output_sum, rows_sum, state_type
    implicit none
    private
 
@@ -32,8 +33,8 @@ module plydyn_solver_journal
    contains
       procedure :: open => open_journal
       procedure :: announce
+      procedure :: begin
       procedure :: record
-      procedure :: record_now
       procedure :: plot
       procedure :: conclude
       procedure :: tell
@@ -75,11 +76,13 @@ contains
    !> Let all ranks know with the sums of this step whether something is due
    subroutine announce(self, state)
       class(journal_type), intent(in) :: self
-      !> The state; the sum is counted
+      !> The state; the sums are counted
       type(state_type), intent(inout) :: state
 
       if (.not. self%comm%is_root()) return
       if (self%writer%due(state)) call state%tally%add(output_sum, 1.0_wp)
+      if (self%writer%rows_due(state)) call state%tally%add(rows_sum, 1.0_wp)
+      if (self%writer%impactors_due(state)) call state%tally%add(impactors_sum, 1.0_wp)
    end subroutine announce
 
    !> Write whatever is due at this time
@@ -87,23 +90,64 @@ contains
       class(journal_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state; its sums say whether something is due
+      !> The state; says what is due
       type(state_type), intent(in) :: state
       !> Why something could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (state%output_due) call self%record_now(domain, state, error)
+      if (state%impactors_due) call record_impactors(self, domain, state, error)
+      if (allocated(error)) return
+      if (state%rows_due) call record_rows(self, domain, state, error)
+      if (allocated(error)) return
+      if (state%output_due) call record_state(self, domain, state, error)
       if (self%comm%is_root()) call self%writer%show(state)
    end subroutine record
 
-   !> Write what is due, as it is known to be
-   subroutine record_now(self, domain, state, error)
+   !> Write all there is before the first step
+   subroutine begin(self, domain, state, error)
       class(journal_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
       !> Why something could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      call record_impactors(self, domain, state, error)
+      if (.not. allocated(error)) call record_rows(self, domain, state, error)
+      if (.not. allocated(error)) call record_state(self, domain, state, error)
+   end subroutine begin
+
+   !> Lines of the impactors, which all ranks know
+   subroutine record_impactors(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%is_root()) call self%writer%record_impactors(domain, state, error)
+      call self%comm%tell(error)
+   end subroutine record_impactors
+
+   !> Lines of sums over the whole model, in which all ranks have a part
+   subroutine record_rows(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      type(rows_type) :: rows
+
+      rows = new_rows(domain, state)
+      if (self%comm%is_root()) call self%writer%record_rows(rows, state, error)
+      call self%comm%tell(error)
+   end subroutine record_rows
+
+   !> What is due of the state of the whole model
+   subroutine record_state(self, domain, state, error)
+      class(journal_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
 
       if (self%comm%ranks == 1) then
@@ -113,7 +157,7 @@ contains
       call self%assembly%gather(state, self%state)
       if (allocated(self%whole)) call self%writer%record(self%whole, self%state, error)
       call self%comm%tell(error)
-   end subroutine record_now
+   end subroutine record_state
 
    !> Write the fields at this time, if they are not in the file already
    subroutine plot(self, domain, state, error)

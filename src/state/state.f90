@@ -15,11 +15,12 @@ module plydyn_state_state
    !> motions; work of contact on the plate, and what contact changes of the power at the beginning
    integer, parameter, public :: power_before_sum = 8, power_after_sum = 9, support_sum = 10, &
       & contact_sum = 11, contact_power_sum = 12
-   !> Whether there is something to write, and whether anything asks a rank to stop or to attend to
-   !> something: more than zero
-   integer, parameter, public :: output_sum = 13, attention_sum = 14
+   !> Whether there is something to write of the whole state, of sums and of impactors, and whether
+   !> a rank is asked for something: more than zero
+   integer, parameter, public :: output_sum = 13, rows_sum = 14, impactors_sum = 15, &
+      & attention_sum = 16
    !> How many sums there are
-   integer, parameter, public :: tally_sums = 14
+   integer, parameter, public :: tally_sums = 16
 
    !> Energies at the present time
    type, public :: energies_type
@@ -118,7 +119,8 @@ module plydyn_state_state
       type(exact_sums_type) :: tally
       !> Whether there is something to write after this step, and whether any rank was asked for
       !> something
-      logical :: output_due = .false., attention = .false.
+      logical :: output_due = .false., rows_due = .false., impactors_due = .false.
+      logical :: attention = .false.
       !> Power of all forces at the beginning of the step under way, with the velocity over it
       real(wp) :: internal_power = 0.0_wp
       !> Energies

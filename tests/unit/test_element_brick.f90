@@ -134,7 +134,7 @@ contains
          & - spread(expected, 1, lanes - 1))), 0.0_wp, 1.0e-14_wp, "stress")
       call check(maxval(abs(forces(bricks, .false., spread(1.0_wp, 1, freedoms)))), 0.0_wp, &
          & 1.0e-12_wp, "a translation has no force")
-      call check(hourglass_energy(bricks, .false., linear(gradient), history), 0.0_wp, &
+      call check(hourglass_energy(bricks, 1, .false., linear(gradient), history), 0.0_wp, &
          & 1.0e-25_wp, "and no hourglass energy")
    end subroutine test_linear
 
@@ -208,7 +208,7 @@ contains
             do n = 1, corners
                u(1 + 3*lanes*(n - 1) + lanes*i) = unfelt(n, a)
             end do
-            call check(hourglass_energy(bricks, .false., u, history) > 1.0e-3_wp, &
+            call check(hourglass_energy(bricks, 1, .false., u, history) > 1.0e-3_wp, &
                & "every shape is held")
          end do
       end do
@@ -218,7 +218,7 @@ contains
          u(1 + 3*lanes*(n - 1)) = unfelt(n, 2)
       end do
       bent = 0.5_wp*200.0_wp/(1.0_wp - 0.25_wp**2)/3.0_wp
-      call check(hourglass_energy(bricks, .false., u, history), bent, 1.0e-12_wp, &
+      call check(hourglass_energy(bricks, 1, .false., u, history), bent, 1.0e-12_wp, &
          & "bending of a plate")
       call check(-0.5_wp*dot_product(u, forces(bricks, .false., u)), bent, 1.0e-12_wp, &
          & "is the work of the forces")
