@@ -89,6 +89,7 @@ RUNGS = (
 #: Other contact, order, hourglass control and points, on meshes of the ladder
 CHOICES = (
     Rung(LAYERS, 20.0, 4, 2, choice="LE2", overrides=("laminate.order=2",)),
+    Rung(LAYERS, 8.0, 8, 8, 4.0, choice="LE2", overrides=("laminate.order=2",)),
     Rung(
         LAYERS,
         20.0,
@@ -99,6 +100,7 @@ CHOICES = (
     ),
     Rung(BRICKS, 20.0, 8, 8, choice="QH 1", overrides=("bricks.coefficient=1.0",)),
     Rung(BRICKS, 20.0, 16, 8, choice="QH 1", overrides=("bricks.coefficient=1.0",)),
+    Rung(BRICKS, 8.0, 16, 16, 4.0, choice="QH 1", overrides=("bricks.coefficient=1.0",)),
     Rung(BRICKS, 20.0, 8, 8, choice="eight points", overrides=('bricks.points="eight"',)),
 )
 
