@@ -16,7 +16,7 @@ module plydyn_domain_chunks
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
-   integer, parameter :: most_quads = 16
+   integer, parameter :: most_quads = 8
    !> Parts of the width that coordinates are rounded to: quads in a row stay in it
    real(wp), parameter :: fineness = 1.0e5_wp
 
