@@ -1,4 +1,4 @@
-!> All results of a job: histories, profiles, fields and the line of life.
+!> All results of a job: histories, profiles and fields.
 module plydyn_output_writer
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
@@ -12,11 +12,10 @@ module plydyn_output_writer
    use plydyn_output_fields, only : fields_type
    use plydyn_output_history, only : history_type, schedule_type
    use plydyn_output_interface_fields, only : interface_fields_type
-   use plydyn_output_job, only : job_type, no_unit
+   use plydyn_output_job, only : job_type
    use plydyn_output_node_history, only : node_history_type
    use plydyn_output_places, only : new_places, places_type
    use plydyn_output_profile, only : profile_file_type
-   use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
    use plydyn_output_rows, only : energy_names, impactor_names, impactor_row, rows_type
    use plydyn_output_support_history, only : support_history_type
    use plydyn_state_state, only : state_type
@@ -39,9 +38,6 @@ module plydyn_output_writer
       type(schedule_type) :: field_schedule
       !> Time of the last state in the file of fields
       real(wp) :: field_time = -1.0_wp
-      !> Line of life
-      type(progress_type) :: progress
-      type(pulse_type) :: pulse
    contains
       procedure :: open => open_writer
       procedure :: due
@@ -50,18 +46,13 @@ module plydyn_output_writer
       procedure :: record_rows
       procedure :: impactors_due
       procedure :: record_impactors
-      procedure :: show
       procedure :: keep
       procedure :: plot
-      procedure :: tell
-      procedure :: elapsed
       procedure :: close => close_writer
    end type writer_type
 
    !> Ending of the file of fields, and what its instants are kept under
    character(*), parameter :: fields_ending = ".vtkhdf", schedule_ending = ".vtkhdf instants"
-   !> Steps between two looks at the clock
-   integer, parameter :: steps_per_look = 16
 
 contains
 
@@ -111,7 +102,6 @@ contains
       if (allocated(error)) return
       self%field_schedule%interval = model%request%field_interval
       call self%field_schedule%resume(job%places%at(job%path//schedule_ending))
-      call open_progress(self, model, domain)
    end subroutine open_writer
 
    !> Energies and momentum
@@ -152,23 +142,6 @@ contains
          end do
       end associate
    end subroutine open_impactors
-
-   !> Heads of the line of life
-   subroutine open_progress(self, model, domain)
-      class(writer_type), intent(inout) :: self
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-
-      self%progress%start_time = self%job%start_time
-      self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
-      if (size(domain%bricks) > 0) self%progress%cause = "brick "//text(domain%limit%quad)
-      if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
-      call self%pulse%start()
-      if (self%job%screen == no_unit) return
-      associate (u => model%control%units)
-         write (self%job%screen, "(a)") progress_heads(u%time, u%force)
-      end associate
-   end subroutine open_progress
 
    !> Write what is due of the state of the whole model: nodes, supports, profiles, fields
    subroutine record(self, domain, state, error)
@@ -328,57 +301,6 @@ contains
       if (state%time <= self%field_time) return
       call write_fields(self, domain, state, error)
    end subroutine plot
-
-   !> Write the line of life, due or not
-   subroutine tell(self, state)
-      class(writer_type), intent(inout) :: self
-      !> The state
-      type(state_type), intent(in) :: state
-
-      call show_line(self, state, .true.)
-   end subroutine tell
-
-   !> Write the line of life when its time has come
-   subroutine show(self, state)
-      class(writer_type), intent(inout) :: self
-      !> The state
-      type(state_type), intent(in) :: state
-
-      logical :: is_last
-
-      is_last = state%is_finished()
-      if (mod(state%cycle, steps_per_look) == 0 .or. is_last) call show_line(self, state, is_last)
-   end subroutine show
-
-   !> The line of life, when its time has come
-   subroutine show_line(self, state, is_last)
-      class(writer_type), intent(inout) :: self
-      type(state_type), intent(in) :: state
-      logical, intent(in) :: is_last
-
-      real(wp) :: seconds
-
-      if (self%job%screen == no_unit) return
-      seconds = self%pulse%elapsed()
-      if (.not. (self%pulse%due(seconds) .or. is_last)) return
-      call self%pulse%advance(seconds)
-      self%progress%cycle = state%cycle
-      self%progress%time = state%time
-      self%progress%end_time = state%end_time
-      self%progress%step = state%step_before
-      self%progress%energy_error = state%energies%error()
-      self%progress%force = 0.0_wp
-      if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
-      write (self%job%screen, "(a)") progress_line(self%progress, seconds)
-      flush (self%job%screen)
-   end subroutine show_line
-
-   !> Seconds since the start of the run
-   real(wp) function elapsed(self)
-      class(writer_type), intent(in) :: self
-
-      elapsed = self%pulse%elapsed()
-   end function elapsed
 
    !> Close all files, also after an error
    subroutine close_writer(self, error)

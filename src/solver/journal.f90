@@ -7,6 +7,7 @@ module plydyn_solver_journal
    use plydyn_model_model, only : model_type
    use plydyn_output_dump, only : write_dump
    use plydyn_output_job, only : job_type
+   use plydyn_output_life_line, only : life_line_type
    use plydyn_output_listing, only : write_end
    use plydyn_output_places, only : places_type
    use plydyn_output_rows, only : new_rows, rows_type
@@ -25,6 +26,8 @@ module plydyn_solver_journal
       type(comm_type) :: comm
       !> What writes; on the root
       type(writer_type) :: writer
+      !> Where the run is; on the root's screen
+      type(life_line_type) :: life_line
       !> The whole model; on the root of several ranks
       type(domain_type), allocatable :: whole
       type(state_type) :: state
@@ -71,6 +74,7 @@ contains
          call self%writer%open(job, model, domain, error)
       end if
       call self%comm%tell(error)
+      if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
    end subroutine open_journal
 
    !> Let all ranks know with the sums of this step whether something is due
@@ -100,7 +104,7 @@ contains
       if (state%rows_due) call record_rows(self, domain, state, error)
       if (allocated(error)) return
       if (state%output_due) call record_state(self, domain, state, error)
-      if (self%comm%is_root()) call self%writer%show(state)
+      call self%life_line%show(state)
    end subroutine record
 
    !> Write all there is before the first step
@@ -205,7 +209,7 @@ contains
       !> The state
       type(state_type), intent(in) :: state
 
-      if (self%comm%is_root()) call self%writer%tell(state)
+      call self%life_line%tell(state)
    end subroutine tell
 
    !> Bring all files to the disk, and note how far each of them goes
@@ -260,12 +264,12 @@ contains
       character(*), intent(in) :: words
 
       if (self%comm%ranks == 1) then
-         call write_end(unit, model, domain, state, self%writer%elapsed(), words)
+         call write_end(unit, model, domain, state, self%life_line%elapsed(), words)
          return
       end if
       call self%assembly%gather(state, self%state)
       if (allocated(self%whole)) call write_end(unit, model, self%whole, self%state, &
-         & self%writer%elapsed(), words)
+         & self%life_line%elapsed(), words)
    end subroutine write_end_of_run
 
    !> Close all files, also after an error

@@ -1,0 +1,98 @@
+!> The line of life on the screen, as a run goes on.
+module plydyn_output_life_line
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : units_type
+   use plydyn_output_job, only : job_type, no_unit
+   use plydyn_output_progress, only : progress_heads, progress_line, progress_type, pulse_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> What writes the line
+   type, public :: life_line_type
+      private
+      !> Unit of the screen
+      integer :: screen = no_unit
+      type(progress_type) :: progress
+      type(pulse_type) :: pulse
+   contains
+      procedure :: begin
+      procedure :: show
+      procedure :: tell
+      procedure :: elapsed
+   end type life_line_type
+
+   !> Steps between two looks at the clock
+   integer, parameter :: steps_per_look = 16
+
+contains
+
+   !> Start the clock, and write the heads
+   subroutine begin(self, job, units, domain)
+      class(life_line_type), intent(inout) :: self
+      !> The job
+      type(job_type), intent(in) :: job
+      !> Names of the units
+      type(units_type), intent(in) :: units
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      self%screen = job%screen
+      self%progress%start_time = job%start_time
+      self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
+      if (size(domain%bricks) > 0) self%progress%cause = "brick "//text(domain%limit%quad)
+      if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
+      call self%pulse%start()
+      if (self%screen == no_unit) return
+      write (self%screen, "(a)") progress_heads(units%time, units%force)
+   end subroutine begin
+
+   !> Write the line when its time has come
+   subroutine show(self, state)
+      class(life_line_type), intent(inout) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+
+      real(wp) :: seconds
+
+      if (self%screen == no_unit) return
+      if (.not. state%is_finished()) then
+         if (mod(state%cycle, steps_per_look) /= 0) return
+         seconds = self%pulse%elapsed()
+         if (.not. self%pulse%due(seconds)) return
+      end if
+      call self%tell(state)
+   end subroutine show
+
+   !> Write the line, due or not
+   subroutine tell(self, state)
+      class(life_line_type), intent(inout) :: self
+      !> The state
+      type(state_type), intent(in) :: state
+
+      real(wp) :: seconds
+
+      if (self%screen == no_unit) return
+      seconds = self%pulse%elapsed()
+      call self%pulse%advance(seconds)
+      self%progress%cycle = state%cycle
+      self%progress%time = state%time
+      self%progress%end_time = state%end_time
+      self%progress%step = state%step_before
+      self%progress%energy_error = state%energies%error()
+      self%progress%force = 0.0_wp
+      if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
+      write (self%screen, "(a)") progress_line(self%progress, seconds)
+      flush (self%screen)
+   end subroutine tell
+
+   !> Seconds since the start of the run
+   real(wp) function elapsed(self)
+      class(life_line_type), intent(in) :: self
+
+      elapsed = self%pulse%elapsed()
+   end function elapsed
+
+end module plydyn_output_life_line
