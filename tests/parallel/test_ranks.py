@@ -28,6 +28,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "metal": metal,
     "bricks of one point": lambda: bricks(1),
     "bricks of eight points": lambda: bricks(8),
+    "bricks that crack": lambda: bricks(1, failing=True),
 }
 
 

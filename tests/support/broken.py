@@ -66,11 +66,16 @@ def impact(
     return deck
 
 
-def weak_plies(deck: Deck) -> None:
-    """The same plies, with damage of fibres and matrix."""
+def weak_ply(deck: Deck) -> None:
+    """Material 1, the same ply with damage of fibres and matrix."""
     head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
     strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
     deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness)
+
+
+def weak_plies(deck: Deck) -> None:
+    """The same plies, with damage of fibres and matrix."""
+    weak_ply(deck)
     plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
     deck.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *plies)
     deck.add("SECTION_LAYERWISE", (1, 0, 1))
@@ -93,12 +98,19 @@ def metal() -> Deck:
     return deck
 
 
-def bricks(points: int) -> Deck:
-    """A ball on bricks of a metal that yields, of 8 points, or of one with viscous control."""
+def bricks(points: int, *, failing: bool = False) -> Deck:
+    """A ball on bricks of a metal that yields, of 8 points, or of one with viscous control.
+
+    Or on bricks of plies that crack, with fibres in two directions.
+    """
     mesh = box((SIDE, SIDE, 2.0), (8, 8, 2))
     deck = Deck("bricks to be broken off", END)
     deck.control()
-    add_bricks(deck, mesh, yielding, points=points, hourglass=(3, 0.1) if points == 1 else None)
+    control = (3, 0.1) if points == 1 else None
+    if failing:
+        add_bricks(deck, mesh, weak_ply, points=points, hourglass=control, angles=(0.0, 90.0))
+    else:
+        add_bricks(deck, mesh, yielding, points=points, hourglass=control)
     deck.hold(np.flatnonzero(np.abs(mesh.points[:, 0]) < TINY), "xyz")
     deck.sphere(Sphere(RADIUS, 5.0e-6, (10.0, 10.0, RADIUS + 2.01), (0.0, 0.0, -2.0e4)))
     deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)
