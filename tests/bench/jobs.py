@@ -7,17 +7,23 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from decks import Deck, Ply
+from decks import Deck, Ply, Sphere
 from elasticity import CARBON
 from meshes import regular
+
+Words = Sequence[str | Path]
 
 ROOT = Path(__file__).resolve().parents[2]
 MEGABYTE = 1.0e6
 KILOBYTE = 1024.0
 FOREVER = 1.0
+# the panels: side of a quad, plies and their angles, and the sphere that hits them; mm, degrees
+QUAD, PLY, RADIUS = 1.5, 0.25, 8.0
+ANGLES = (0, 45, 90, -45, -45, 90, 45, 0)
 
 
 @dataclass(frozen=True)
@@ -48,18 +54,27 @@ def recipe_deck(recipe: str, folder: Path) -> Path:
     return deck
 
 
-def panel_deck(quads: int, folder: Path) -> Path:
-    """A square panel of eight tied plies of order 2 that is held all round and flies on."""
-    mesh = regular(1.5 * quads, 1.5 * quads, quads, quads, 9)
+def panel_deck(
+    quads: int, folder: Path, *, angles: Sequence[float] = ANGLES, hit: bool = False
+) -> Path:
+    """A square panel of tied plies of order 2, of eight as a rule, held all round and flying on.
+
+    Into a sphere above its middle, if it is to be hit.
+    """
+    mesh = regular(QUAD * quads, QUAD * quads, quads, quads, 9)
     deck = Deck("panel", FOREVER)
     deck.control()
     deck.mesh(mesh)
-    deck.laminate([Ply(CARBON, 0.25, angle) for angle in (0, 45, 90, -45, -45, 90, 45, 0)])
+    deck.laminate([Ply(CARBON, PLY, angle) for angle in angles])
     deck.hold(mesh.boundary(), "xyz")
     deck.add("INITIAL_VELOCITY", (0,), (0.0, 0.0, 1.0e3))
+    if hit:
+        middle, top = 0.5 * QUAD * quads, 0.5 * PLY * len(angles)
+        centre = (middle, middle, top + RADIUS)
+        deck.sphere(Sphere(RADIUS, 1.0e-3, centre, (0.0, 0.0, -1.0e3)))
     deck.add("DATABASE_FIELD", "displacement")
     deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER)
-    return deck.write(folder / f"panel_{quads}.k")
+    return deck.write(folder / f"panel_{quads}_{len(angles)}{'_hit' if hit else ''}.k")
 
 
 def stopped(deck: Path, steps: int) -> Path:
@@ -76,9 +91,12 @@ def stopped(deck: Path, steps: int) -> Path:
     return short
 
 
-def run(solver: Path, deck: Path, threads: int) -> tuple[str, float]:
-    """Run a deck; its listing, and the most memory that the process had, MB."""
-    words = [solver, "run", deck, "-o", deck.parent, f"ncpu={threads}"]
+def run(solver: Path, deck: Path, threads: int, launcher: Words = ()) -> tuple[str, float]:
+    """Run a deck; its listing, and the most memory that the process had, MB.
+
+    With a launcher it is the launcher's memory.
+    """
+    words = [*launcher, solver, "run", deck, "-o", deck.parent, f"ncpu={threads}"]
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
         assert process.stderr is not None
         said = process.stderr.read().decode()
@@ -102,17 +120,28 @@ def loop(listing: str) -> float:
     return number(listing, r"seconds\s+(\S+) in the loop")
 
 
-def measure(solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3) -> Timing:
-    """Time of a step: what twice the steps take more, the least of some repeats."""
-    checked = subprocess.run([solver, "check", deck], check=True, capture_output=True, text=True)
+def step_time(
+    solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3, launcher: Words = ()
+) -> tuple[float, float]:
+    """Seconds of a step, what twice the steps take more, and most memory of the longer run, MB.
+
+    The least of some repeats.
+    """
     short, long = stopped(deck, steps), stopped(deck, 2 * steps)
-    starts = [run(solver, short, threads) for _ in range(repeats)]
-    ends = [run(solver, long, threads) for _ in range(repeats)]
+    starts = [run(solver, short, threads, launcher) for _ in range(repeats)]
+    ends = [run(solver, long, threads, launcher) for _ in range(repeats)]
     first, second = (min(loop(listing) for listing, _ in runs) for runs in (starts, ends))
+    return (second - first) / steps, max(peak for _, peak in ends)
+
+
+def measure(solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3) -> Timing:
+    """Time and memory of a job."""
+    checked = subprocess.run([solver, "check", deck], check=True, capture_output=True, text=True)
+    step, peak = step_time(solver, deck, steps, threads, repeats)
     return Timing(
         freedoms=int(number(checked.stdout, r"degrees of freedom\s+(\d+)")),
-        step=(second - first) / steps,
+        step=step,
         steps=int(number(checked.stdout, r"\nsteps\s+(\d+)")),
         memory=number(checked.stdout, r"memory of mesh and motion\s+(\S+) MB"),
-        peak=max(peak for _, peak in ends),
+        peak=peak,
     )

@@ -1,0 +1,135 @@
+"""What a step takes on many ranks, on paper: from one rank's time, a division, and a network."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+# sums of a step, limbs of each (src/base/exact_sum.f90), bytes of a word
+SUMS_OF_A_STEP = 14 * 25 * 8
+# bytes of a place in space, and of displacement, velocity and acceleration in one direction
+PLACE, MOTION = 24, 24
+# share of a step that goes into moving points, not into forces: manual/performance.md, `step large`
+MOVING = 0.15
+QUADS, NODES = 16, 64  # of a chunk; a panel of Q9 has four nodes for each quad
+KILO = 1.0e3
+
+
+@dataclass(frozen=True)
+class Network:
+    """How ranks talk to each other."""
+
+    latency: float  # s
+    bandwidth: float  # bytes/s
+
+
+@dataclass(frozen=True)
+class Division:
+    """What the listing says of a division, of the ranks that have most."""
+
+    chunks: int  # in all
+    ranks: int
+    most: int  # chunks of a rank
+    nodes: int  # of a rank
+    shared: int  # nodes that another rank counts
+    meets: int
+    sends: float  # bytes in a step
+    sends_in_all: float
+
+    @property
+    def mean(self) -> float:
+        """Chunks of a rank."""
+        return self.chunks / self.ranks
+
+    @property
+    def imbalance(self) -> float:
+        """Most chunks of a rank over their mean."""
+        return self.most / self.mean
+
+
+@dataclass(frozen=True)
+class Costs:
+    """Times on one rank, s, and memory, bytes."""
+
+    chunk: float  # a chunk in a step
+    point: float  # contact, for each point of the face
+    freedoms: float  # degrees of freedom of a chunk
+    start: float  # memory for each degree of freedom while the run is prepared
+
+
+@dataclass(frozen=True)
+class Step:
+    """Parts of a step, s."""
+
+    compute: float
+    halo: float
+    sums: float
+    gather: float = 0.0
+    contact: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """All of it; nothing is taken to be hidden behind anything else."""
+        return self.compute + self.halo + self.sums + self.gather + self.contact
+
+
+def read_division(listing: str) -> Division:
+    """The table of ranks in a listing."""
+    table = listing.split("\nRanks\n")[1]
+    rows = [
+        [float(word) for word in line.split()]
+        for line in table.splitlines()
+        if re.fullmatch(r"\s*\d+(\s+[\d.]+){5}", line)
+    ]
+    _, chunks, nodes, shared, meets, sends = zip(*rows, strict=True)
+    return Division(
+        chunks=int(sum(chunks)),
+        ranks=len(rows),
+        most=int(max(chunks)),
+        nodes=int(max(nodes)),
+        shared=int(max(shared)),
+        meets=int(max(meets)),
+        sends=KILO * max(sends),
+        sends_in_all=KILO * sum(sends),
+    )
+
+
+def imagine(chunks: int, ranks: int, known: list[Division]) -> Division:
+    """A division that nobody made, from the known one with the likest number of chunks for a rank.
+
+    Borders grow with the root of the chunks of a rank; chunks are not divided.
+    """
+    mean = chunks / ranks
+    like = min(known, key=lambda one: abs(math.log(one.mean / mean)))
+    longer = math.sqrt(mean / like.mean)
+    excess = like.most - math.ceil(like.mean)
+    return Division(
+        chunks=chunks,
+        ranks=ranks,
+        most=min(chunks, math.ceil(mean) + excess),
+        nodes=round(like.nodes * mean / like.mean),
+        shared=round(like.shared * longer),
+        meets=like.meets,
+        sends=like.sends * longer,
+        sends_in_all=like.sends_in_all * longer * ranks / like.ranks,
+    )
+
+
+def step_of(division: Division, costs: Costs, network: Network, points: int = 0) -> Step:
+    """A step, with an impactor above so many points of a face, or with none."""
+    work = costs.chunk * division.most
+    contact = costs.point * points
+    if division.ranks == 1:
+        return Step(work, 0.0, 0.0, 0.0, contact)
+    # nodes that several ranks have are moved by each of them
+    moved_twice = MOVING * costs.chunk * division.shared / NODES
+    rounds = math.ceil(math.log2(division.ranks))
+    start = rounds * network.latency
+    return Step(
+        compute=work + moved_twice,
+        halo=division.meets * network.latency + division.sends / network.bandwidth,
+        sums=start + rounds * SUMS_OF_A_STEP / network.bandwidth,
+        gather=(start + PLACE * points / network.bandwidth) if points else 0.0,
+        contact=contact,
+    )

@@ -1,0 +1,294 @@
+"""How plydyn scales with ranks: measured on this machine, and on paper for many more.
+
+    .venv/bin/python tests/bench/scaling.py [--ranks 1,2,4] [--launcher "srun -n"] [--into PAGE]
+
+Measures the time of a step and the memory of each rank on some numbers of ranks, and lets the
+solver divide panels without running them; from the time of a chunk, these divisions and a network
+it reckons up to 1024 ranks. Prints tables, or puts them into a page between its marks. Needs
+build/release and the preprocessor. No test: nothing is compared with anything.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import shlex
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+import jobs  # noqa: E402
+import paper  # noqa: E402
+from run import BUILD, machine, table  # noqa: E402
+
+SOLVER = BUILD / "plydyn"
+BEGIN, END = "<!-- scaling -->", "<!-- /scaling -->"
+ANYHOW = "mpirun --oversubscribe --allow-run-as-root --bind-to none -n"
+# ranks that wait give way to others, wherever there are more ranks than cores
+PATIENT = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive"}
+
+RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 800
+# quads along a side of a panel: what is timed, the large one on paper, the one for the memory
+TIMED, TIMED_STEPS, LARGE, HEAVY, HEAVY_STEPS = 40, 250, 156, 80, 150
+# the panel that is hit, so thin that contact is seen
+THIN, THIN_STEPS = (0.0,), 1500
+# panels and ranks that the solver divides: about as many chunks for a rank as on paper
+DIVIDED = ((80, 4), (80, 16), (40, 16), (40, 64))
+MANY = (1, 4, 16, 64, 256, 1024)
+# chunks for each rank where the model grows with the ranks
+WEAK = 25
+MICRO, MEGA, GIGA = 1.0e6, 1.0e-6, 1.0e-9
+
+
+def launcher_of(words: str, ranks: int) -> list[str]:
+    """What comes before the program; nothing for one rank."""
+    return [] if ranks == 1 else [*shlex.split(words), str(ranks)]
+
+
+def measured(title: str, deck: Path, steps: int, options: argparse.Namespace) -> list[list[str]]:
+    """Time of a step over ranks, a row for each number."""
+    rows, alone = [], 0.0
+    for ranks in options.ranks:
+        launcher = launcher_of(options.launcher, ranks)
+        step, _ = jobs.step_time(SOLVER, deck, steps, 1, launcher=launcher)
+        alone = alone or step * ranks
+        gain = alone / step
+        rows.append(
+            [title, f"{ranks}", f"{MICRO * step:.0f}", f"{gain:.2f}", f"{100 * gain / ranks:.0f} %"]
+        )
+    return rows
+
+
+def check(deck: Path, ranks: int, options: argparse.Namespace) -> str:
+    """The listing of a deck, not run."""
+    words = [*launcher_of(options.launcher, ranks), SOLVER, "check", deck]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise RuntimeError(f"{deck} on {ranks} ranks: {done.stderr}")
+    return done.stdout
+
+
+def divide(folder: Path, options: argparse.Namespace) -> list[paper.Division]:
+    """Let the solver divide panels."""
+    return [
+        paper.read_division(check(jobs.panel_deck(quads, folder), ranks, options))
+        for quads, ranks in DIVIDED
+    ]
+
+
+def division_rows(known: list[paper.Division]) -> list[list[str]]:
+    """What the solver said of its divisions."""
+    return [
+        [
+            f"{one.chunks}",
+            f"{one.ranks}",
+            f"{one.mean:.2f}",
+            f"{one.most}",
+            f"{one.imbalance:.2f}",
+            f"{100 * one.shared / one.nodes:.0f} %",
+            f"{one.meets}",
+            f"{1.0e-3 * one.sends:.0f}",
+            f"{1.0e-3 * one.sends_in_all:.0f}",
+        ]
+        for one in known
+    ]
+
+
+def costs_of(folder: Path, memory: float) -> paper.Costs:
+    """Times of a chunk and of contact on one rank; memory is that of a degree of freedom."""
+    chunks = TIMED**2 // paper.QUADS
+    panel, flies, hit = (
+        jobs.step_time(SOLVER, deck, steps, 1)[0]
+        for deck, steps in (
+            (jobs.panel_deck(TIMED, folder), TIMED_STEPS),
+            (jobs.panel_deck(TIMED, folder, angles=THIN), THIN_STEPS),
+            (jobs.panel_deck(TIMED, folder, angles=THIN, hit=True), THIN_STEPS),
+        )
+    )
+    return paper.Costs(
+        chunk=panel / chunks,
+        point=max(0.0, hit - flies) / (2 * TIMED + 1) ** 2,
+        freedoms=freedoms_of(TIMED, folder) / chunks,
+        start=memory,
+    )
+
+
+def freedoms_of(quads: int, folder: Path) -> int:
+    """Degrees of freedom of a panel."""
+    words = [SOLVER, "check", jobs.panel_deck(quads, folder)]
+    listing = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    return int(jobs.number(listing, r"degrees of freedom\s+(\d+)"))
+
+
+def memory(folder: Path, options: argparse.Namespace) -> tuple[list[list[str]], float]:
+    """Memory of ranks on a large panel; bytes of a degree of freedom that each has at the start."""
+    deck = jobs.stopped(jobs.panel_deck(HEAVY, folder), HEAVY_STEPS)
+    rows, least = [], math.inf
+    for ranks in options.memory_ranks:
+        told = subprocess.run(
+            [
+                *launcher_of(options.launcher, ranks),
+                *(sys.executable, ROOT / "tests/bench/memory.py"),
+                *(SOLVER, "run", deck, "-o", folder, "ncpu=1"),
+            ],
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stderr
+        pairs = [line.split()[1:] for line in told.splitlines() if line.startswith("memory ")]
+        peak, loop = (sorted((float(pair[k]) for pair in pairs), reverse=True) for k in (0, 1))
+        least = min(least, *peak)
+        others = [f"{values[1]:.0f}" if ranks > 1 else "–" for values in (peak, loop)]
+        rows.append([f"{ranks}", f"{peak[0]:.0f}", others[0], f"{loop[0]:.0f}", others[1]])
+    return rows, least / MEGA / freedoms_of(HEAVY, folder)
+
+
+def strong_rows(
+    chunks: int, costs: paper.Costs, known: list[paper.Division], network: paper.Network
+) -> list[list[str]]:
+    """One panel on more and more ranks."""
+    points = 4 * paper.QUADS * chunks
+    rows, alone, alone_hit = [], 0.0, 0.0
+    for ranks in MANY:
+        division = paper.imagine(chunks, ranks, known)
+        step = paper.step_of(division, costs, network)
+        hit = paper.step_of(division, costs, network, points)
+        alone, alone_hit = alone or step.total, alone_hit or hit.total
+        gain = alone / step.total
+        rows.append(
+            [
+                f"{ranks}",
+                f"{division.imbalance:.2f}",
+                *(f"{MICRO * part:.0f}" for part in (step.compute, step.halo, step.sums)),
+                f"{MICRO * step.total:.0f}",
+                f"{gain:.0f}",
+                f"{100 * gain / ranks:.0f} %",
+                *(f"{MICRO * part:.0f}" for part in (hit.gather, hit.contact)),
+                f"{alone_hit / hit.total:.0f}",
+            ]
+        )
+    return rows
+
+
+def weak_rows(
+    costs: paper.Costs, known: list[paper.Division], network: paper.Network
+) -> list[list[str]]:
+    """A panel that grows with the ranks."""
+    rows, alone, alone_hit = [], 0.0, 0.0
+    for ranks in MANY:
+        chunks = WEAK * ranks
+        freedoms = costs.freedoms * chunks
+        division = paper.imagine(chunks, ranks, known)
+        step = paper.step_of(division, costs, network)
+        hit = paper.step_of(division, costs, network, 4 * paper.QUADS * chunks)
+        alone, alone_hit = alone or step.total, alone_hit or hit.total
+        state = paper.MOTION * freedoms / network.bandwidth if ranks > 1 else 0.0
+        rows.append(
+            [
+                f"{ranks}",
+                f"{MEGA * freedoms:.2f}",
+                f"{MICRO * step.total:.0f}",
+                f"{100 * alone / step.total:.0f} %",
+                f"{MICRO * hit.total:.0f}",
+                f"{100 * alone_hit / hit.total:.0f} %",
+                f"{GIGA * costs.start * freedoms:.2f}",
+                f"{1.0e3 * state:.1f}",
+            ]
+        )
+    return rows
+
+
+def on_paper(folder: Path, options: argparse.Namespace, start: float) -> list[str]:
+    """Tables of what was divided, and of what follows."""
+    known, costs = divide(folder, options), costs_of(folder, start)
+    network = paper.Network(options.latency, options.bandwidth)
+    chunks = LARGE**2 // paper.QUADS
+    said = (
+        f"A chunk takes {MICRO * costs.chunk:.1f} us on one rank, contact "
+        f"{1.0e9 * costs.point:.1f} ns for each point of the face, on every rank; the network has "
+        f"{MICRO * network.latency:g} us and {GIGA * network.bandwidth:g} GB/s."
+    )
+    heads = ["ranks", "imbalance", "compute [us]", "halo [us]", "sums [us]", "step [us]"]
+    return [
+        "#### As the solver divides",
+        table(
+            [
+                *("chunks", "ranks", "for each", "most of a rank", "imbalance", "nodes of others"),
+                *("meets", "a rank sends [kB]", "all send [kB]"),
+            ],
+            division_rows(known),
+        ),
+        "#### On paper, one panel on more ranks",
+        f"{LARGE} x {LARGE} quads, {chunks} chunks, {MEGA * costs.freedoms * chunks:.1f} million "
+        f"degrees of freedom. {said}",
+        table(
+            [
+                *heads,
+                *("speed-up", "efficiency", "face gathered [us]", "contact [us]", "speed-up hit"),
+            ],
+            strong_rows(chunks, costs, known, network),
+        ),
+        "#### On paper, a panel that grows with the ranks",
+        f"{WEAK} chunks for each rank.",
+        table(
+            [
+                *("ranks", "million DOF", "step [us]", "efficiency", "step hit [us]"),
+                *("efficiency hit", "each rank at the start [GB]", "motion to the root [ms]"),
+            ],
+            weak_rows(costs, known, network),
+        ),
+    ]
+
+
+def tables(options: argparse.Namespace) -> str:
+    """Measure everything."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        panel = f"panel, {TIMED} x {TIMED} quads"
+        rows = measured("192 Q9/LE2", jobs.recipe_deck(RECIPE, folder), RECIPE_STEPS, options)
+        rows += measured(panel, jobs.panel_deck(TIMED, folder), TIMED_STEPS, options)
+        taken, start = memory(folder, options)
+        parts = [
+            machine(),
+            "#### Measured, one thread each",
+            table(["model", "ranks", "us per step", "speed-up", "efficiency"], rows),
+            f"Memory of a rank [MB], {HEAVY} x {HEAVY} quads, "
+            f"{freedoms_of(HEAVY, folder):,} degrees of freedom:",
+            table(["ranks", "most, root", "most, others", "in the loop, root", "others"], taken),
+            *on_paper(folder, options, start),
+        ]
+    return "\n\n".join(parts)
+
+
+def numbers(words: str) -> list[int]:
+    """Numbers with commas between them."""
+    return [int(word) for word in words.split(",")]
+
+
+def main() -> None:
+    """Measure, reckon, and print or write."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--ranks", type=numbers, default=[1, 2], help="to be timed, as 1,2,4")
+    parser.add_argument("--memory-ranks", type=numbers, default=[1, 2, 4])
+    parser.add_argument("--launcher", default=ANYHOW, help='the number follows, as "srun -n"')
+    parser.add_argument("--latency", type=float, default=1.5e-6, help="of the network, s")
+    parser.add_argument("--bandwidth", type=float, default=12.5e9, help="of the network, bytes/s")
+    parser.add_argument("--into", type=Path, help=f"page with {BEGIN} and {END}")
+    options = parser.parse_args()
+    os.environ.update(PATIENT)
+    text = tables(options)
+    if options.into is None:
+        sys.stdout.write(text + "\n")
+        return
+    page = options.into.read_text()
+    before, after = page.split(BEGIN)[0], page.split(END)[1]
+    options.into.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+
+
+if __name__ == "__main__":
+    main()
