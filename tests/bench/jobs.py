@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from decks import Deck, Ply, Sphere
+from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
 
@@ -21,8 +21,8 @@ ROOT = Path(__file__).resolve().parents[2]
 MEGABYTE = 1.0e6
 KILOBYTE = 1024.0
 FOREVER = 1.0
-# the panels: side of a quad, plies and their angles, and the sphere that hits them; mm, degrees
-QUAD, PLY, RADIUS = 1.5, 0.25, 8.0
+# the panels: side of a quad, plies and their angles, and spheres that hit them; mm, t, degrees
+QUAD, PLY, RADIUS, MASS = 1.5, 0.25, 4.0, 1.0e-4
 ANGLES = (0, 45, 90, -45, -45, 90, 45, 0)
 
 
@@ -54,27 +54,26 @@ def recipe_deck(recipe: str, folder: Path) -> Path:
     return deck
 
 
-def panel_deck(
-    quads: int, folder: Path, *, angles: Sequence[float] = ANGLES, hit: bool = False
-) -> Path:
-    """A square panel of tied plies of order 2, of eight as a rule, held all round and flying on.
+def panel_deck(quads: int, folder: Path, spheres: int = 0) -> Path:
+    """A square panel of eight tied plies of order 2 that is held all round and flies on.
 
-    Into a sphere above its middle, if it is to be hit.
+    Into some spheres above its diagonal, if it is to be hit.
     """
     mesh = regular(QUAD * quads, QUAD * quads, quads, quads, 9)
     deck = Deck("panel", FOREVER)
     deck.control()
     deck.mesh(mesh)
-    deck.laminate([Ply(CARBON, PLY, angle) for angle in angles])
+    deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES])
     deck.hold(mesh.boundary(), "xyz")
     deck.add("INITIAL_VELOCITY", (0,), (0.0, 0.0, 1.0e3))
-    if hit:
-        middle, top = 0.5 * QUAD * quads, 0.5 * PLY * len(angles)
-        centre = (middle, middle, top + RADIUS)
-        deck.sphere(Sphere(RADIUS, 1.0e-3, centre, (0.0, 0.0, -1.0e3)))
+    height = 0.5 * PLY * len(ANGLES) + RADIUS
+    for k in range(1, spheres + 1):
+        place = QUAD * quads * k / (spheres + 1)
+        deck.add("IMPACTOR_SPHERE", (k, RADIUS, MASS, place, place, height), (0.0, 0.0, -1.0e3))
+        deck.add("CONTACT_IMPACTOR", (k, k, 1, 1, 2))
     deck.add("DATABASE_FIELD", "displacement")
     deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER)
-    return deck.write(folder / f"panel_{quads}_{len(angles)}{'_hit' if hit else ''}.k")
+    return deck.write(folder / f"panel_{quads}_{spheres}.k")
 
 
 def stopped(deck: Path, steps: int) -> Path:

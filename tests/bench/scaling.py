@@ -35,8 +35,8 @@ PATIENT = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive"}
 RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 800
 # quads along a side of a panel: what is timed, the large one on paper, the one for the memory
 TIMED, TIMED_STEPS, LARGE, HEAVY, HEAVY_STEPS = 40, 250, 156, 80, 150
-# the panel that is hit, so thin that contact is seen
-THIN, THIN_STEPS = (0.0,), 1500
+# so many that hit a panel that their contact is seen
+SPHERES = 16
 # panels and ranks that the solver divides: about as many chunks for a rank as on paper
 DIVIDED = ((80, 4), (80, 16), (40, 16), (40, 64))
 MANY = (1, 4, 16, 64, 256, 1024)
@@ -102,17 +102,13 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
 def costs_of(folder: Path, memory: float) -> paper.Costs:
     """Times of a chunk and of contact on one rank; memory is that of a degree of freedom."""
     chunks = TIMED**2 // paper.QUADS
-    panel, flies, hit = (
-        jobs.step_time(SOLVER, deck, steps, 1)[0]
-        for deck, steps in (
-            (jobs.panel_deck(TIMED, folder), TIMED_STEPS),
-            (jobs.panel_deck(TIMED, folder, angles=THIN), THIN_STEPS),
-            (jobs.panel_deck(TIMED, folder, angles=THIN, hit=True), THIN_STEPS),
-        )
+    flies, hit = (
+        jobs.step_time(SOLVER, jobs.panel_deck(TIMED, folder, spheres), TIMED_STEPS, 1)[0]
+        for spheres in (0, SPHERES)
     )
     return paper.Costs(
-        chunk=panel / chunks,
-        point=max(0.0, hit - flies) / (2 * TIMED + 1) ** 2,
+        chunk=flies / chunks,
+        point=max(0.0, hit - flies) / SPHERES / (2 * TIMED + 1) ** 2,
         freedoms=freedoms_of(TIMED, folder) / chunks,
         start=memory,
     )
