@@ -72,7 +72,7 @@ def panel_deck(quads: int, folder: Path, spheres: int = 0) -> Path:
         deck.add("IMPACTOR_SPHERE", (k, RADIUS, MASS, place, place, height), (0.0, 0.0, -1.0e3))
         deck.add("CONTACT_IMPACTOR", (k, k, 1, 1, 2))
     deck.add("DATABASE_FIELD", "displacement")
-    deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER)
+    deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER, impactor=FOREVER)
     return deck.write(folder / f"panel_{quads}_{spheres}.k")
 
 

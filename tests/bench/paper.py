@@ -12,7 +12,7 @@ SUMS_OF_A_STEP = 14 * 25 * 8
 PLACE, MOTION = 24, 24
 # share of a step that goes into moving points, not into forces: manual/performance.md, `step large`
 MOVING = 0.15
-QUADS, NODES = 16, 64  # of a chunk; a panel of Q9 has four nodes for each quad
+NODES = 4  # of a panel of Q9, for each quad
 KILO = 1.0e3
 
 
@@ -52,6 +52,7 @@ class Division:
 class Costs:
     """Times on one rank, s, and memory, bytes."""
 
+    quads: int  # of a chunk
     chunk: float  # a chunk in a step
     point: float  # contact, for each point of the face
     freedoms: float  # degrees of freedom of a chunk
@@ -123,7 +124,7 @@ def step_of(division: Division, costs: Costs, network: Network, points: int = 0)
     if division.ranks == 1:
         return Step(work, 0.0, 0.0, 0.0, contact)
     # nodes that several ranks have are moved by each of them
-    moved_twice = MOVING * costs.chunk * division.shared / NODES
+    moved_twice = MOVING * costs.chunk * division.shared / (NODES * costs.quads)
     rounds = math.ceil(math.log2(division.ranks))
     start = rounds * network.latency
     return Step(

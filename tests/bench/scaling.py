@@ -40,8 +40,8 @@ SPHERES = 16
 # panels and ranks that the solver divides: about as many chunks for a rank as on paper
 DIVIDED = ((80, 4), (80, 16), (40, 16), (40, 64))
 MANY = (1, 4, 16, 64, 256, 1024)
-# chunks for each rank where the model grows with the ranks
-WEAK = 25
+# quads for each rank where the model grows with the ranks
+WEAK = 400
 MICRO, MEGA, GIGA = 1.0e6, 1.0e-6, 1.0e-9
 
 
@@ -99,14 +99,15 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
     ]
 
 
-def costs_of(folder: Path, memory: float) -> paper.Costs:
+def costs_of(folder: Path, quads: int, memory: float) -> paper.Costs:
     """Times of a chunk and of contact on one rank; memory is that of a degree of freedom."""
-    chunks = TIMED**2 // paper.QUADS
+    chunks = TIMED**2 // quads
     flies, hit = (
         jobs.step_time(SOLVER, jobs.panel_deck(TIMED, folder, spheres), TIMED_STEPS, 1)[0]
         for spheres in (0, SPHERES)
     )
     return paper.Costs(
+        quads=quads,
         chunk=flies / chunks,
         point=max(0.0, hit - flies) / SPHERES / (2 * TIMED + 1) ** 2,
         freedoms=freedoms_of(TIMED, folder) / chunks,
@@ -148,7 +149,7 @@ def strong_rows(
     chunks: int, costs: paper.Costs, known: list[paper.Division], network: paper.Network
 ) -> list[list[str]]:
     """One panel on more and more ranks."""
-    points = 4 * paper.QUADS * chunks
+    points = paper.NODES * costs.quads * chunks
     rows, alone, alone_hit = [], 0.0, 0.0
     for ranks in MANY:
         division = paper.imagine(chunks, ranks, known)
@@ -177,11 +178,11 @@ def weak_rows(
     """A panel that grows with the ranks."""
     rows, alone, alone_hit = [], 0.0, 0.0
     for ranks in MANY:
-        chunks = WEAK * ranks
+        chunks = WEAK * ranks // costs.quads
         freedoms = costs.freedoms * chunks
         division = paper.imagine(chunks, ranks, known)
         step = paper.step_of(division, costs, network)
-        hit = paper.step_of(division, costs, network, 4 * paper.QUADS * chunks)
+        hit = paper.step_of(division, costs, network, paper.NODES * WEAK * ranks)
         alone, alone_hit = alone or step.total, alone_hit or hit.total
         state = paper.MOTION * freedoms / network.bandwidth if ranks > 1 else 0.0
         rows.append(
@@ -201,11 +202,13 @@ def weak_rows(
 
 def on_paper(folder: Path, options: argparse.Namespace, start: float) -> list[str]:
     """Tables of what was divided, and of what follows."""
-    known, costs = divide(folder, options), costs_of(folder, start)
+    known = divide(folder, options)
+    quads = round(DIVIDED[0][0] ** 2 / known[0].chunks)
+    costs = costs_of(folder, quads, start)
     network = paper.Network(options.latency, options.bandwidth)
-    chunks = LARGE**2 // paper.QUADS
+    chunks = LARGE**2 // quads
     said = (
-        f"A chunk takes {MICRO * costs.chunk:.1f} us on one rank, contact "
+        f"A chunk of {quads} quads takes {MICRO * costs.chunk:.1f} us on one rank, contact "
         f"{1.0e9 * costs.point:.1f} ns for each point of the face, on every rank; the network has "
         f"{MICRO * network.latency:g} us and {GIGA * network.bandwidth:g} GB/s."
     )
@@ -230,7 +233,7 @@ def on_paper(folder: Path, options: argparse.Namespace, start: float) -> list[st
             strong_rows(chunks, costs, known, network),
         ),
         "#### On paper, a panel that grows with the ranks",
-        f"{WEAK} chunks for each rank.",
+        f"{WEAK} quads, {WEAK // quads} chunks for each rank.",
         table(
             [
                 *("ranks", "million DOF", "step [us]", "efficiency", "step hit [us]"),

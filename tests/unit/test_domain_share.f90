@@ -12,6 +12,9 @@ program test_domain_share
    use testing, only : begin, check, finish
    implicit none
 
+   !> From one island to the same point of the other, mm
+   real(wp), parameter :: apart = 20.0_wp
+
    call test_owners()
    call test_one_rank()
    call test_islands()
@@ -57,19 +60,21 @@ contains
       type(comm_type) :: comm
       type(domain_type) :: domain, whole
       type(share_type) :: share
-      integer :: counted, rank
+      integer, allocatable :: island(:)
+      integer :: c, counted, rank
       real(wp) :: mass
 
       call begin("take_share, islands")
       call build(islands(), whole)
-      call check(size(whole%chunks), 2, "a chunk for each island")
+      island = [(merge(0, 1, whole%position(1, whole%plates(1)%node(1, &
+         & whole%chunks(c)%quads(1))) < apart), c=1, size(whole%chunks))]
       comm%ranks = 2
       counted = 0
       mass = 0.0_wp
       do rank = 0, 1
          comm%rank = rank
-         call take_share(whole, [0, 1], comm, domain, share)
-         call check(size(domain%chunks), 1, "one chunk")
+         call take_share(whole, island, comm, domain, share)
+         call check(size(domain%chunks), count(island == rank), "the chunks of an island")
          call check(domain%columns%count, whole%columns%count/2, "half of the nodes")
          call check_nodes(whole, domain, share)
          call check_quads(domain)
@@ -101,27 +106,26 @@ contains
       end associate
    end subroutine check_nodes
 
-   !> Quads read and add at nodes of the rank
+   !> Quads are numbered one after the other, and read at nodes of the rank
    subroutine check_quads(domain)
       type(domain_type), intent(in) :: domain
-      integer :: e
+      integer :: c, last
 
-      associate (chunk => domain%chunks(1), plate => domain%plates(1))
-         call check(chunk%quads(1), 1, "quads are numbered from the first")
-         call check(chunk%quads(2), size(plate%node, 2), "to the last")
-         do e = 1, size(plate%node, 2)
-            call check(all(plate%node(:, e) >= 1 .and. plate%node(:, e) <= domain%columns%count), &
-               & "nodes of a quad are here")
-            call check(all(plate%target(:, e) == plate%node(:, e)), "one chunk adds where it reads")
+      last = 0
+      associate (plate => domain%plates(1))
+         do c = 1, size(domain%chunks)
+            call check(domain%chunks(c)%quads(1), last + 1, "chunks follow each other")
+            last = domain%chunks(c)%quads(2)
          end do
+         call check(size(plate%node, 2), last, "to the last quad")
+         call check(all(plate%node >= 1 .and. plate%node <= domain%columns%count), &
+            & "nodes of quads are here")
       end associate
    end subroutine check_quads
 
    !> Two squares of 4 by 4 quads, far from each other
    function islands() result(mesh)
       type(mesh_type) :: mesh
-
-      real(wp), parameter :: apart = 20.0_wp
       type(mesh_type) :: one
 
       one = rectangle_mesh(3, 4, 4, 4.0_wp, 4.0_wp, 0.0_wp)
