@@ -11,6 +11,8 @@ program test_law_strain_damage
    integer, parameter :: variables = 6
    !> Steps of a path to the end, none of which meets a strain of the law
    integer, parameter :: steps = 3571
+   !> Round-off of sums over the steps that are made apart, relative
+   real(wp), parameter :: rounded = real(steps, wp)*epsilon(1.0_wp)
    !> Beyond the end by this factor
    real(wp), parameter :: beyond = 1.01_wp
    !> Energy of what remains at the end, over modulus and square of the strain there
@@ -142,7 +144,7 @@ contains
       call check(point%history(variables), 0.5_wp*modulus*product(limits), &
          & lost_in_rest*modulus*limits(2)**2, "dissipates the triangle")
       call check(point%history(merge(along_energy, across_energy, component == 1)), &
-         & point%history(variables), 0.0_wp, "and none elsewhere")
+         & point%history(variables), rounded*point%history(variables), "and none elsewhere")
       call pull(point, component, 0.0_wp)
       call check(point%work, point%history(variables), 1.0e-4_wp*point%work, &
          & "which is the work done on it")
@@ -217,7 +219,8 @@ contains
       call check(point%history(variables), 0.5_wp*ply%young(1)*0.02_wp*0.06_wp, &
          & lost_in_rest*ply%young(1)*0.06_wp**2, "is the triangle")
       call check(point%history([along_energy, across_energy]), &
-         & [point%history(variables), 0.0_wp], 0.0_wp, "along the fibres that were strained")
+         & [point%history(variables), 0.0_wp], rounded*point%history(variables), &
+         & "along the fibres that were strained")
    end subroutine test_locking
 
    !> Without stress across the thickness: the plane secant stiffness of the law
