@@ -1,7 +1,8 @@
 !> Which rank gets which chunk.
 module plydyn_domain_divide_ranks
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_domain_domain, only : domain_type
    use plydyn_domain_share, only : column_owners
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : total_lagrangian
@@ -43,35 +44,70 @@ contains
       integer, intent(out) :: first(:)
       integer, allocatable, intent(out) :: other(:), nodes(:)
 
-      integer :: b, c, i, k, shared(size(domain%chunks), size(domain%chunks))
-      integer, allocatable :: owner(:), meeting(:)
+      integer, allocatable :: begin(:), met(:), run(:)
+      integer :: c, k
+
+      call list_meetings(domain, begin, met)
+      allocate (other(0), nodes(0))
+      first(1) = 0
+      do c = 1, size(domain%chunks)
+         associate (here => met(begin(c):begin(c + 1) - 1))
+            here(:) = here(sorted_order(here))
+            ! where a run of the same chunk ends
+            run = pack([(k, k=1, size(here))], [here(2:) /= here(:size(here) - 1), &
+               & spread(.true., 1, min(1, size(here)))])
+            other = [other, here(run) - 1]
+            nodes = [nodes, run - [integer :: 0, run(:size(run) - 1)]]
+         end associate
+         first(c + 1) = size(other)
+      end do
+   end subroutine find_neighbours
+
+   !> The other chunks that each chunk meets, once for each node
+   subroutine list_meetings(domain, begin, met)
+      type(domain_type), intent(in) :: domain
+      !> Where the list of each chunk begins, and the end behind the last
+      integer, allocatable, intent(out) :: begin(:)
+      !> The lists
+      integer, allocatable, intent(out) :: met(:)
+
+      integer :: b, c, i, k, next(size(domain%chunks))
+      integer, allocatable :: here(:), owner(:)
 
       owner = column_owners(domain, [(c, c=1, size(domain%chunks))])
-      shared(:, :) = 0
+      allocate (begin(size(domain%chunks) + 1))
+      next(:) = 0
       do b = 1, size(domain%borders, 2)
-         associate (border => domain%borders(:, b))
-            meeting = [owner(border(1)), owner(border(2):border(3))]
-         end associate
-         do i = 1, size(meeting)
-            do k = 1, size(meeting)
+         here = owner(columns_of(domain%borders(:, b)))
+         next(here) = next(here) + size(here) - 1
+      end do
+      begin(1) = 1
+      do c = 1, size(next)
+         begin(c + 1) = begin(c) + next(c)
+      end do
+      allocate (met(begin(size(begin)) - 1))
+      next(:) = begin(:size(next))
+      do b = 1, size(domain%borders, 2)
+         here = owner(columns_of(domain%borders(:, b)))
+         do i = 1, size(here)
+            do k = 1, size(here)
                if (i == k) cycle
-               shared(meeting(i), meeting(k)) = shared(meeting(i), meeting(k)) + 1
+               met(next(here(i))) = here(k)
+               next(here(i)) = next(here(i)) + 1
             end do
          end do
       end do
-      first(1) = 0
-      allocate (other(count(shared > 0)), nodes(count(shared > 0)))
-      k = 0
-      do c = 1, size(domain%chunks)
-         do i = 1, size(domain%chunks)
-            if (shared(i, c) == 0) cycle
-            k = k + 1
-            other(k) = i - 1
-            nodes(k) = shared(i, c)
-         end do
-         first(c + 1) = k
-      end do
-   end subroutine find_neighbours
+   end subroutine list_meetings
+
+   !> All columns of a border: the node's own and those behind
+   pure function columns_of(border) result(column)
+      !> As in `domain_type`
+      integer, intent(in) :: border(3)
+      integer :: column(border(3) - border(2) + 2)
+      integer :: c
+
+      column(:) = [border(1), (c, c=border(2), border(3))]
+   end function columns_of
 
    !> Work of each chunk in a step, nanoseconds
    pure function chunk_works(domain) result(work)
