@@ -99,16 +99,15 @@ def read_division(listing: str) -> Division:
 def imagine(chunks: int, ranks: int, known: list[Division]) -> Division:
     """A division that nobody made, from the known one with the likest number of chunks for a rank.
 
-    Borders grow with the root of the chunks of a rank; chunks are not divided.
+    Borders grow with the root of the chunks of a rank; the imbalance is as there, in whole chunks.
     """
     mean = chunks / ranks
     like = min(known, key=lambda one: abs(math.log(one.mean / mean)))
     longer = math.sqrt(mean / like.mean)
-    excess = like.most - math.ceil(like.mean)
     return Division(
         chunks=chunks,
         ranks=ranks,
-        most=min(chunks, math.ceil(mean) + excess),
+        most=min(chunks, math.ceil(mean * like.imbalance)),
         nodes=round(like.nodes * mean / like.mean),
         shared=round(like.shared * longer),
         meets=like.meets,
