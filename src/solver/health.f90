@@ -7,6 +7,7 @@ module plydyn_solver_health
    use plydyn_domain_delamination, only : can_fail
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : all_explicit
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -68,9 +69,20 @@ contains
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
       call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
          & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near " &
-         & //"the stable step: CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
-         & //text(domain%control%step_factor)//") or IMPL 1 of *CONTROL_LAYERWISE helps")
+         & //"the stable step: "//remedy(domain))
    end subroutine check_stored
+
+   !> What helps against energy out of interfaces
+   function remedy(domain) result(words)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      words = "CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
+         & //text(domain%control%step_factor)//") or IMPL 1 of *CONTROL_LAYERWISE helps"
+      if (domain%control%scheme == all_explicit) return
+      words = "a smaller step (DTMAX of *CONTROL_LAYERWISE) or central differences (IMPL 0) help, " &
+         & //"and so may CLOSE 0 of *INTERFACE_COHESIVE"
+   end function remedy
 
    !> Cycle and time
    function when(state) result(words)
