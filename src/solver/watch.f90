@@ -97,6 +97,8 @@ contains
       type(requests_type) :: requests
       logical :: keep
 
+      keep = is_due(self%kept_cycles, state)
+      if (.not. (state%attention .or. keep .or. is_due(self%running_cycles, state))) return
       asked_by = ""
       if (state%attention) call take_orders(self, domain%comm, asked_by, requests)
       if (requests%end_time > 0.0_wp) state%end_time = requests%end_time
@@ -104,7 +106,7 @@ contains
       if (allocated(error)) return
       if (requests%status) call journal%tell(state)
       if (state%is_finished()) asked_by = ""
-      keep = len(asked_by) > 0 .or. requests%dump .or. is_due(self%kept_cycles, state)
+      keep = keep .or. len(asked_by) > 0 .or. requests%dump
       if (keep) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
