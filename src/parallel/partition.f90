@@ -23,6 +23,8 @@ module plydyn_parallel_partition
 
    !> What METIS answers when all is well
    integer(c_int), parameter :: metis_ok = 1_c_int
+   !> Vertices for each part below which METIS may leave one empty, and says so on the screen
+   integer, parameter :: fewest = 4
 
 contains
 
@@ -41,8 +43,10 @@ contains
       integer(c_int) :: cut, found(size(weight)), status
       integer :: p
 
-      part(:) = 0
-      if (parts == 1) return
+      if (parts == 1 .or. size(weight) < fewest*parts) then
+         part(:) = in_a_row(weight, parts)
+         return
+      end if
       status = metis_part(size(weight), 1_c_int, first, neighbour, weight, c_null_ptr, &
          & edge_weight, parts, c_null_ptr, c_null_ptr, c_null_ptr, cut, found)
       part(:) = found

@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 # sums of a step, limbs of each (src/base/exact_sum.f90), bytes of a word
-SUMS_OF_A_STEP = 14 * 25 * 8
+SUMS_OF_A_STEP = 16 * 25 * 8
 # bytes of a place in space, and of displacement, velocity and acceleration in one direction
 PLACE, MOTION = 24, 24
 # share of a step that goes into moving points, not into forces: manual/performance.md, `step large`
