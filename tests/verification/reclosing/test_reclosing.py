@@ -17,9 +17,12 @@ def test_falling_penalty_gains_no_energy_at_nine_tenths_of_the_step(tmp_path: Pa
 
 
 def test_whole_penalty_is_stopped_when_more_comes_out_than_went_in(tmp_path: Path) -> None:
-    """A whole penalty at that step gains energy until less than nothing would be stored."""
+    """A whole penalty at that step gains energy until less than nothing would be stored.
+
+    A third in half a millisecond, so all of it is gone after one, sooner or later with round-off.
+    """
     with pytest.raises(AssertionError, match="given back more energy than they took"):
-        energies(Course(WHOLE, end=1.0e-3, limit=0.01), tmp_path)
+        energies(Course(WHOLE, end=1.5e-3, limit=0.01), tmp_path)
 
 
 def test_implicit_interfaces_gain_none_with_a_whole_penalty(tmp_path: Path) -> None:
