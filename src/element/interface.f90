@@ -4,9 +4,9 @@
 !> The lanes of a batch are interfaces of one material above each other, over all quads of a part.
 !> With linear kinematics the normal is z. With large displacement the law works in axes that turn
 !> with the deformed mid-face, half-way between both faces: z along its normal, x along the line
-!> that lay along x. Tractions are per area of the undeformed plate, and the turn of the axes while
-!> the faces stand open is left out of the forces: an error of the opening over the size of the
-!> quad. Forces always balance; their moment does up to the opening times the traction across it.
+!> that lay along x. Tractions are per area of the undeformed plate. Where they act across an
+!> opening, both faces feel the turn of the axes: forces and moments balance, and work done is work
+!> stored or lost.
 module plydyn_element_interface
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_quad, only : plane_table, quad_metric, quad_node_metric

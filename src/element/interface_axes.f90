@@ -10,7 +10,7 @@ contains
 
    !> Axes of the deformed face at each point: the third is its normal, the first lies along the
    !> line that was along x
-   pure subroutine find_axes(side, metric, middle, axes)
+   pure subroutine find_axes(side, metric, middle, axes, legs)
       !> Points along a side
       integer, intent(in) :: side
       !> Geometry of the points; see `quad_metric`
@@ -19,6 +19,9 @@ contains
       real(wp), intent(in) :: middle(lanes, 3, side, side)
       !> Axes, (lanes, components, axes, points)
       real(wp), intent(out) :: axes(lanes, 3, 3, side, side)
+      !> What has become of the unit vector along x: its length; of that along y: its components
+      !> along the first and the second axis
+      real(wp), intent(out) :: legs(lanes, 3, side, side)
 
       real(wp) :: along(lanes, 3, 2)
       integer :: i, j
@@ -33,25 +36,25 @@ contains
                along(:, :, 2) = along(:, :, 2) + real(2*(j - 2), wp)*(middle(:, :, i, 3) &
                   & + middle(:, :, i, 1) - 2.0_wp*middle(:, :, i, 2))
             end if
-            call point_axes(metric(:, i, j), along, axes(:, :, :, i, j))
+            call point_axes(metric(:, i, j), along, axes(:, :, :, i, j), legs(:, :, i, j))
          end do
       end do
    end subroutine find_axes
 
    !> Axes of the deformed face at a point
-   pure subroutine point_axes(metric, along, axes)
+   pure subroutine point_axes(metric, along, axes, legs)
       !> Geometry of the point
       real(wp), intent(in) :: metric(5)
       !> Derivatives of twice the displacement along xi and eta
       real(wp), intent(in) :: along(lanes, 3, 2)
-      !> Axes, (lanes, components, axes)
-      real(wp), intent(out) :: axes(lanes, 3, 3)
+      !> Axes, (lanes, components, axes), and the legs of both vectors
+      real(wp), intent(out) :: axes(lanes, 3, 3), legs(lanes, 3)
 
-      real(wp) :: a1, a2, a3, b1, b2, b3, inverse, n1, n2, n3
+      real(wp) :: a1, a2, a3, area, b1, b2, b3, inverse, length, n1, n2, n3
       integer :: l
 
       associate (x => 0.5_wp*metric(1:3:2), y => 0.5_wp*metric(2:4:2))
-         !$omp simd private(a1, a2, a3, b1, b2, b3, inverse, n1, n2, n3)
+         !$omp simd private(a1, a2, a3, area, b1, b2, b3, inverse, length, n1, n2, n3)
          do l = 1, lanes
             ! what has become of the unit vectors along x and y
             a1 = 1.0_wp + along(l, 1, 1)*x(1) + along(l, 1, 2)*x(2)
@@ -63,14 +66,19 @@ contains
             n1 = a2*b3 - a3*b2
             n2 = a3*b1 - a1*b3
             n3 = a1*b2 - a2*b1
-            inverse = 1.0_wp/sqrt(n1*n1 + n2*n2 + n3*n3)
+            area = sqrt(n1*n1 + n2*n2 + n3*n3)
+            inverse = 1.0_wp/area
             n1 = n1*inverse
             n2 = n2*inverse
             n3 = n3*inverse
-            inverse = 1.0_wp/sqrt(a1*a1 + a2*a2 + a3*a3)
+            length = sqrt(a1*a1 + a2*a2 + a3*a3)
+            inverse = 1.0_wp/length
             a1 = a1*inverse
             a2 = a2*inverse
             a3 = a3*inverse
+            legs(l, 1) = length
+            legs(l, 2) = a1*b1 + a2*b2 + a3*b3
+            legs(l, 3) = area*inverse
             axes(l, 1, 1) = a1
             axes(l, 2, 1) = a2
             axes(l, 3, 1) = a3

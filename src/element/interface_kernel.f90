@@ -1,9 +1,11 @@
 !> Forces of interfaces: openings at the nodes of a quad, from there to its points, the law, and
-!> back again with the transposed steps.
+!> back again with the transposed steps. With large displacement so do the slopes of the mid-face.
 module plydyn_element_interface_kernel
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface, only : face_type, interface_type
    use plydyn_element_interface_axes, only : find_axes, turn_back, turn_in
+   use plydyn_element_interface_points, only : to_nodes, to_points
+   use plydyn_element_interface_turn, only : find_turning
    implicit none
    private
 
@@ -30,24 +32,64 @@ contains
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
-      real(wp) :: axes(lanes, 3, 3, most), jump(lanes, 3, most), middle(lanes, 3, most)
+      real(wp) :: jump(lanes, 3, most)
       integer :: e
 
       do e = quads(1), quads(2)
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
          if (.not. self%nodal) call to_points(self%side, self%reach, jump)
          if (large) then
-            call gather(self, self%node(:, e), 1.0_wp, displacement, middle)
-            if (.not. self%nodal) call to_points(self%side, self%reach, middle)
-            call find_axes(self%side, self%metric(:, :, e), middle, axes)
-            call turn_in(self%side**2, axes, jump)
+            call add_turned_forces(self, e, displacement, history(:, :, :, e), jump, force)
+            cycle
          end if
          call resist(self, self%metric(:, :, e), history(:, :, :, e), jump)
-         if (large) call turn_back(self%side**2, axes, jump)
          if (.not. self%nodal) call to_nodes(self%side, self%reach, jump)
-         call scatter(self, self%target(:, e), jump, force)
+         call scatter(self, self%target(:, e), jump, jump, force)
       end do
    end subroutine add_face_forces
+
+   !> The same over a quad with large displacement: the law works in axes that turn with the face
+   pure subroutine add_turned_forces(self, quad, displacement, history, jump, force)
+      !> The interfaces
+      type(interface_type), intent(in) :: self
+      !> The quad
+      integer, intent(in) :: quad
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> History of the points
+      real(wp), intent(inout) :: history(lanes, self%law%histories, self%side**2)
+      !> Opening at the points in; work space out
+      real(wp), intent(inout) :: jump(lanes, 3, most)
+      !> Force on all points
+      real(wp), intent(inout), contiguous :: force(:)
+
+      real(wp) :: axes(lanes, 3, 3, most), legs(lanes, 3, most)
+      real(wp), dimension(lanes, 3, most) :: middle, pull, turning
+      integer :: c, l, q
+
+      associate (side => self%side, metric => self%metric(:, :, quad))
+         call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
+         if (.not. self%nodal) call to_points(side, self%reach, middle)
+         call find_axes(side, metric, middle, axes, legs)
+         call turn_in(side**2, axes, jump)
+         pull(:, :, :side**2) = jump(:, :, :side**2)
+         call resist(self, metric, history, pull)
+         call find_turning(side, metric, axes, legs, jump, pull, turning)
+         call turn_back(side**2, axes, pull)
+         if (.not. self%nodal) call to_nodes(side, self%reach, pull)
+         if (.not. self%nodal) call to_nodes(side, self%reach, turning)
+         do q = 1, side**2
+            do c = 1, 3
+               !$omp simd
+               do l = 1, lanes
+                  middle(l, c, q) = pull(l, c, q) + turning(l, c, q)
+                  jump(l, c, q) = pull(l, c, q) - turning(l, c, q)
+               end do
+            end do
+         end do
+      end associate
+      call scatter(self, self%target(:, quad), middle, jump, force)
+   end subroutine add_turned_forces
 
    !> Openings at the points to tractions times area
    pure subroutine resist(self, metric, history, jump)
@@ -136,13 +178,13 @@ contains
    end subroutine gather_apart
 
    !> Subtract forces from those on the upper face, and add them to those on the lower
-   pure subroutine scatter(self, node, both, force)
+   pure subroutine scatter(self, node, from_upper, to_lower, force)
       !> The interfaces
       type(interface_type), intent(in) :: self
       !> Columns that take the forces
       integer, intent(in) :: node(:)
-      !> Force that pulls the faces together; 0 in lanes without an interface
-      real(wp), intent(in) :: both(lanes, 3, size(node))
+      !> Force from the upper face and force to the lower; 0 in lanes without an interface
+      real(wp), intent(in), dimension(lanes, 3, size(node)) :: from_upper, to_lower
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
@@ -150,7 +192,7 @@ contains
       integer :: above, below, c, i, l
 
       if (.not. self%adjacent) then
-         call scatter_apart(self, node, both, force)
+         call scatter_apart(self, node, from_upper, to_lower, force)
          return
       end if
       do i = 1, size(node)
@@ -161,8 +203,8 @@ contains
             ! lane above without an interface, which leaves it as it was: first
             !$omp simd private(high, low)
             do l = 1, lanes
-               high = force(above + l) - both(l, c, i)
-               low = force(below + l) + both(l, c, i)
+               high = force(above + l) - from_upper(l, c, i)
+               low = force(below + l) + to_lower(l, c, i)
                force(above + l) = high
                force(below + l) = low
             end do
@@ -173,13 +215,13 @@ contains
    end subroutine scatter
 
    !> The same where the places of a face do not lie side by side
-   pure subroutine scatter_apart(self, node, both, force)
+   pure subroutine scatter_apart(self, node, from_upper, to_lower, force)
       !> The interfaces
       type(interface_type), intent(in) :: self
       !> Nodes of the quad
       integer, intent(in) :: node(:)
-      !> Force that pulls the faces together
-      real(wp), intent(in) :: both(lanes, 3, size(node))
+      !> Force from the upper face and force to the lower
+      real(wp), intent(in), dimension(lanes, 3, size(node)) :: from_upper, to_lower
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
@@ -191,8 +233,8 @@ contains
                if (self%lower(l) == 0) cycle
                above = place(self%above, l, node(i), c)
                below = place(self%below, l, node(i), c)
-               force(below) = force(below) + both(l, c, i)
-               force(above) = force(above) - both(l, c, i)
+               force(below) = force(below) + to_lower(l, c, i)
+               force(above) = force(above) - from_upper(l, c, i)
             end do
          end do
       end do
@@ -211,172 +253,5 @@ contains
 
       place = face%first(lane) + face%stride(lane)*(direction - 1) + face%step(lane)*(node - 1)
    end function place
-
-   !> Values at the nodes to values at the Gauss points, in place
-   pure subroutine to_points(side, reach, value)
-      !> Nodes along a side
-      integer, intent(in) :: side
-      !> Distance of the outer points from the middle
-      real(wp), intent(in) :: reach
-      !> Values
-      real(wp), intent(inout) :: value(lanes, 3, side**2)
-
-      real(wp) :: v1, v2, v3, v4, v5, v6, v7, v8, v9
-      integer :: c, l
-
-      if (side == 2) then
-         call blend_four(reach, value)
-         return
-      end if
-      do c = 1, 3
-         !$omp simd private(v1, v2, v3, v4, v5, v6, v7, v8, v9)
-         do l = 1, lanes
-            v1 = value(l, c, 1)
-            v2 = value(l, c, 2)
-            v3 = value(l, c, 3)
-            v4 = value(l, c, 4)
-            v5 = value(l, c, 5)
-            v6 = value(l, c, 6)
-            v7 = value(l, c, 7)
-            v8 = value(l, c, 8)
-            v9 = value(l, c, 9)
-            call spread_line(reach, v1, v2, v3)
-            call spread_line(reach, v4, v5, v6)
-            call spread_line(reach, v7, v8, v9)
-            call spread_line(reach, v1, v4, v7)
-            call spread_line(reach, v2, v5, v8)
-            call spread_line(reach, v3, v6, v9)
-            value(l, c, 1) = v1
-            value(l, c, 2) = v2
-            value(l, c, 3) = v3
-            value(l, c, 4) = v4
-            value(l, c, 6) = v6
-            value(l, c, 7) = v7
-            value(l, c, 8) = v8
-            value(l, c, 9) = v9
-         end do
-      end do
-   end subroutine to_points
-
-   !> Transposed of `to_points`: forces at the Gauss points to forces at the nodes
-   pure subroutine to_nodes(side, reach, value)
-      !> Nodes along a side
-      integer, intent(in) :: side
-      !> Distance of the outer points from the middle
-      real(wp), intent(in) :: reach
-      !> Forces
-      real(wp), intent(inout) :: value(lanes, 3, side**2)
-
-      real(wp) :: v1, v2, v3, v4, v5, v6, v7, v8, v9
-      integer :: c, l
-
-      if (side == 2) then
-         call blend_four(reach, value)
-         return
-      end if
-      do c = 1, 3
-         !$omp simd private(v1, v2, v3, v4, v5, v6, v7, v8, v9)
-         do l = 1, lanes
-            v1 = value(l, c, 1)
-            v2 = value(l, c, 2)
-            v3 = value(l, c, 3)
-            v4 = value(l, c, 4)
-            v5 = value(l, c, 5)
-            v6 = value(l, c, 6)
-            v7 = value(l, c, 7)
-            v8 = value(l, c, 8)
-            v9 = value(l, c, 9)
-            call gather_line(reach, v1, v4, v7)
-            call gather_line(reach, v2, v5, v8)
-            call gather_line(reach, v3, v6, v9)
-            call gather_line(reach, v1, v2, v3)
-            call gather_line(reach, v4, v5, v6)
-            call gather_line(reach, v7, v8, v9)
-            value(l, c, 1) = v1
-            value(l, c, 2) = v2
-            value(l, c, 3) = v3
-            value(l, c, 4) = v4
-            value(l, c, 5) = v5
-            value(l, c, 6) = v6
-            value(l, c, 7) = v7
-            value(l, c, 8) = v8
-            value(l, c, 9) = v9
-         end do
-      end do
-   end subroutine to_nodes
-
-   !> Either of the two for a quad of four nodes
-   pure subroutine blend_four(reach, value)
-      !> Distance of the points from the middle
-      real(wp), intent(in) :: reach
-      !> Values
-      real(wp), intent(inout) :: value(lanes, 3, 4)
-
-      real(wp) :: v1, v2, v3, v4
-      integer :: c, l
-
-      do c = 1, 3
-         !$omp simd private(v1, v2, v3, v4)
-         do l = 1, lanes
-            v1 = value(l, c, 1)
-            v2 = value(l, c, 2)
-            v3 = value(l, c, 3)
-            v4 = value(l, c, 4)
-            call blend(reach, v1, v2)
-            call blend(reach, v3, v4)
-            call blend(reach, v1, v3)
-            call blend(reach, v2, v4)
-            value(l, c, 1) = v1
-            value(l, c, 2) = v2
-            value(l, c, 3) = v3
-            value(l, c, 4) = v4
-         end do
-      end do
-   end subroutine blend_four
-
-   !> Values at the ends of a line to those at its two Gauss points; its own transposed
-   pure subroutine blend(reach, first, last)
-      !> Distance of the points from the middle
-      real(wp), intent(in) :: reach
-      !> Values
-      real(wp), intent(inout) :: first, last
-      real(wp) :: even, odd
-
-      even = 0.5_wp*(last + first)
-      odd = 0.5_wp*reach*(last - first)
-      first = even - odd
-      last = even + odd
-   end subroutine blend
-
-   !> Values at three nodes of a line to those at its three Gauss points; the middle one stays
-   pure subroutine spread_line(reach, first, middle, last)
-      !> Distance of the outer points from the middle
-      real(wp), intent(in) :: reach
-      !> Values
-      real(wp), intent(inout) :: first, last
-      !> Value in the middle
-      real(wp), intent(in) :: middle
-      real(wp) :: even, odd
-
-      even = middle + 0.5_wp*reach**2*((last + first) - 2.0_wp*middle)
-      odd = 0.5_wp*reach*(last - first)
-      first = even - odd
-      last = even + odd
-   end subroutine spread_line
-
-   !> Transposed of `spread_line`
-   pure subroutine gather_line(reach, first, middle, last)
-      !> Distance of the outer points from the middle
-      real(wp), intent(in) :: reach
-      !> Forces
-      real(wp), intent(inout) :: first, middle, last
-      real(wp) :: even, odd
-
-      even = last + first
-      odd = 0.5_wp*reach*(last - first)
-      middle = middle + (1.0_wp - reach**2)*even
-      first = 0.5_wp*reach**2*even - odd
-      last = 0.5_wp*reach**2*even + odd
-   end subroutine gather_line
 
 end module plydyn_element_interface_kernel

@@ -1,0 +1,140 @@
+!> Faces that turn while they stand open: work on a closed path is none, and moments balance.
+program test_element_interface_turn
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_interface, only : interface_type, set_plane
+   use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_law_cohesive, only : new_springs
+   use plydyn_model_mesh, only : mesh_type
+   use sample, only : rectangle_mesh
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> Thickness nodes of the layers, and interfaces
+   integer, parameter :: levels = 2, joints = 3
+   !> Steps around the closed path: its sum is exact to round-off from half of them on
+   integer, parameter :: steps = 96
+   real(wp), parameter :: pi = acos(-1.0_wp)
+   integer :: side
+   logical :: adjacent, nodal
+
+   do side = 2, 3
+      nodal = .false.
+      do
+         adjacent = .false.
+         do
+            call test_closed_path()
+            call test_moment()
+            if (adjacent) exit
+            adjacent = .true.
+         end do
+         if (nodal) exit
+         nodal = .true.
+      end do
+   end do
+   call finish()
+
+contains
+
+   !> Interfaces between four layers over a distorted plate, stiffer in opening than in sliding
+   subroutine make(self, mesh)
+      type(interface_type), intent(out) :: self
+      type(mesh_type), intent(out) :: mesh
+
+      integer :: l
+
+      mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
+      self%lower(:joints) = [(l, l=1, joints)]
+      self%upper(:joints) = self%lower(:joints) + 1
+      self%present(:joints) = 1.0_wp
+      self%adjacent = adjacent
+      self%below%first(:) = [(l + lanes*(levels - 1), l=1, lanes)]
+      self%above%first(:) = [(l + 1, l=1, lanes)]
+      self%below%stride(:) = lanes*levels
+      self%above%stride(:) = lanes*levels
+      self%below%step(:) = 3*lanes*levels
+      self%above%step(:) = 3*lanes*levels
+      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%law = new_springs([1000.0_wp, 400.0_wp])
+   end subroutine make
+
+   !> Displacements without any order, up to a fortieth of a quad
+   pure function disorder(number, points) result(u)
+      !> Which of them
+      integer, intent(in) :: number
+      !> Size
+      integer, intent(in) :: points
+      real(wp) :: u(points)
+
+      integer :: i
+
+      u(:) = [(0.05_wp*sin(1.0e4_wp*sin(real(i + 1000*number, wp))), i=1, points)]
+   end function disorder
+
+   !> Forces of the interfaces
+   function forces(self, displacement) result(force)
+      type(interface_type), intent(in) :: self
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp) :: force(size(displacement)), history(0)
+
+      force(:) = 0.0_wp
+      call add_face_forces(self, [1, size(self%node, 2)], .true., displacement, history, force)
+   end function forces
+
+   !> Springs store energy and nothing else: a path that comes back takes no work
+   subroutine test_closed_path()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: a(:), b(:), speed(:), u(:)
+      real(wp) :: angle, power(steps)
+      integer :: k, points
+
+      call begin("closed path of faces that turn")
+      call make(self, mesh)
+      points = 3*lanes*levels*size(mesh%node_id)
+      a = disorder(1, points)
+      b = disorder(2, points)
+      do k = 1, steps
+         angle = 2.0_wp*pi*real(k, wp)/real(steps, wp)
+         u = a*sin(angle) + b*(1.0_wp - cos(angle))
+         speed = a*cos(angle) + b*sin(angle)
+         power(k) = dot_product(forces(self, u), speed)
+      end do
+      call check(sum(power), 0.0_wp, 1.0e-9_wp*sum(abs(power)), "takes no work")
+   end subroutine test_closed_path
+
+   !> Inner forces have no moment about any point
+   subroutine test_moment()
+      type(interface_type) :: self
+      type(mesh_type) :: mesh
+      real(wp), allocatable :: force(:), u(:)
+      real(wp) :: f(3), moment(3), size_of(3), total(3), x(3)
+      integer :: c, k, n, t
+
+      call begin("moments of open faces")
+      call make(self, mesh)
+      u = disorder(3, 3*lanes*levels*size(mesh%node_id))
+      force = forces(self, u)
+      moment(:) = 0.0_wp
+      size_of(:) = 0.0_wp
+      total(:) = 0.0_wp
+      do n = 1, size(mesh%node_id)
+         do t = 1, levels
+            do k = 1, lanes
+               do c = 1, 3
+                  associate (place => k + lanes*(t - 1 + levels*(c - 1 + 3*(n - 1))))
+                     x(c) = mesh%position(c, n) + u(place)
+                     f(c) = force(place)
+                  end associate
+               end do
+               total(:) = total + f
+               moment(:) = moment + cshift(x, 1)*cshift(f, 2) - cshift(x, 2)*cshift(f, 1)
+               size_of(:) = size_of + abs(cshift(x, 1)*cshift(f, 2))
+            end do
+         end do
+      end do
+      call check(total, [0.0_wp, 0.0_wp, 0.0_wp], 1.0e-9_wp, "forces balance")
+      call check(moment, [0.0_wp, 0.0_wp, 0.0_wp], 1.0e-12_wp*maxval(size_of), "moments balance")
+   end subroutine test_moment
+
+end program test_element_interface_turn
