@@ -51,16 +51,16 @@ module plydyn_contact_contact
 
    !> An impactor against a face
    type, public :: contact_pair_type
-      private
-      type(contact_setup_type) :: setup
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp) :: impactor_inverse(3) = 0.0_wp
-      type(surface_type) :: surface
-      !> None for the exact sphere
-      type(node_set_type) :: nodes
+      !> What of the surface is near the impactor: nothing else is pushed
       type(near_type) :: near
-      type(constraints_type) :: rows
-      type(active_set_type) :: active_set
+      type(contact_setup_type), private :: setup
+      !> Inverse mass of the impactor along x, y, z, zero where held
+      real(wp), private :: impactor_inverse(3) = 0.0_wp
+      type(surface_type), private :: surface
+      !> None for the exact sphere
+      type(node_set_type), private :: nodes
+      type(constraints_type), private :: rows
+      type(active_set_type), private :: active_set
    contains
       procedure :: enforce
       procedure :: initial_gap
@@ -176,7 +176,8 @@ contains
       & centre_correction, result)
       !> The pair
       class(contact_pair_type), intent(inout) :: self
-      !> Trial positions of the surface points, (3, points), length
+      !> Trial positions of the surface points, of all if `near%needs_all`, else of those in
+      !> `near%point`, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
@@ -184,27 +185,24 @@ contains
       real(wp), intent(in) :: dt
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> To add to the surface points, (3, points), length
-      real(wp), contiguous, intent(out) :: correction(:, :)
+      !> To add to the surface points of `near%point`, (3, points), length
+      real(wp), contiguous, intent(inout) :: correction(:, :)
       !> To add to the centre, length
       real(wp), intent(out) :: centre_correction(3)
       !> Force and more
       type(contact_result_type), intent(out) :: result
 
       logical :: rebuilt
-      integer :: k
 
-      do k = 1, size(correction, 2)
-         correction(:3, k) = 0.0_wp
-      end do
       centre_correction(:) = 0.0_wp
       self%rows%count = 0
       call self%near%update(self%surface, position, centre, rebuilt)
+      correction(:, self%near%point) = 0.0_wp
       if (self%setup%exact_sphere) then
          call collect_points(self, position, centre)
       else
          if (rebuilt) call self%nodes%forget()
-         call self%nodes%collect(self%surface, self%near, position, centre, self%rows)
+         call self%nodes%collect(self%near%patch, self%near, position, centre, self%rows)
       end if
       if (self%rows%count == 0) return
 
@@ -215,6 +213,7 @@ contains
          call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
             & correction, centre_correction)
       end if
+      call self%near%shift(correction)
       if (.not. self%setup%exact_sphere) then
          self%nodes%push(self%rows%source(:self%rows%count)) = self%rows%push(:self%rows%count)
       end if

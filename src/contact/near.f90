@@ -1,10 +1,11 @@
 !> The part of the surface near the sphere, and how far both have moved towards each other.
 !>
-!> Detection is exact and cheap: a pass over one point per facet at every step (a thousandth of the
-!> step) keeps a list with every facet within `reach` of the sphere; the list is rebuilt, with twice
-!> that reach, only when a facet outside comes within. `travel` grows at every step by more than
-!> the gap of any contact node to the listed facets can have changed. So a node whose gap is g need
-!> not be looked at again before the travel has grown by g, and that is what makes it cheap.
+!> Detection is exact and cheap. A list holds every facet within `reach` of the sphere; it is
+!> rebuilt, with twice that reach, only when a facet outside comes within. All facets are looked at
+!> only when one of those outside can have come so far, as the fastest point tells (`approach`);
+!> in other steps the positions of listed points are enough. `travel` grows at every step by more
+!> than the gap of any contact node to the listed facets can have changed. So a node whose gap is g
+!> need not be looked at again before the travel has grown by g.
 module plydyn_contact_near
    use plydyn_base_precision, only : wp
    use plydyn_contact_surface, only : surface_type
@@ -23,6 +24,9 @@ module plydyn_contact_near
    !> the magnitudes of the biquadratic shape functions, 1.25 along either direction
    real(wp), parameter :: largest_share = 1.5625_wp
 
+   !> Share of the sphere's radius that is room for round-off in distances
+   real(wp), parameter :: round_off = 1.0e-9_wp
+
    !> Facets near the sphere
    type, public :: near_type
       !> Every facet at most this far from the sphere is listed, length
@@ -31,18 +35,29 @@ module plydyn_contact_near
       integer, allocatable :: facet(:)
       !> Points of the listed facets, each once
       integer, allocatable :: point(:)
+      !> The surface with no neighbours beyond the listed facets: the sphere is out of reach there
+      type(surface_type) :: patch
+      !> Whether the next update needs the positions of all points, or of those listed only
+      logical :: needs_all = .true.
       !> Bound on the approach of sphere and listed facets since the start, length
       real(wp) :: travel = 0.0_wp
       !> Radius of the sphere, length
       real(wp), private :: radius = 0.0_wp
       !> Which facets are listed
       logical, allocatable, private :: listed(:)
-      !> Squared distance from centre to facet within which a facet must be listed
+      !> Distance from centre to facet within which a facet must be listed
       real(wp), allocatable, private :: bound(:)
+      !> What facets that are not listed, and the sphere, can approach each other before one of them
+      !> must be: less than nothing where that is not known, length
+      real(wp), private :: slack = -1.0_wp
+      !> Centre at the last step, length
+      real(wp), private :: centre(3) = 0.0_wp
       !> Listed points relative to the centre at the last step, (3, points), length
       real(wp), allocatable, private :: seen(:, :)
    contains
+      procedure :: approach
       procedure :: update
+      procedure :: shift
       procedure :: remember
       procedure :: recall
    end type near_type
@@ -66,8 +81,23 @@ contains
       allocate (self%facet(0), self%point(0), self%seen(3, 0))
       allocate (self%listed(facets), source=.false.)
       allocate (self%bound(facets))
-      self%bound(:) = (radius + largest_stretch*surface%radius + self%reach)**2
+      self%bound(:) = radius + largest_stretch*surface%radius + self%reach
+      self%patch = surface
    end subroutine new_near
+
+   !> Sphere and surface move without contact: can a facet that is not listed come within reach?
+   pure subroutine approach(self, move, centre)
+      !> The list
+      class(near_type), intent(inout) :: self
+      !> Most that a point of the surface has moved in the step, length
+      real(wp), intent(in) :: move
+      !> Centre of the sphere, length
+      real(wp), intent(in) :: centre(3)
+
+      self%slack = self%slack - (move + norm2(centre - self%centre))
+      self%centre(:) = centre
+      self%needs_all = self%slack < round_off*self%radius
+   end subroutine approach
 
    !> Follow the motion by a step
    pure subroutine update(self, surface, position, centre, rebuilt)
@@ -75,25 +105,47 @@ contains
       class(near_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
-      !> Surface points, (3, points), length
+      !> Surface points, all of them if `needs_all`, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
       !> The list is new: what was known of gaps is void
       logical, intent(out) :: rebuilt
 
-      rebuilt = .not. is_complete(self, surface, position, centre)
+      rebuilt = .false.
+      if (self%needs_all) then
+         call find_slack(self, surface, position, centre)
+         rebuilt = self%slack < 0.0_wp
+      end if
       if (rebuilt) then
          call rebuild(self, surface, position, centre)
+         call find_slack(self, surface, position, centre)
       else
          call add_travel(self, position, centre)
       end if
    end subroutine update
 
-   !> Whether every facet within reach is listed
-   pure logical function is_complete(self, surface, position, centre)
+   !> Listed points have been pushed besides
+   pure subroutine shift(self, correction)
       !> The list
-      type(near_type), intent(in) :: self
+      class(near_type), intent(inout) :: self
+      !> How far, (3, points), length
+      real(wp), contiguous, intent(in) :: correction(:, :)
+
+      integer :: i
+      real(wp) :: farthest
+
+      farthest = 0.0_wp
+      do i = 1, size(self%point)
+         farthest = max(farthest, sum(correction(:, self%point(i))**2))
+      end do
+      self%slack = self%slack - sqrt(farthest)
+   end subroutine shift
+
+   !> How far the nearest facet that is not listed is from having to be
+   pure subroutine find_slack(self, surface, position, centre)
+      !> The list
+      type(near_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
@@ -104,13 +156,13 @@ contains
       integer :: f
       real(wp) :: arm(3)
 
-      is_complete = .false.
+      self%slack = huge(1.0_wp)
       do f = 1, size(self%bound)
+         if (self%listed(f)) cycle
          arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
-         if (arm(1)**2 + arm(2)**2 + arm(3)**2 < self%bound(f) .and. .not. self%listed(f)) return
+         self%slack = min(self%slack, norm2(arm) - self%bound(f))
       end do
-      is_complete = .true.
-   end function is_complete
+   end subroutine find_slack
 
    !> List every facet within twice the reach
    pure subroutine rebuild(self, surface, position, centre)
@@ -128,7 +180,7 @@ contains
 
       do f = 1, size(self%bound)
          arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
-         self%listed(f) = norm2(arm) < sqrt(self%bound(f)) + self%reach
+         self%listed(f) = norm2(arm) < self%bound(f) + self%reach
       end do
       call list_points(self, surface)
       do i = 1, size(self%point)
@@ -154,6 +206,13 @@ contains
       self%point = pack([(i, i=1, size(used))], used)
       deallocate (self%seen)
       allocate (self%seen(3, size(self%point)))
+      self%patch%neighbour(:, :) = surface%neighbour
+      do f = 1, size(self%bound)
+         do i = 1, size(surface%neighbour, 1)
+            if (surface%neighbour(i, f) == 0) cycle
+            if (.not. self%listed(surface%neighbour(i, f))) self%patch%neighbour(i, f) = 0
+         end do
+      end do
    end subroutine list_points
 
    !> Append what is remembered from step to step

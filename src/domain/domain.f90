@@ -46,7 +46,7 @@ module plydyn_domain_domain
    type, public :: surface_type
       !> Places in the arrays of motion, 0 where another rank has them, (3, points)
       integer, allocatable :: freedom(:, :)
-      !> Points that this rank has, and whether it counts each of these
+      !> Points that this rank has, and whether it counts each point of the face
       integer, allocatable :: here(:)
       logical, allocatable :: own(:)
       !> Points that each rank counts, and those of all ranks, one rank after the other

@@ -143,7 +143,8 @@ contains
       integer :: i
 
       surface%here = indices(numbering%has(whole%freedom(1, :)))
-      surface%own = numbering%counts(whole%freedom(1, surface%here))
+      surface%own = spread(.false., 1, size(whole%node))
+      surface%own(surface%here) = numbering%counts(whole%freedom(1, surface%here))
       surface%freedom(:, :) = 0
       surface%node(:) = numbering%node(whole%node)
       do i = 1, size(surface%here)

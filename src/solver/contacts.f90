@@ -163,7 +163,13 @@ contains
       type(contact_result_type) :: found
 
       associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
-         call find_positions(domain, surface, state%displacement, self)
+         call self%pair%near%approach(largest_move(domain, state), own%centre)
+         if (self%pair%near%needs_all) then
+            call find_positions(surface, surface%here, state%displacement, self%position)
+            if (domain%comm%ranks > 1) call collect_positions(domain, surface, self)
+         else
+            call find_positions(surface, self%pair%near%point, state%displacement, self%position)
+         end if
          if (size(domain%motions) > 0) then
             call resist_moved(domain, surface, state%time, self%inverse_mass)
          end if
@@ -173,7 +179,8 @@ contains
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(domain, surface, self%inverse_mass, self%correction, state)
+         call push_plate(domain, surface, self%pair%near%point, self%inverse_mass, &
+            & self%correction, state)
          call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
             & state, domain%contacts(i)%impactor)
       end associate
@@ -199,25 +206,46 @@ contains
       end do
    end subroutine resist_moved
 
-   !> Where the points of the face are, those of other ranks too
-   subroutine find_positions(domain, surface, displacement, self)
+   !> Most that a point of the plate has moved in the step; not known for those of other ranks, nor
+   !> for those that are moved
+   pure real(wp) function largest_move(domain, state) result(move)
       type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+
+      move = huge(1.0_wp)
+      if (domain%comm%ranks > 1 .or. size(domain%motions) > 0) return
+      move = sqrt(3.0_wp)*state%step*state%fastest
+   end function largest_move
+
+   !> Where some points of the face are that this rank has
+   pure subroutine find_positions(surface, points, displacement, position)
       type(surface_type), intent(in) :: surface
-      real(wp), intent(in) :: displacement(:)
-      type(pair_type), intent(inout) :: self
+      integer, intent(in) :: points(:)
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> Of all points, (3, points), length
+      real(wp), intent(inout), contiguous :: position(:, :)
 
       integer :: c, i, k
 
-      do i = 1, size(surface%here)
-         k = surface%here(i)
+      do i = 1, size(points)
+         k = points(i)
          do c = 1, 3
-            self%position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
+            position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
          end do
       end do
-      if (domain%comm%ranks == 1) return
+   end subroutine find_positions
+
+   !> Where the points of the face are that other ranks have
+   subroutine collect_positions(domain, surface, self)
+      type(domain_type), intent(in) :: domain
+      type(surface_type), intent(in) :: surface
+      type(pair_type), intent(inout) :: self
+
+      integer :: i, k
+
       k = 0
       do i = 1, size(surface%here)
-         if (.not. surface%own(i)) cycle
+         if (.not. surface%own(surface%here(i))) cycle
          self%sent(3*k + 1:3*k + 3) = self%position(:, surface%here(i))
          k = k + 1
       end do
@@ -225,22 +253,25 @@ contains
       do i = 1, size(surface%of_ranks)
          self%position(:, surface%of_ranks(i)) = self%received(3*i - 2:3*i)
       end do
-   end subroutine find_positions
+   end subroutine collect_positions
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which that before is the velocity at the full step. What shares its
    !> inertia with the points follows
-   pure subroutine push_plate(domain, surface, inverse_mass, correction, state)
+   pure subroutine push_plate(domain, surface, points, inverse_mass, correction, state)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
+      !> Points that may have been pushed
+      integer, intent(in) :: points(:)
       real(wp), intent(in) :: inverse_mass(:, :), correction(:, :)
       type(state_type), intent(inout) :: state
 
       real(wp) :: jump, mass
       integer :: c, i, k
 
-      do i = 1, size(surface%here)
-         k = surface%here(i)
+      do i = 1, size(points)
+         k = points(i)
+         if (surface%freedom(1, k) == 0) cycle
          do c = 1, 3
             if (inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
@@ -248,7 +279,7 @@ contains
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/inverse_mass(c, k)
                jump = correction(c, k)/state%step
-               if (surface%own(i)) then
+               if (surface%own(k)) then
                   call state%tally%add(contact_sum, &
                      & mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump))
                   call state%tally%add(contact_power_sum, mass*a*jump)

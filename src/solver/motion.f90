@@ -2,6 +2,7 @@
 module plydyn_solver_motion
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_column_inertia, only : couple_column
    use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
@@ -26,19 +27,26 @@ contains
       !> Velocity and displacement; power of all forces with the new velocity; work of damping
       type(state_type), intent(inout) :: state
 
-      real(wp) :: brake, keep, middle, middle_step
-      integer :: i
+      real(wp) :: brake, fastest, keep, middle, middle_step
+      integer :: c
 
       middle_step = 0.5_wp*(state%step_before + state%step)
       brake = 0.5_wp*domain%control%damping*middle_step
       keep = (1.0_wp - brake)/(1.0_wp + brake)
       middle = middle_step/(1.0_wp + brake)
-      !$omp parallel do schedule(static) default(shared) private(i)
-      do i = 1, size(state%velocity)
-         state%velocity(i) = keep*state%velocity(i) + middle*state%acceleration(i)
-         state%displacement(i) = state%displacement(i) + state%step*state%velocity(i)
+      fastest = 0.0_wp
+      ! the thread that accelerates a chunk advances it: it still has its accelerations
+      !$omp parallel do schedule(static) default(shared) private(c) reduction(max:fastest)
+      do c = 1, size(domain%chunks)
+         associate (height => domain%columns%height, chunk => domain%chunks(c), &
+            & a => state%acceleration(front + 1:), v => state%velocity(front + 1:), &
+            & u => state%displacement(front + 1:))
+            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u, fastest)
+            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u, fastest)
+         end associate
       end do
       !$omp end parallel do
+      state%fastest = fastest
       associate (sums => state%sums, before => state%step_before)
          state%internal_power = -keep*sums%power - middle*sums%pull
          ! the velocity before is the one at the full step less 1/2 dt a
@@ -48,6 +56,33 @@ contains
             & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
       end associate
    end subroutine advance
+
+   !> `advance` for some columns
+   pure subroutine advance_columns(height, columns, keep, middle, step, a, v, u, fastest)
+      integer, intent(in) :: height, columns(:)
+      !> Share of the velocity that is kept, the step between the middles, and the step
+      real(wp), intent(in) :: keep, middle, step
+      !> Acceleration, velocity, displacement
+      real(wp), intent(in) :: a(height, *)
+      real(wp), intent(inout) :: v(height, *), u(height, *)
+      !> Largest component of the velocity
+      real(wp), intent(inout) :: fastest
+
+      integer :: i, k, n
+      real(wp) :: most
+
+      most = fastest
+      do i = 1, size(columns)
+         n = columns(i)
+         !$omp simd reduction(max:most)
+         do k = 1, height
+            v(k, n) = keep*v(k, n) + middle*a(k, n)
+            u(k, n) = u(k, n) + step*v(k, n)
+            most = max(most, abs(v(k, n)))
+         end do
+      end do
+      fastest = most
+   end subroutine advance_columns
 
    !> Forces to accelerations, in place, with the sums that the energies need.
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so

@@ -121,6 +121,8 @@ module plydyn_state_state
       !> something
       logical :: output_due = .false., rows_due = .false., impactors_due = .false.
       logical :: attention = .false.
+      !> Largest component of the velocity over the step under way, of the points of this rank
+      real(wp) :: fastest = 0.0_wp
       !> Power of all forces at the beginning of the step under way, with the velocity over it
       real(wp) :: internal_power = 0.0_wp
       !> Energies
