@@ -12,7 +12,7 @@ module plydyn_domain_chunks
    implicit none
    private
 
-   public :: divide_quads, new_chunks
+   public :: divide_quads, give_borders, new_chunks
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -124,6 +124,32 @@ contains
          end associate
       end do
    end subroutine set_targets
+
+   !> Let every chunk add up the borders at the columns that it moves
+   pure subroutine give_borders(domain)
+      !> With the columns of all chunks; the chunks get their borders
+      type(domain_type), intent(inout) :: domain
+
+      integer :: b, c, chunk_of(domain%columns%count), many(size(domain%chunks))
+
+      do c = 1, size(domain%chunks)
+         chunk_of(domain%chunks(c)%own) = c
+         chunk_of(domain%chunks(c)%guests) = c
+      end do
+      many(:) = 0
+      do b = 1, size(domain%borders, 2)
+         c = chunk_of(domain%borders(1, b))
+         many(c) = many(c) + 1
+      end do
+      do c = 1, size(domain%chunks)
+         domain%chunks(c)%borders = spread(0, 1, many(c))
+      end do
+      do b = size(domain%borders, 2), 1, -1
+         c = chunk_of(domain%borders(1, b))
+         domain%chunks(c)%borders(many(c)) = b
+         many(c) = many(c) - 1
+      end do
+   end subroutine give_borders
 
    !> Put the column that is next at a node in place of the node, and turn to the one after it
    pure subroutine take(column, next, behind)

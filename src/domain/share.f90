@@ -5,6 +5,7 @@
 !> chunks of the whole model (`plydyn_domain_chunks`). It is counted by the rank of its first chunk.
 module plydyn_domain_share
    use plydyn_base_precision, only : wp
+   use plydyn_domain_chunks, only : give_borders
    use plydyn_domain_columns, only : columns_type, front
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_numbering, only : new_numbering, numbering_type
@@ -44,6 +45,7 @@ contains
             allocate (chunk%guests(0))
          end associate
       end do
+      call give_borders(domain)
       domain%order = [(c, c=1, size(domain%chunks))]
       do i = 1, size(domain%loads)
          domain%loads(i)%own = spread(.true., 1, size(domain%loads(i)%last))
@@ -120,6 +122,7 @@ contains
             & domain%chunks(c)%column <= size(share%column))
       end do
       call place_guests(domain, pack([(i, i=1, size(share%own))], .not. share%own))
+      call give_borders(domain)
       call join_ranks(whole, numbering, owner, domain)
    end subroutine take_share
 

@@ -1,5 +1,6 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_solver_forces
+   use omp_lib, only : omp_get_thread_num
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
@@ -9,6 +10,7 @@ module plydyn_solver_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_halo, only : messages_type
+   use plydyn_solver_turns, only : deal, turns_type
    implicit none
    private
 
@@ -32,26 +34,21 @@ contains
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       type(messages_type) :: messages
+      type(turns_type), save :: inner, outer
       integer :: c, i
 
+      call deal(outer, 1, domain%outer)
+      call deal(inner, domain%outer + 1, size(domain%chunks))
       !$omp parallel default(shared) private(c, i)
       if (domain%outer > 0) then
-         !$omp do schedule(dynamic)
-         do i = 1, domain%outer
-            call find_chunk_forces(domain, domain%chunks(domain%order(i)), step, displacement, &
-               & velocity, history, force)
-         end do
-         !$omp end do
+         call take_chunks(domain, outer, step, displacement, velocity, history, force)
+         !$omp barrier
          !$omp master
          call domain%halo%start(force, messages)
          !$omp end master
       end if
-      !$omp do schedule(dynamic)
-      do i = domain%outer + 1, size(domain%chunks)
-         call find_chunk_forces(domain, domain%chunks(domain%order(i)), step, displacement, &
-            & velocity, history, force)
-      end do
-      !$omp end do
+      call take_chunks(domain, inner, step, displacement, velocity, history, force)
+      !$omp barrier
       if (domain%outer > 0) then
          !$omp master
          call domain%halo%finish(force, messages)
@@ -59,12 +56,35 @@ contains
          !$omp barrier
       end if
       !$omp do schedule(static)
-      do c = 1, size(domain%borders, 2)
-         call add_columns(domain%columns%height, domain%borders(:, c), force(front + 1:))
+      do c = 1, size(domain%chunks)
+         associate (borders => domain%chunks(c)%borders)
+            do i = 1, size(borders)
+               call add_columns(domain%columns%height, domain%borders(:, borders(i)), &
+                  & force(front + 1:))
+            end do
+         end associate
       end do
       !$omp end do nowait
       !$omp end parallel
    end subroutine find_internal_forces
+
+   !> Internal forces of the chunks whose turn it is
+   subroutine take_chunks(domain, turns, step, displacement, velocity, history, force)
+      type(domain_type), intent(in) :: domain
+      type(turns_type), intent(inout) :: turns
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      integer :: place
+
+      do
+         place = turns%take(omp_get_thread_num())
+         if (place == 0) exit
+         call find_chunk_forces(domain, domain%chunks(domain%order(place)), step, displacement, &
+            & velocity, history, force)
+      end do
+   end subroutine take_chunks
 
    !> Internal forces of one chunk, on columns of its own
    subroutine find_chunk_forces(domain, chunk, step, displacement, velocity, history, force)

@@ -21,6 +21,7 @@ program test_contact_nodes
    call new_surface(surface, facet, flat, 1)
    call check_spacing()
    call check_travel()
+   call check_patch()
    call check_folded()
    call finish()
 
@@ -92,6 +93,58 @@ contains
       end do
       call check(rebuilds > 0 .and. rebuilds < 100, "the list is new now and then")
    end subroutine check_travel
+
+   !> With listed points only, most of the time, the rows are those of all points; outside of the
+   !> patch a foot is beside it
+   subroutine check_patch()
+      type(near_type) :: lazy, near
+      type(node_set_type) :: nodes, others
+      type(constraints_type) :: all_rows, rows
+      type(error_type), allocatable :: error
+      real(wp) :: before(3, points), centre(3), given(3, points), position(3, points)
+      integer :: looks, presses, step
+      logical :: rebuilt, rebuilt_lazily
+
+      call begin("approach")
+      call new_near(near, surface, radius)
+      call new_near(lazy, surface, radius)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call new_nodes(others, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call new_constraints(all_rows, 9)
+      call new_constraints(rows, 9)
+      looks = 0
+      presses = 0
+      before(:, :) = flat
+      do step = 1, 400
+         position(:, :) = flat
+         position(3, :) = 0.002_wp*sin(0.01_wp*step - flat(1, :))*cos(flat(2, :))
+         centre(:) = [0.003_wp*step - 1.0_wp, 0.0_wp, radius + 0.03_wp*cos(0.02_wp*step)]
+         call near%update(surface, position, centre, rebuilt)
+         call lazy%approach(maxval(norm2(position - before, dim=1)), centre)
+         given(:, :) = position
+         if (lazy%needs_all) then
+            looks = looks + 1
+         else
+            given(:, :) = -1.0e3_wp
+            given(:, lazy%point) = position(:, lazy%point)
+         end if
+         call lazy%update(surface, given, centre, rebuilt_lazily)
+         call check(rebuilt_lazily .eqv. rebuilt, "the list is new in the same step")
+         if (rebuilt) call nodes%forget()
+         if (rebuilt) call others%forget()
+         all_rows%count = 0
+         rows%count = 0
+         call nodes%collect(near%patch, near, position, centre, all_rows)
+         call others%collect(lazy%patch, lazy, given, centre, rows)
+         call check(rows%count, all_rows%count, "as many nodes are below the surface")
+         call check(all(abs(rows%gap(:rows%count) - all_rows%gap(:rows%count)) <= 0.0_wp), &
+            & "as deep")
+         presses = presses + rows%count
+         before(:, :) = position
+      end do
+      call check(looks < 100, "all points are needed now and then only")
+      call check(presses > 0, "nodes press")
+   end subroutine check_patch
 
    !> A node presses a facet that faces it, and none that has folded over
    subroutine check_folded()

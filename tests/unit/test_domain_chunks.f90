@@ -42,7 +42,7 @@ contains
    subroutine test_targets()
       type(domain_type) :: domain
       type(error_type), allocatable :: error
-      integer, allocatable :: node_of(:), taken(:)
+      integer, allocatable :: node_of(:), summed(:), taken(:)
       integer :: c, e, i
 
       call begin("new_chunks")
@@ -68,6 +68,16 @@ contains
          end associate
       end do
       call check(all(taken == 1), "every column belongs to one chunk")
+      summed = [integer ::]
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c))
+            summed = [summed, chunk%borders]
+            call check(all([(any(chunk%own == domain%borders(1, chunk%borders(i))), &
+               & i=1, size(chunk%borders))]), "a chunk adds up borders at its own nodes")
+         end associate
+      end do
+      call check(all([(count(summed == i), i=1, size(domain%borders, 2))] == 1), &
+         & "every border is added up once")
    end subroutine test_targets
 
 end program test_domain_chunks
