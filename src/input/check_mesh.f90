@@ -4,6 +4,8 @@ module plydyn_input_check_mesh
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : place_type
    use plydyn_deck_values, only : number_words
+   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_fem_shape, only : shape_functions
    use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -131,10 +133,35 @@ contains
          return
       end do
       middle(:) = 0.25_wp*sum(x(:2, :corners), dim=2)
-      if (norm2(x(:2, centre) - middle) <= most_off_middle*minval(length)) return
-      call blame(i, "has its node 9 far from its centre", &
-         & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
+      if (norm2(x(:2, centre) - middle) > most_off_middle*minval(length)) then
+         call blame(i, "has its node 9 far from its centre", &
+            & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
+      else if (is_folded(x)) then
+         call blame(i, "is folded: its Jacobian is not positive everywhere", &
+            & "mid-sides and centre nearer to the middles, or a quad nearer to a square", catalogue)
+      end if
    end subroutine check_middles
+
+   !> Whether the Jacobian of a quad with nine nodes is not positive at a node or a Gauss point
+   pure logical function is_folded(x)
+      !> Positions of its nodes
+      real(wp), intent(in) :: x(:, :)
+
+      real(wp) :: jacobian(2, 2), place(5), shape(centre), slope(2, centre)
+      integer :: k, l
+
+      is_folded = .true.
+      place(:3) = gauss_points(3)
+      place(4:) = [-1.0_wp, 1.0_wp]
+      do l = 1, size(place)
+         do k = 1, size(place)
+            call shape_functions(centre, place(k), place(l), shape, slope)
+            jacobian(:, :) = matmul(x(:2, :), transpose(slope))
+            if (jacobian(1, 1)*jacobian(2, 2) <= jacobian(1, 2)*jacobian(2, 1)) return
+         end do
+      end do
+      is_folded = .false.
+   end function is_folded
 
    !> Report an error of a quad
    subroutine blame(i, wrong, right, catalogue)

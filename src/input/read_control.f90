@@ -5,8 +5,11 @@ module plydyn_input_read_control
    use plydyn_deck_report, only : report_type
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_units, only : derived_units
-   use plydyn_model_control, only : control_type, units_type
+   use plydyn_model_control, only : all_explicit, control_type, implicit_interfaces, &
+      & implicit_thickness, units_type
    use plydyn_model_curve, only : curve_type
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : all_planes
    implicit none
    private
 
@@ -68,14 +71,42 @@ contains
    end subroutine read_control_parallel
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
-   subroutine read_control_layerwise(cards, control)
+   subroutine read_control_layerwise(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      type(control_type), intent(inout) :: control
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Its plate and what moves it are known
+      type(model_type), intent(inout) :: model
 
-      control%kinematics = cards%integer("KINEM")
-      control%energy_limit = cards%real("ENGLIM")
-      control%scheme = cards%integer("IMPL")
-      control%largest_step = cards%real("DTMAX")
+      associate (control => model%control)
+         control%kinematics = cards%integer("KINEM")
+         control%energy_limit = cards%real("ENGLIM")
+         control%scheme = cards%integer("IMPL")
+         control%largest_step = cards%real("DTMAX")
+         if (control%scheme == all_explicit) return
+         if (size(model%mesh%brick_id) > 0) then
+            call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")
+         else if (control%scheme == implicit_interfaces .and. .not. has_interfaces(model)) then
+            call catalogue%refuse(cards, "IMPL", "1 makes interfaces implicit, but no plies are " &
+               & //"joined by one", "0, or *INTERFACE_COHESIVE between plies")
+         else if (control%scheme == implicit_thickness &
+            & .and. any(model%motions%face /= all_planes)) then
+            call catalogue%refuse(cards, "IMPL", "2 couples all points above a node, which does " &
+               & //"not go with *BOUNDARY_FACE_MOTION on one face", &
+               & "1, or *BOUNDARY_PRESCRIBED_MOTION_SET, which moves all planes")
+         end if
+      end associate
    end subroutine read_control_layerwise
+
+   !> Whether an interface lies between any two plies
+   pure logical function has_interfaces(model)
+      type(model_type), intent(in) :: model
+      integer :: p
+
+      has_interfaces = .false.
+      do p = 1, size(model%parts)
+         if (.not. allocated(model%parts(p)%joint)) cycle
+         has_interfaces = has_interfaces .or. any(model%parts(p)%joint > 0)
+      end do
+   end function has_interfaces
 
 end module plydyn_input_read_control

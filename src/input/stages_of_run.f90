@@ -97,7 +97,7 @@ contains
       case ("CONTROL_PARALLEL")
          call read_control_parallel(cards, model%control)
       case ("CONTROL_LAYERWISE")
-         call read_control_layerwise(cards, model%control)
+         call read_control_layerwise(cards, catalogue, model)
       case ("DAMPING_GLOBAL")
          model%control%damping = cards%real("VALDMP")
       case default

@@ -57,13 +57,15 @@ contains
       this%next = 0.0_wp
    end subroutine start
 
-   !> Seconds since the start
+   !> Seconds since the start; none before it
    real(wp) function elapsed(this)
       !> The clock
       class(pulse_type), intent(in) :: this
 
       integer(int64) :: now, rate
 
+      elapsed = 0.0_wp
+      if (this%started == 0_int64) return
       call system_clock(now, rate)
       elapsed = real(now - this%started, wp)/rate
    end function elapsed

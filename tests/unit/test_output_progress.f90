@@ -56,6 +56,7 @@ contains
       type(pulse_type) :: pulse
 
       call begin("pulse")
+      call check(pulse%elapsed(), 0.0_wp, 0.0_wp, "no time before the start")
       call pulse%start()
       call check(pulse%elapsed() >= 0.0_wp, "time passes")
       call check(pulse%due(0.0_wp), "the first line is due at once")
