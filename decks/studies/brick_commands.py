@@ -17,6 +17,7 @@ from studies.commands import (
     Again,
     Folder,
     Into,
+    Kept,
     Overrides,
     Parallel,
     Solver,
@@ -35,7 +36,6 @@ Models = Annotated[
 Core = Annotated[
     int | None, typer.Option("--core", help="Core to run on; else any.", show_default=False)
 ]
-Kept = Annotated[bool, typer.Option("--kept", help="Run nothing: print what lies there.")]
 
 
 @app.command()

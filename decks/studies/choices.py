@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from plydyn_pre.recipe import load_recipe
 
-from studies.damage import RECIPES, Answer
+from studies.damage import RECIPES, Answer, change
 from studies.jobs import Job
 from studies.markdown import table
 
@@ -102,19 +102,12 @@ def choices_text(found: Sequence[tuple[Choice, Answer]]) -> str:
                 choice.question,
                 choice.answer or "–",
                 f"{answer.peak:.0f}",
-                _change(answer.peak, base.peak),
+                change(answer.peak, base.peak),
                 f"{answer.projected:.0f}",
-                _change(answer.projected, base.projected),
+                change(answer.projected, base.projected),
                 f"{answer.total:.0f}",
                 f"{sum(answer.taken.values()) / 1e3:.2f}",
                 f"{answer.displacement:.2f}",
             ]
         )
     return table(headings, rows)
-
-
-def _change(value: float, base: float) -> str:
-    """A change as a share, with its sign."""
-    if base in (value, 0.0):
-        return "–"
-    return f"{100.0 * (value / base - 1.0):+.0f} %"

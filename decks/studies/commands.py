@@ -36,6 +36,7 @@ Overrides = Annotated[
 ]
 Parallel = Annotated[int, typer.Option("--parallel", help="Jobs at a time.", min=1)]
 Again = Annotated[bool, typer.Option("--again", help="Run also what has results already.")]
+Kept = Annotated[bool, typer.Option("--kept", help="Run nothing: print what lies there.")]
 DEFAULT = ROOT / "results/study"
 
 

@@ -85,7 +85,6 @@ class Answer:
 
     def cells(self) -> list[str]:
         """The cells of a row of a table."""
-        taken = (self.taken.get(name, 0.0) / 1e3 for name in _ENERGIES)
         return [
             f"{self.peak:.0f}",
             f"{1e3 * self.peak_time:.2f}",
@@ -95,7 +94,7 @@ class Answer:
             _number(self.absorbed, 1e-3, ".2f"),
             f"{self.projected:.0f}",
             f"{self.total:.0f}",
-            *(f"{one:.2f}" for one in taken),
+            *(f"{one:.2f}" for one in energies(self)),
             f"{100.0 * self.error:.0e}",
         ]
 
@@ -104,8 +103,20 @@ class Answer:
 _ENERGIES = ("delamination", "matrix damage", "ply plasticity", "fibre damage")
 
 
+def energies(answer: Answer) -> list[float]:
+    """Dissipated energies in J, in the order of the headings."""
+    return [answer.taken.get(name, 0.0) / 1e3 for name in _ENERGIES]
+
+
 def _number(value: float | None, scale: float, form: str) -> str:
     return "–" if value is None else f"{scale * value:{form}}"
+
+
+def change(value: float, base: float) -> str:
+    """A change as a share, with its sign."""
+    if base in (value, 0.0):
+        return "–"
+    return f"{100.0 * (value / base - 1.0):+.0f} %"
 
 
 def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:

@@ -10,12 +10,13 @@ import typer
 from plydyn_post.results import Results, open_results
 
 from studies import choices as open_choices
-from studies import damage, damage_times
+from studies import damage, damage_times, implicit
 from studies.commands import (
     DEFAULT,
     Again,
     Folder,
     Into,
+    Kept,
     Overrides,
     Parallel,
     Solver,
@@ -106,6 +107,35 @@ def table7(
     tell(output / "table7.md", [("Table 7", text)])
     if into:
         insert(into, "table 7", text)
+
+
+@app.command("implicit")
+def implicit_command(
+    output: Folder = DEFAULT / "implicit",
+    models: Annotated[
+        str, typer.Option("--models", help="Recipes, separated by commas.")
+    ] = "q192_le1,q192_le2",
+    wanted: Annotated[
+        str, typer.Option("--schemes", help="Schemes, each with its largest step in ns if wanted.")
+    ] = implicit.SCHEMES,
+    kept: Kept = False,
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """Force, areas, energies and time with implicit interfaces beside central differences."""
+    cases = implicit.cases_of(models, wanted, overrides or ())
+    if not kept:
+        run_all(find_tools(plydyn), [case.job for case in cases], output, parallel, again)
+    found = implicit.collect(cases, output)
+    if not found:
+        raise StudyError(f"no model has run to its end in {output}")
+    text = implicit.implicit_text(found, output)
+    tell(output / "implicit.md", [("Implicit interfaces", text)])
+    if into:
+        insert(into, "implicit", text)
 
 
 @app.command()

@@ -62,7 +62,7 @@ class Case:
 def elastic_cases(models: Sequence[str] = MODELS) -> list[Case]:
     """The elastic impacts, each model and joint with its explicit run first."""
     return [
-        _case(
+        case_of(
             f"{model}_{joint}",
             ELASTIC / f"{model}.toml",
             (*OUTPUTS, *(SPRINGS if joint == "springs" else ())),
@@ -76,10 +76,11 @@ def elastic_cases(models: Sequence[str] = MODELS) -> list[Case]:
 
 def damage_cases() -> list[Case]:
     """The damage impacts on a coarse mesh."""
-    return [_case("coarse", DAMAGE / "q192_le2.toml", COARSE, scheme) for scheme in DAMAGED]
+    return [case_of("coarse", DAMAGE / "q192_le2.toml", COARSE, scheme) for scheme in DAMAGED]
 
 
-def _case(model: str, recipe: Path, replaced: tuple[str, ...], scheme: Scheme) -> Case:
+def case_of(model: str, recipe: Path, replaced: tuple[str, ...], scheme: Scheme) -> Case:
+    """A model with a scheme, and with values replaced."""
     implicit, step, share = scheme
     words = implicit.replace("_", " ") + (f", {step:.0f} ns" if step else "")
     words += ", half step" if share < EXPLICIT[2] else ""
@@ -104,15 +105,15 @@ def elastic_text(cases: Sequence[Case], folder: Path) -> str:
             [
                 case.model.replace("_", ", ").replace("le", "LE"),
                 case.scheme,
-                *_effort(case, folder),
+                *step_cells(case, folder),
                 *([""] * 4 if same else _differences(case.results(folder), base.results(folder))),
             ]
         )
     return table(headings, rows)
 
 
-def _effort(case: Case, folder: Path) -> list[str]:
-    """Largest step and number of steps."""
+def step_cells(case: Case, folder: Path) -> list[str]:
+    """Largest step and number of steps, in print."""
     listing = folder / f"{case.job.name}.out"
     found = re.search(r"largest step taken\s+(\S+)", listing.read_text(encoding="utf-8"))
     step = float(found[1]) / NS if found else 0.0
@@ -154,7 +155,7 @@ def damage_text(cases: Sequence[Case], folder: Path) -> str:
         rows.append(
             [
                 case.scheme,
-                *_effort(case, folder),
+                *step_cells(case, folder),
                 f"{answer.peak:.0f}",
                 f"{answer.projected:.0f}",
                 f"{answer.total:.0f}",

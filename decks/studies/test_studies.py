@@ -16,6 +16,7 @@ from studies.choices import BASE, CHOICES, choices_text, job_of, pick
 from studies.damage import MODELS, Answer, answers_text, areas_text, mesh_words, read_answer
 from studies.damage_times import Timing, times_text
 from studies.differences import force_difference, ply_means, section, velocity_difference
+from studies.implicit import cases_of, implicit_text
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
 from studies.stress import agreement
@@ -211,3 +212,29 @@ def test_times_stand_beside_those_of_the_paper():
     busy = (Effort(4000.0, 3700.0, 3600.0, 500_000, 57_672), efforts[1])
     text = times_text([Timing(MODELS[2], busy, 8.6e-9, 4000.0)], (1, 2), "plydyn")
     assert "Other work ran meanwhile" in text
+
+
+def test_implicit_interfaces_are_set_against_central_differences(tmp_path):
+    cases = cases_of("q192_le1", "implicit_interfaces:20,implicit_thickness", ["mesh.n=4"])
+    assert [case.scheme for case in cases] == [
+        "explicit",
+        "implicit interfaces, 20 ns",
+        "implicit thickness",
+    ]
+    studies = [load_recipe(case.job.recipe, case.job.overrides) for case in cases]
+    assert [study.control.largest_step for study in studies] == [0.0, 2e-8, 0.0]
+    assert [study.control.scheme for study in studies][2] == "implicit_thickness"
+    effort = Effort(50.0, 48.0, 47.0, 250_000, 38_448)
+    for case in cases:
+        (tmp_path / f"{case.job.name}.out").write_text(
+            "degrees of freedom  1\nlargest step taken  2.0E-08 s\ncycle 250000, time 1.0 s\n"
+            "seconds 1.0 in the loop\n"
+        )
+    found = [(cases[0], effort, _answer(4000.0, 200.0)), (cases[1], effort, _answer(4100.0, 190.0))]
+    first, second = implicit_text(found, tmp_path).splitlines()[2:]
+    assert first.startswith("| q192_le1 | central differences | 20 | 250,000 | 48 | 4000 | – |")
+    assert "| 4100 | +2 % | 190 | -5 % | 570 | -5 % | 0.90 | 0.10 | 0.00 | 0.00 | 1.00 |" in second
+    with pytest.raises(StudyError, match="has not run with central differences"):
+        implicit_text(found[1:], tmp_path)
+    with pytest.raises(StudyError, match="is not a scheme"):
+        cases_of("q192_le1", "implicit_interfaces:far", ())
