@@ -11,6 +11,7 @@
     .venv/bin/python decks/study.py table4
     .venv/bin/python decks/study.py bimetal
     .venv/bin/python decks/study.py bimetal_ladder
+    .venv/bin/python decks/study.py runs
     .venv/bin/python decks/study.py implicit
     .venv/bin/python decks/study.py choices
     .venv/bin/python decks/study.py refine

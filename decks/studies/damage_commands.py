@@ -10,7 +10,7 @@ import typer
 from plydyn_post.results import Results, open_results
 
 from studies import choices as open_choices
-from studies import damage, damage_times, implicit
+from studies import damage, damage_times, implicit, runs
 from studies.commands import (
     DEFAULT,
     Again,
@@ -28,7 +28,7 @@ from studies.commands import (
 )
 from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
 from studies.damage_figures import draw_forces, draw_refinement
-from studies.jobs import Job, StudyError, find_tools
+from studies.jobs import Job, StudyError, find_tools, kept_effort
 from studies.markdown import insert
 
 Tests = Annotated[
@@ -83,26 +83,59 @@ def _compare(models: Sequence[Model], name: str, common: _Common, tests: list[Pa
         insert(into, name, text)
 
 
+@app.command("runs")
+def runs_command(
+    output: Folder = DEFAULT / "runs",
+    kept: Kept = False,
+    into: Into = None,
+    plydyn: Solver = None,
+    parallel: Parallel = 1,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """All runs that the page of the damage impact tells of, and what they are held against."""
+    wanted = (*runs.RUNS, runs.ELASTIC)
+    if not kept:
+        jobs = [run.job(overrides or ()) for run in wanted]
+        run_all(find_tools(plydyn), jobs, output, parallel, again)
+    found = runs.collect(wanted, output)
+    if not found:
+        raise StudyError(f"no run has come to its end in {output}")
+    shown = [(run, results) for run, results in found if run is not runs.ELASTIC]
+    held = [one for one in found if one[0] in (runs.ELASTIC, runs.LINEAR, runs.COARSE)]
+    sections = [("Runs", runs.runs_text(shown)), ("Bounds", runs.bounds_text(held))]
+    tell(output / "runs.md", sections)
+    list_files(draw_forces([(run.words, one) for run, one in shown], (), output, "runs"))
+    if into:
+        for heading, text in sections:
+            insert(into, heading.lower(), text)
+
+
 @app.command()
 def table7(
     output: Folder = DEFAULT / "table7",
     models: Annotated[str, typer.Option("--models", help="Recipes, separated by commas.")] = "",
     threads: Annotated[str, typer.Option("--threads", help="Numbers of threads.")] = "1,2",
+    kept: Kept = False,
     into: Into = None,
     plydyn: Solver = None,
     overrides: Overrides = None,
 ) -> None:
-    """Steps and times of the models of Table 7; wants a quiet machine."""
+    """Steps and times of the models of Table 7; wants a quiet machine. Rows that lie there stay."""
     tools = find_tools(plydyn)
     chosen = [model_of(name) for name in models.split(",")] if models else list(MODELS)
     numbers = [int(number) for number in threads.split(",")]
-    with progress() as bar:
-        line = bar.add_task("", total=len(chosen) * len(numbers))
+    if not kept:
+        with progress() as bar:
+            line = bar.add_task("", total=len(chosen) * len(numbers))
 
-        def tick(name: str, done: float) -> None:
-            bar.update(line, completed=done, description=name)
+            def tick(name: str, done: float) -> None:
+                bar.update(line, completed=done, description=name)
 
-        found = damage_times.measure(tools, output, chosen, numbers, overrides or (), tick)
+            damage_times.measure(tools, output, chosen, numbers, overrides or (), tick)
+    found = damage_times.collect(output, numbers)
+    if not found:
+        raise StudyError(f"no model has run to its end in {output}")
     text = damage_times.times_text(found, numbers, tools.version())
     tell(output / "table7.md", [("Table 7", text)])
     if into:
@@ -144,6 +177,7 @@ def choices(
     model: Recipe = "q192_le1",
     only: Annotated[str, typer.Option("--only", help="Names of choices, by commas.")] = "",
     without: Annotated[str, typer.Option("--without", help="Names of those not to make.")] = "",
+    kept: Kept = False,
     into: Into = None,
     plydyn: Solver = None,
     parallel: Parallel = 1,
@@ -153,13 +187,16 @@ def choices(
     """What each choice that the paper leaves open does to the force and to the areas."""
     wanted = open_choices.pick(only, model, overrides or (), without)
     jobs = [open_choices.job_of(choice, model, overrides or ()) for choice in wanted]
-    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    if not kept:
+        run_all(find_tools(plydyn), jobs, output, parallel, again)
     found = [
-        (choice, read_answer(open_results(output / job.name)))
+        (choice, open_results(output / job.name))
         for choice, job in zip(wanted, jobs, strict=True)
+        if kept_effort(job, output)
     ]
-    text = open_choices.choices_text(found)
-    tell(output / "choices.md", [("Open choices", text)])
+    text = open_choices.choices_text([(choice, read_answer(one)) for choice, one in found])
+    areas = areas_text([(choice.name, one) for choice, one in found])
+    tell(output / "choices.md", [("Open choices", text), ("Areas", areas)])
     if into:
         insert(into, "choices", text)
 
@@ -169,6 +206,7 @@ def refine(
     output: Folder = DEFAULT / "refine",
     model: Recipe = "q192_le1",
     sizes: Annotated[str, typer.Option("--n", help="Quads along the core.")] = "4,6,8,10,12",
+    kept: Kept = False,
     into: Into = None,
     plydyn: Solver = None,
     parallel: Parallel = 1,
@@ -180,7 +218,18 @@ def refine(
     if not numbers or numbers[0] < 2:
         raise StudyError("--n must name numbers of quads of 2 and more")
     jobs = [_refined(model, n, overrides or ()) for n in numbers]
-    run_all(find_tools(plydyn), jobs, output, parallel, again)
+    if not kept:
+        run_all(find_tools(plydyn), jobs, output, parallel, again)
+    jobs = [job for job in jobs if kept_effort(job, output)]
+    if not jobs:
+        raise StudyError(f"no mesh has run to its end in {output}")
+    text = _tell_refined(jobs, output)
+    if into:
+        insert(into, "refinement", text)
+
+
+def _tell_refined(jobs: Sequence[Job], output: Path) -> str:
+    """Tell and draw what finer meshes come to; gives the tables."""
     found: list[Results] = [open_results(output / job.name) for job in jobs]
     answers = [read_answer(results) for results in found]
     names = [damage.mesh_words(job.recipe, job.overrides) for job in jobs]
@@ -190,8 +239,7 @@ def refine(
     steps = [damage.core_size(job.recipe, job.overrides) for job in jobs]
     list_files([draw_refinement(list(zip(steps, answers, strict=True)), output / "refine.png")])
     list_files(draw_forces(list(zip(names, found, strict=True)), (), output, "refine_force"))
-    if into:
-        insert(into, "refinement", f"{text}\n{areas}")
+    return f"{text}\n{areas}"
 
 
 def _refined(model: str, n: int, overrides: Sequence[str]) -> Job:

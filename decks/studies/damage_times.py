@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 from plydyn_post.results import open_results
 
-from studies.damage import Model, read_answer
-from studies.jobs import Effort, Tools, run_job
+from studies.damage import MODELS, Model, read_answer
+from studies.jobs import Effort, Job, Tools, kept_effort, run_job
 from studies.markdown import table
 from studies.times import NS, UNDISTURBED, processor
 
 
 @dataclass(frozen=True)
 class Timing:
-    """A model and what it took on each number of threads."""
+    """A model and what it took on each number of threads, nothing where it has not run."""
 
     model: Model
-    efforts: tuple[Effort, ...]
+    efforts: tuple[Effort | None, ...]
     step: float  # s, usual length of a step
     peak: float  # N, 20 µs mean
 
@@ -33,21 +33,34 @@ def measure(
     threads: Sequence[int],
     overrides: Sequence[str],
     tick: Callable[[str, float], None],
-) -> list[Timing]:
-    """Run all models on each number of threads."""
+) -> None:
+    """Run models on each number of threads, one after the other."""
+    done = 0
+    for model in models:
+        for number in threads:
+            follow = partial(_follow, tick, f"{model.label}, {_cores(number)}", done)
+            run_job(tools, _job(model, number, overrides), folder, follow, threads=number)
+            done += 1
+
+
+def collect(folder: Path, threads: Sequence[int]) -> list[Timing]:
+    """What the models took whose results lie in a folder."""
     found = []
-    for place, model in enumerate(models):
-        efforts = []
-        for turn, number in enumerate(threads):
-            done = place * len(threads) + turn
-            name = f"{model.label}, {_cores(number)}"
-            follow = partial(_follow, tick, name, done)
-            job = model.job(overrides)
-            efforts.append(run_job(tools, job, folder, follow, threads=number))
-        results = open_results(folder / model.recipe)
+    for model in MODELS:
+        jobs = [_job(model, number) for number in threads]
+        efforts = tuple(kept_effort(job, folder) for job in jobs)
+        done = [job for job, effort in zip(jobs, efforts, strict=True) if effort]
+        if not done:
+            continue
+        results = open_results(folder / done[0].name)
         step = float(np.median(results.energy()["step"]))
-        found.append(Timing(model, tuple(efforts), step, read_answer(results).peak))
+        found.append(Timing(model, efforts, step, read_answer(results).peak))
     return found
+
+
+def _job(model: Model, threads: int, overrides: Sequence[str] = ()) -> Job:
+    """The job of a model on some threads."""
+    return replace(model.job(overrides), name=f"{model.recipe}_on_{threads}")
 
 
 def _follow(tick: Callable[[str, float], None], name: str, done: int, share: float) -> None:
@@ -85,26 +98,28 @@ def _is_disturbed(timing: Timing, threads: Sequence[int]) -> bool:
     return any(
         effort.processor < UNDISTURBED * effort.wall
         for effort, number in zip(timing.efforts, threads, strict=True)
-        if number == 1
+        if number == 1 and effort
     )
 
 
 def _row(timing: Timing) -> list[str]:
-    first = timing.efforts[0]
+    first = next(effort for effort in timing.efforts if effort)
     return [
         timing.model.label,
         f"{first.freedoms:,}",
         f"{first.steps:,}",
         f"{NS * timing.step:.2f}",
-        *(_clock(effort.wall) for effort in timing.efforts),
-        *(_clock(effort.processor) for effort in timing.efforts),
+        *(_clock(effort and effort.wall) for effort in timing.efforts),
+        *(_clock(effort and effort.processor) for effort in timing.efforts),
         f"{NS * first.processor / (first.steps * first.freedoms):.2f}",
         f"{timing.peak:.0f}",
         timing.model.paper,
     ]
 
 
-def _clock(seconds: float) -> str:
-    """Seconds as h:mm:ss."""
+def _clock(seconds: float | None) -> str:
+    """Seconds as h:mm:ss, a dash for nothing."""
+    if seconds is None:
+        return "–"
     whole = round(seconds)
     return f"{whole // 3600}:{whole % 3600 // 60:02d}:{whole % 60:02d}"

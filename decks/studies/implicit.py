@@ -13,7 +13,7 @@ from studies.markdown import table
 from studies.schemes import EXPLICIT, Case, Scheme, case_of, step_cells
 
 #: Schemes and their largest steps in ns; without a number as far as they are stable
-SCHEMES = "implicit_interfaces,implicit_interfaces:20,implicit_thickness:40"
+SCHEMES = "implicit_interfaces,implicit_thickness:50,implicit_thickness"
 HEADINGS = (
     "model", "scheme", "step [ns]", "steps", "processor time [s]", "peak force [N]", "change",
     "projected area [mm2]", "change", "all interfaces [mm2]", "change", "delamination [J]",

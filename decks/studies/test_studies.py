@@ -19,6 +19,7 @@ from studies.differences import force_difference, ply_means, section, velocity_d
 from studies.implicit import cases_of, implicit_text
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
+from studies.runs import ELASTIC, RUNS, off_symmetry
 from studies.stress import agreement
 
 
@@ -212,6 +213,8 @@ def test_times_stand_beside_those_of_the_paper():
     busy = (Effort(4000.0, 3700.0, 3600.0, 500_000, 57_672), efforts[1])
     text = times_text([Timing(MODELS[2], busy, 8.6e-9, 4000.0)], (1, 2), "plydyn")
     assert "Other work ran meanwhile" in text
+    half = times_text([Timing(MODELS[2], (efforts[0], None), 8.6e-9, 4000.0)], (1, 2), "plydyn")
+    assert "| 1:02:03 | – | 1:01:40 | – |" in half
 
 
 def test_implicit_interfaces_are_set_against_central_differences(tmp_path):
@@ -238,3 +241,24 @@ def test_implicit_interfaces_are_set_against_central_differences(tmp_path):
         implicit_text(found[1:], tmp_path)
     with pytest.raises(StudyError, match="is not a scheme"):
         cases_of("q192_le1", "implicit_interfaces:far", ())
+
+
+def test_runs_of_the_page_are_recipes():
+    for run in (*RUNS, ELASTIC):
+        job = run.job(["control.end_time=1e-3"])
+        assert load_recipe(job.recipe, job.overrides).control.end_time == 1e-3
+    assert len({run.name for run in RUNS}) == len(RUNS)
+
+
+def test_displacements_are_held_against_their_mirror_images():
+    # two layers of 2 x 2 cells with points of their own at the face between them
+    line = np.array([-1.0, 0.0, 1.0])
+    layers = [np.array([[x, y, z] for y in line for x in line for z in (k, k + 1)]) for k in (0, 1)]
+    points = np.concatenate(layers)
+    corner = np.array([0, 1, 2, 3, 6, 7, 8, 9])
+    cells = np.array([start + corner for start in (0, 2, 6, 8, 18, 20, 24, 26)])
+    moved = 0.1 * points * (1.0 + points[:, :1] ** 2)
+    moved[18:] *= 2.0
+    assert off_symmetry(points, cells, moved) == pytest.approx(0.0, abs=1e-15)
+    moved[0, 2] += 0.012
+    assert off_symmetry(points, cells, moved) == pytest.approx(0.012)

@@ -1,0 +1,137 @@
+"""The runs that the page of the damage impact tells of, and what they are held against."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+from plydyn_post.grid import read_point_field, read_times
+from plydyn_post.results import Results, open_results
+
+from studies.damage import MODELS, RECIPES, answers_text, areas_text, mean_force, read_answer
+from studies.jobs import Job, StudyError, kept_effort
+from studies.markdown import table
+
+#: As in a test: large displacement, and steps that do not take long
+LARGE = (
+    "control.kinematics=total_lagrangian",
+    "control.scheme=implicit_interfaces",
+    "control.largest_step=3.0e-8",
+    "control.end_time=3.0e-3",
+)
+#: The last part of a run over which its force is averaged, s
+LATE = 1e-3
+#: Places are told apart down to this, mm
+SAME = 1e-6
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run, and how the page calls it."""
+
+    name: str
+    words: str
+    recipe: str
+    overrides: tuple[str, ...] = ()
+
+    def job(self, overrides: Sequence[str] = ()) -> Job:
+        """Its job; values may be replaced further."""
+        path = RECIPES / f"{self.recipe}.toml"
+        return Job(self.name, path, (*self.overrides, *overrides))
+
+
+COARSE = Run("coarse", "128 Q9/LE1, `coarse`", "coarse")
+LINEAR = Run("q192_le1_linear", "192 Q9/LE1, the recipe as it stands", "q192_le1")
+ELASTIC = Run("tied_le1", "192 Q9/LE1, tied and elastic", "tied_le1")
+RUNS = (
+    COARSE,
+    *(Run(model.recipe, model.label, model.recipe, LARGE) for model in MODELS),
+    LINEAR,
+)
+
+
+def collect(runs: Sequence[Run], folder: Path) -> list[tuple[Run, Results]]:
+    """The runs that have come to their end in a folder."""
+    done = [run for run in runs if kept_effort(run.job(), folder) is not None]
+    return [(run, open_results(folder / run.name)) for run in done]
+
+
+def runs_text(found: Sequence[tuple[Run, Results]]) -> str:
+    """Answers of all runs, and the areas of their interfaces."""
+    named = [(run.words, results) for run, results in found]
+    answers = answers_text([(words, read_answer(results)) for words, results in named])
+    return f"{answers}\n{areas_text(named)}"
+
+
+def bounds_text(found: Sequence[tuple[Run, Results]]) -> str:
+    """What single runs come to that can be reckoned without them."""
+    rows = []
+    for run, results in found:
+        answer = read_answer(results)
+        peak = f"{answer.peak:.0f} N"
+        if run is ELASTIC:
+            ended = "–" if answer.duration is None else f"{1e3 * answer.duration:.2f} ms"
+            rows.append([run.words, "peak, contact, displacement",
+                         f"{peak}, {ended}, {answer.displacement:.2f} mm"])  # fmt: skip
+        elif run is LINEAR:
+            rows.append([run.words, "largest force; mean of the last ms; displacement",
+                         f"{peak}, {late_force(results):.0f} N, "
+                         f"{answer.displacement:.2f} mm"])  # fmt: skip
+        rows.append(
+            [run.words, "displacements off symmetry to x and y", f"{asymmetry(results):.2g} mm"]
+        )
+    return table(("run", "what", "here"), rows)
+
+
+def late_force(results: Results) -> float:
+    """Mean of the contact force over the last part of a run, N."""
+    time, force = mean_force(results)
+    late = time > time[-1] - LATE
+    return float(np.trapezoid(force[late], time[late]) / np.ptp(time[late]))
+
+
+def asymmetry(results: Results) -> float:
+    """How far the last displacements are from symmetry to the planes x = 0 and y = 0, mm."""
+    path = results.fields
+    with h5py.File(path) as file:
+        points = np.array(file["VTKHDF/Points"])
+        offsets = np.array(file["VTKHDF/Offsets"])
+        cells = np.array(file["VTKHDF/Connectivity"]).reshape(-1, offsets[1] - offsets[0])
+    moved = read_point_field(path, "displacement", len(read_times(path)) - 1)
+    return off_symmetry(points, cells, moved)
+
+
+def off_symmetry(points: np.ndarray, cells: np.ndarray, moved: np.ndarray) -> float:
+    """The largest difference of displacements from their mirror images, mm.
+
+    points and moved are (points, 3), cells (cells, nodes). Points at one place that belong to
+    different layers are told apart by the height of the middle of their cells.
+    """
+    middle = np.zeros(len(points))
+    middle[cells] = points[cells, 2].mean(axis=1)[:, None]
+    places = np.column_stack([points - _middle_of(points), middle])
+    order = _order(places)
+    worst = 0.0
+    for axis in (0, 1):
+        mirror = np.ones(4)
+        mirror[axis] = -1.0
+        partner = _order(places * mirror)
+        if np.abs(places[order] - (places * mirror)[partner]).max() > 2.0 * SAME:
+            raise StudyError("the mesh is not symmetric")
+        worst = max(worst, float(np.abs(moved[order] - moved[partner] * mirror[:3]).max()))
+    return worst
+
+
+def _order(places: np.ndarray) -> np.ndarray:
+    """The order of places by their coordinates."""
+    return np.lexsort(np.round(places / SAME).T)
+
+
+def _middle_of(points: np.ndarray) -> np.ndarray:
+    """The middle of the plate in its plane."""
+    middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+    middle[2] = 0.0
+    return middle
