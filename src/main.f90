@@ -1,7 +1,7 @@
 !> plydyn: read, build, run, stop. The only place that prints errors and ends the program.
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
-   use plydyn_base_error, only : error_type, exit_normal
+   use plydyn_base_error, only : error_type, exit_normal, exit_output
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
    use plydyn_command, only : command_type, read_command, usage
@@ -14,7 +14,7 @@ program plydyn
    use plydyn_output_places, only : new_places
    use plydyn_output_ranks_listing, only : write_ranks
    use plydyn_output_text_file, only : append_to, close_text, create_text
-   use plydyn_parallel_comm, only : comm_type, start_ranks, stop_ranks
+   use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_tell_archive, only : tell_archive
    use plydyn_solver_explicit, only : run, seconds_per_step
    use plydyn_solver_journal, only : journal_type
@@ -262,7 +262,11 @@ contains
       flush (output_unit)
       if (comm%is_root()) write (error_unit, "(a)") error%message
       flush (error_unit)
-      call stop_ranks(comm)
+      if (error%code == exit_output) then
+         call leave_ranks(comm)
+      else
+         call stop_ranks(comm)
+      end if
       if (error%code /= exit_normal) call leave(error%code)
    end subroutine stop_on
 

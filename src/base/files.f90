@@ -9,7 +9,7 @@ module plydyn_base_files
    implicit none
    private
 
-   public :: cut_file, remove_file, rename_file, secure_file
+   public :: cut_file, has_room, remove_file, rename_file, secure_file
 
    interface
       integer(c_int) function c_rename(from, to) bind(c, name="rename")
@@ -36,6 +36,13 @@ module plydyn_base_files
          implicit none
          integer(c_int), value :: descriptor
       end function c_fsync
+
+      integer(c_int) function c_fallocate(descriptor, first, length) bind(c, name="posix_fallocate")
+         import :: c_int, c_int64_t
+         implicit none
+         integer(c_int), value :: descriptor
+         integer(c_int64_t), value :: first, length
+      end function c_fallocate
 
       type(c_ptr) function c_fopen(path, mode) bind(c, name="fopen")
          import :: c_char, c_ptr
@@ -115,6 +122,28 @@ contains
       status(2) = c_fclose(stream)
       good = all(status == 0)
    end subroutine secure_file
+
+   !> Whether the disk has room for so many bytes behind the end of a file, which stays as it is
+   logical function has_room(path, length)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Bytes, at least one
+      integer(int64), intent(in) :: length
+
+      type(c_ptr) :: stream
+      integer(c_int) :: status(2)
+      integer(int64) :: before
+      logical :: good
+
+      has_room = .false.
+      inquire (file=path, size=before)
+      stream = c_fopen(path//c_null_char, "r+"//c_null_char)
+      if (before < 0 .or. .not. c_associated(stream)) return
+      status(1) = c_fallocate(c_fileno(stream), int(before, c_int64_t), int(length, c_int64_t))
+      status(2) = c_fclose(stream)
+      call cut_file(path, before, good)
+      has_room = good .and. all(status == 0)
+   end function has_room
 
    !> Cut a file behind some byte
    subroutine cut_file(path, length, good)

@@ -12,6 +12,7 @@ module plydyn_output_dump
    use plydyn_output_h5, only : h5_file_type, store_byte, store_double, store_integer
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -60,7 +61,7 @@ contains
       type(state_writer_type) :: writer
       logical :: good
 
-      call writer%file%create(path//in_the_making, error)
+      call writer%file%create(path//in_the_making, comm_type(), error)
       if (allocated(error)) return
       call write_run(writer%file, job, places, error)
       if (.not. allocated(error)) call write_decks(writer%file, job%archive, error)

@@ -12,6 +12,7 @@ module plydyn_output_fields
    use plydyn_output_components, only : field_components
    use plydyn_output_grid, only : grid_type, new_grid
    use plydyn_output_point_fields, only : point_fields_type
+   use plydyn_output_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -20,8 +21,10 @@ module plydyn_output_fields
    type, public, extends(point_fields_type) :: fields_type
       private
       type(grid_type) :: grid
-      !> Weight of each quad at each of its nodes, for every plate: (nodes, quads)
-      type(weight_type), allocatable :: weight(:)
+      !> Area of each quad at each of its nodes, (nodes, quads)
+      real(wp), allocatable :: area(:, :)
+      !> Node of each slot of the grid
+      integer, allocatable :: node(:)
       !> Shares of the Gauss points at the nodes of a quad
       type(plane_shares_type), allocatable :: at_node(:)
    contains
@@ -30,11 +33,6 @@ module plydyn_output_fields
       procedure :: motion_values
       procedure :: recovered_values
    end type fields_type
-
-   !> Shares of the quads in the values at their nodes
-   type :: weight_type
-      real(wp), allocatable :: share(:, :)
-   end type weight_type
 
 contains
 
@@ -46,15 +44,33 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
+      type(piece_type) :: piece
+
       if (size(domain%plates) == 0) return
       self%names = model%request%fields
       self%components = field_components(self%names)
-      self%grid = new_grid(domain)
-      call find_weights(self, domain)
+      call new_grid(model%mesh, domain, self%grid, piece)
+      call look_at_nodes(self, domain)
       self%at_node = node_shares(domain%plates(1)%side)
-      call self%file%create(path, self%grid%position, self%grid%connectivity, self%grid%offset, &
-         & self%grid%kind, error)
+      call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
+
+   !> Nodes of the slots, and areas of the quads at them
+   subroutine look_at_nodes(self, domain)
+      type(fields_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      integer :: i
+
+      allocate (self%area(size(self%grid%slots%slot, 1), size(self%grid%home, 2)))
+      allocate (self%node(self%grid%slots%count))
+      do i = 1, size(self%grid%home, 2)
+         associate (plate => domain%plates(self%grid%home(1, i)), e => self%grid%home(2, i))
+            self%node(self%grid%slots%slot(:, i)) = plate%node(:, e)
+            self%area(:, i) = quad_node_area(plate%side, domain%position(1:2, plate%node(:, e)))
+         end associate
+      end do
+   end subroutine look_at_nodes
 
    !> What does not change: ply, part, element, angle, fibre
    subroutine add_cell_fields(self, model, domain, error)
@@ -64,17 +80,18 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
-      real(wp) :: angle(size(self%grid%kind)), fibre(3, size(self%grid%kind))
-      integer, dimension(size(self%grid%kind)) :: element, part, ply, ply_id
+      real(wp) :: angle(size(self%grid%layer)), fibre(3, size(self%grid%layer))
+      integer, dimension(size(self%grid%layer)) :: element, part, ply, ply_id
       integer :: i
 
       do i = 1, size(angle)
-         associate (k => domain%layers%ply(self%grid%layer(i)), p => self%grid%plate(i))
+         associate (k => domain%layers%ply(self%grid%layer(i)), &
+            & p => model%mesh%quad_part(self%grid%quad(i)))
             ply(i) = k
             part(i) = model%parts(p)%id
             ply_id(i) = model%parts(p)%plies(k)%id
             angle(i) = model%parts(p)%plies(k)%angle
-            element(i) = model%mesh%quad_id(domain%plates(p)%quad(self%grid%quad(i)))
+            element(i) = model%mesh%quad_id(self%grid%quad(i))
          end associate
          fibre(:, i) = [cos(angle(i)*degree), sin(angle(i)*degree), 0.0_wp]
       end do
@@ -90,32 +107,6 @@ contains
       if (allocated(error)) return
       call self%file%add_cell_data("fibre", fibre, error)
    end subroutine add_cell_fields
-
-   !> Share of each quad at its nodes, by area
-   subroutine find_weights(self, domain)
-      type(fields_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-
-      real(wp) :: area(size(self%grid%node))
-      integer :: e, p
-
-      allocate (self%weight(size(domain%plates)))
-      area(:) = 0.0_wp
-      do p = 1, size(domain%plates)
-         associate (plate => domain%plates(p), weight => self%weight(p), &
-            & site => self%grid%plates(p)%site)
-            allocate (weight%share(size(site, 1), size(site, 2)))
-            do e = 1, size(site, 2)
-               weight%share(:, e) = quad_node_area(plate%side, &
-                  & domain%position(1:2, plate%node(:, e)))
-               area(site(:, e)) = area(site(:, e)) + weight%share(:, e)
-            end do
-            do e = 1, size(site, 2)
-               weight%share(:, e) = weight%share(:, e)/area(site(:, e))
-            end do
-         end associate
-      end do
-   end subroutine find_weights
 
    !> Shares of the Gauss points at the nodes of a quad, in tensor order
    pure function node_shares(side) result(shares)
@@ -134,85 +125,93 @@ contains
       end do
    end function node_shares
 
-   !> Displacement or velocity at the points of the grid, (3, points)
+   !> Displacement or velocity at the points of this rank, (3, points)
    function motion_values(self, domain, motion) result(values)
       class(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: motion(:)
       real(wp), allocatable :: values(:, :)
 
-      real(wp) :: height
+      real(wp) :: at_slot(3, self%grid%slots%levels, self%grid%slots%count), height
       real(wp), allocatable :: share(:), slope(:)
-      integer :: c, first, k, sites, t, tau
+      integer :: c, k, t, tau
 
-      sites = size(self%grid%node)
-      allocate (values(3, size(self%grid%position, 2)))
-      values(:, :) = 0.0_wp
+      at_slot(:, :, :) = 0.0_wp
       do k = 1, size(self%grid%levels)
          associate (expansion => domain%plates(1)%batches(domain%columns%home(1, k))%expansion)
             allocate (share(expansion%order + 1), slope(expansion%order + 1))
             do t = 1, self%grid%levels(k)
                height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(self%grid%levels(k) - 1, wp)
                call lagrange(expansion%node, height, share, slope)
-               first = self%grid%first(k) + (t - 1)*sites
-               do c = 1, 3
-                  do tau = 1, size(share)
-                     values(c, first + 1:first + sites) = values(c, first + 1:first + sites) &
-                        & + share(tau)*motion(domain%columns%freedom(k, tau, c, self%grid%node))
+               associate (values_at => at_slot(:, self%grid%below(k) + t, :))
+                  do c = 1, 3
+                     do tau = 1, size(share)
+                        values_at(c, :) = values_at(c, :) + share(tau) &
+                           & *motion(domain%columns%freedom(k, tau, c, self%node))
+                     end do
                   end do
-               end do
+               end associate
             end do
             deallocate (share, slope)
          end associate
       end do
+      allocate (values(3, self%grid%slots%own_points()))
+      call self%grid%slots%hand_over(at_slot, values)
    end function motion_values
 
-   !> Strain and stress at the points of the grid: the mean of the quads of a part that meet there,
-   !> (recovered, points)
+   !> Strain and stress at the points of this rank: the mean of the quads of a part that meet there,
+   !> by area, (recovered, points)
    function recovered_values(self, domain, state) result(values)
       class(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
-      integer :: e, k, p
+      real(wp), allocatable :: sums(:, :, :)
+      integer :: i, k
 
-      allocate (values(recovered, size(self%grid%position, 2)))
-      values(:, :) = 0.0_wp
-      do p = 1, size(domain%plates)
-         do k = 1, size(self%grid%levels)
-            do e = 1, size(domain%plates(p)%quad)
-               call add_quad(self, domain, p, k, e, state, values)
-            end do
+      allocate (values(recovered, self%grid%slots%own_points()))
+      do k = 1, size(self%grid%levels)
+         allocate (sums(recovered + 1, self%grid%levels(k), self%grid%slots%count))
+         sums(:, :, :) = 0.0_wp
+         do i = 1, size(self%grid%home, 2)
+            call add_quad(self, domain, i, k, state, sums)
          end do
+         associate (first => self%grid%slots%delivery%count*self%grid%below(k), &
+            & length => self%grid%slots%delivery%count*self%grid%levels(k))
+            call self%grid%slots%mean(sums, values(:, first + 1:first + length))
+         end associate
+         deallocate (sums)
       end do
    end function recovered_values
 
-   !> Add the values of one layer of one quad to its points
-   subroutine add_quad(self, domain, p, k, e, state, values)
+   !> Add the values of one layer of one quad to its slots, by area, and the areas
+   subroutine add_quad(self, domain, i, k, state, sums)
       type(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: p, k, e
+      !> The quad of this rank, the layer
+      integer, intent(in) :: i, k
       type(state_type), intent(in) :: state
-      real(wp), intent(inout) :: values(:, :)
+      real(wp), intent(inout) :: sums(:, :, :)
 
       real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :)
-      real(wp) :: height
-      integer :: i, n, t
+      real(wp) :: height, here(recovered)
+      integer :: n, t
 
-      associate (plate => domain%plates(p), home => domain%columns%home(:, k), &
-         & levels => self%grid%levels(k))
+      associate (plate => domain%plates(self%grid%home(1, i)), e => self%grid%home(2, i), &
+         & home => domain%columns%home(:, k))
          at_gauss = layer_values(plate, home(1), home(2), home(3), e, &
             & domain%control%kinematics == total_lagrangian, state%displacement, state%history)
-         do t = 1, levels
-            height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp)
+         do t = 1, size(sums, 2)
+            height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(size(sums, 2) - 1, wp)
             at_level = level_values(at_gauss, &
                & thickness_interpolation(plate%batches(home(1)), height))
             do n = 1, size(plate%node, 1)
-               i = self%grid%first(k) + (t - 1)*size(self%grid%node) &
-                  & + self%grid%plates(p)%site(n, e)
-               values(:, i) = values(:, i) + self%weight(p)%share(n, e) &
-                  & *within_cell(plane_value(plate, e, k, self%at_node(n), at_level), at_gauss)
+               here(:) = within_cell(plane_value(plate, e, k, self%at_node(n), at_level), at_gauss)
+               associate (total => sums(:, t, self%grid%slots%slot(n, i)), area => self%area(n, i))
+                  total(:recovered) = total(:recovered) + area*here
+                  total(recovered + 1) = total(recovered + 1) + area
+               end associate
             end do
          end do
       end associate

@@ -1,12 +1,22 @@
 !> The plate as cells for pictures: every layer of every part with points of its own, so that values
 !> jump between layers and between parts, and are continuous within them.
+!>
+!> Points lie level by level, in each the sites of the plane. Cells lie layer by layer from the
+!> bottom up, in each the quads of the deck. A rank writes a band of sites and a band of cells,
+!> whichever quads it has.
 module plydyn_output_grid
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_output_sites, only : new_slots, number_sites, slots_type
+   use plydyn_output_vtkhdf, only : piece_type, slab_type
+   use plydyn_parallel_delivery, only : band_start
    implicit none
    private
 
-   public :: new_grid
+   public :: band_of_rows, new_grid, plate_quads
 
    !> VTK's cells: 8 nodes, and 27 nodes
    integer, parameter :: linear_cell = 12, quadratic_cell = 29
@@ -17,95 +27,101 @@ module plydyn_output_grid
    integer, parameter :: level_place(27) = [1, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1, 1, 3, 3, 3, 3, &
       & 2, 2, 2, 2, 2, 2, 2, 2, 1, 3, 2]
 
-   !> Places of a plate in the plane of its nodes
-   type :: sites_type
-      !> Site of each node of each quad in tensor order, (nodes, quads)
-      integer, allocatable :: site(:, :)
-   end type sites_type
-
-   !> Points and cells; the points of a layer lie level by level, in each the sites of the plane:
-   !> the nodes of one part after the other
+   !> What a rank has of points and cells
    type, public :: grid_type
-      !> Node of each site
-      integer, allocatable :: node(:)
-      !> Sites of each plate
-      type(sites_type), allocatable :: plates(:)
-      !> Levels of points in each layer, and the points before it
-      integer, allocatable :: levels(:), first(:)
-      !> Position of each point, (3, points)
-      real(wp), allocatable :: position(:, :)
-      !> Points of the cells from 0, one cell after the other; where each begins and the last ends
-      integer, allocatable :: connectivity(:), offset(:)
-      !> VTK's type of each cell
-      integer, allocatable :: kind(:)
-      !> Layer, plate and quad of the plate of each cell
-      integer, allocatable :: layer(:), plate(:), quad(:)
+      !> Levels of points in each layer, and those below it
+      integer, allocatable :: levels(:), below(:)
+      !> Sites of its quads, nodes in tensor order
+      type(slots_type) :: slots
+      !> Plate and quad of the plate of each of its quads, (2, quads), as the slots have them
+      integer, allocatable :: home(:, :)
+      !> Layer, and quad of the mesh, of each cell that it writes
+      integer, allocatable :: layer(:), quad(:)
    end type grid_type
 
 contains
 
    !> Divide every layer over every quad into cells: one, or two if its order is above 2
-   function new_grid(domain) result(self)
-      !> The domain
+   subroutine new_grid(mesh, domain, self, piece)
+      !> The mesh of the whole model
+      type(mesh_type), intent(in) :: mesh
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      type(grid_type) :: self
+      !> What this rank has
+      type(grid_type), intent(out) :: self
+      !> What it writes
+      type(piece_type), intent(out) :: piece
 
+      integer, allocatable :: node(:), site(:, :)
       integer :: k
 
-      call find_sites(domain, self)
-      associate (order => domain%layers%order, sites => size(self%node))
-         if (domain%plates(1)%side == 3) then
+      associate (order => domain%layers%order)
+         if (size(mesh%quad_node, 1) == 9) then
             self%levels = merge(3, 5, order <= 2)
          else
             self%levels = order + 1
          end if
-         self%first = [(sites*sum(self%levels(:k - 1)), k=1, size(order))]
-         allocate (self%position(3, sites*sum(self%levels)))
+         self%below = [(sum(self%levels(:k - 1)), k=1, size(order))]
       end associate
-      call place_points(domain, self)
-      call make_cells(domain, self)
-   end function new_grid
+      call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
+      self%home = plate_quads(domain)
+      self%slots = new_slots(domain%comm, site, [(domain%plates(self%home(1, k))%quad( &
+         & self%home(2, k)), k=1, size(self%home, 2))], sum(self%levels))
+      self%slots%slot(:, :) = self%slots%slot(tensor_order(domain%plates(1)%side), :)
+      piece%points = self%slots%points()
+      call place_points(domain, mesh%position(:, node(piece%points%first + 1:piece%points%first &
+         & + piece%points%count)), self, piece)
+      call make_cells(domain, site, self, piece)
+   end subroutine new_grid
 
-   !> Number the nodes of each part, in their order
-   subroutine find_sites(domain, self)
+   !> Plate and quad of all quads of a domain, in the order of the mesh, (2, quads)
+   pure function plate_quads(domain) result(home)
+      !> The domain
       type(domain_type), intent(in) :: domain
-      type(grid_type), intent(inout) :: self
+      integer, allocatable :: home(:, :)
 
-      integer :: e, number(domain%columns%nodes), p
-      integer, allocatable :: own(:)
+      integer :: e, p
+      integer, allocatable :: quad(:)
 
-      allocate (self%node(0), self%plates(size(domain%plates)))
-      do p = 1, size(domain%plates)
-         associate (node => domain%plates(p)%node, plate => self%plates(p))
-            number(:) = 0
-            do e = 1, size(node, 2)
-               number(node(:, e)) = 1
-            end do
-            own = pack([(e, e=1, size(number))], number > 0)
-            number(own) = size(self%node) + [(e, e=1, size(own))]
-            self%node = [self%node, own]
-            allocate (plate%site(size(node, 1), size(node, 2)))
-            do e = 1, size(node, 2)
-               plate%site(:, e) = number(node(:, e))
-            end do
-         end associate
-      end do
-   end subroutine find_sites
+      home = reshape([(([p, e], e=1, size(domain%plates(p)%quad)), p=1, size(domain%plates))], &
+         & [2, sum([(size(domain%plates(p)%quad), p=1, size(domain%plates))])])
+      quad = [(domain%plates(p)%quad, p=1, size(domain%plates))]
+      home(:, :) = home(:, sorted_order(quad))
+   end function plate_quads
 
-   !> Positions of the points
-   subroutine place_points(domain, self)
+   !> Rows of a list that a rank writes
+   pure type(slab_type) function band_of_rows(domain, rows) result(band)
+      !> The domain, which knows the rank
       type(domain_type), intent(in) :: domain
-      type(grid_type), intent(inout) :: self
+      !> Rows of the list
+      integer, intent(in) :: rows
+
+      associate (comm => domain%comm)
+         band%whole = rows
+         band%first = band_start(rows, comm%rank, comm%ranks)
+         band%count = band_start(rows, comm%rank + 1, comm%ranks) - band%first
+      end associate
+   end function band_of_rows
+
+   !> Positions of the points that this rank writes
+   pure subroutine place_points(domain, position, self, piece)
+      type(domain_type), intent(in) :: domain
+      !> Positions of the nodes of its sites, (3, sites)
+      real(wp), intent(in) :: position(:, :)
+      type(grid_type), intent(in) :: self
+      type(piece_type), intent(inout) :: piece
+
       integer :: i, k, t
       real(wp) :: part
 
+      allocate (piece%position(3, self%slots%own_points()))
       i = 0
-      associate (layers => domain%layers, sites => size(self%node))
+      associate (layers => domain%layers, sites => size(position, 2))
          do k = 1, size(self%levels)
             do t = 1, self%levels(k)
                part = real(t - 1, wp)/real(self%levels(k) - 1, wp)
-               self%position(:, i + 1:i + sites) = domain%position(:, self%node)
-               self%position(3, i + 1:i + sites) = domain%position(3, self%node) &
+               piece%position(:, i + 1:i + sites) = position
+               piece%position(3, i + 1:i + sites) = position(3, :) &
                   & + (1.0_wp - part)*layers%bottom(k) + part*layers%top(k)
                i = i + sites
             end do
@@ -113,53 +129,53 @@ contains
       end associate
    end subroutine place_points
 
-   !> Cells of all layers over all quads
-   subroutine make_cells(domain, self)
+   !> The cells that this rank writes
+   pure subroutine make_cells(domain, site, self, piece)
       type(domain_type), intent(in) :: domain
+      !> Sites of all quads
+      integer, intent(in) :: site(:, :)
       type(grid_type), intent(inout) :: self
+      type(piece_type), intent(inout) :: piece
 
-      integer :: cell, corners, e, k, p, piece, pieces, span, total
+      integer :: corners, i, k, span
+      integer, allocatable :: layer(:), level(:)
 
-      span = merge(2, 1, domain%plates(1)%side == 3)
+      span = merge(2, 1, size(site, 1) == 9)
       corners = merge(27, 8, span == 2)
-      total = sum((self%levels - 1)/span)*sum([(size(domain%plates(p)%quad), &
-         & p=1, size(domain%plates))])
-      allocate (self%connectivity(corners*total), self%kind(total), self%layer(total), &
-         & self%plate(total), self%quad(total))
-      self%kind(:) = merge(quadratic_cell, linear_cell, span == 2)
-      self%offset = [(corners*k, k=0, total)]
-      cell = 0
-      do p = 1, size(domain%plates)
-         do k = 1, size(self%levels)
-            pieces = (self%levels(k) - 1)/span
-            do e = 1, size(domain%plates(p)%quad)
-               do piece = 1, pieces
-                  self%connectivity(cell*corners + 1:(cell + 1)*corners) = self%first(k) &
-                     & + cell_points(self%plates(p)%site(:, e), size(self%node), span*(piece - 1))
-                  cell = cell + 1
-                  self%layer(cell) = k
-                  self%plate(cell) = p
-                  self%quad(cell) = e
-               end do
-            end do
+      ! layer of each sheet of cells, and the levels of all layers below it
+      layer = [(spread(k, 1, (self%levels(k) - 1)/span), k=1, size(self%levels))]
+      level = [([(self%below(k) + i, i=0, self%levels(k) - 2, span)], k=1, size(self%levels))]
+      piece%cells = band_of_rows(domain, size(layer)*size(site, 2))
+      associate (cells => piece%cells)
+         piece%before = corners*cells%first
+         piece%all_ends = corners*cells%whole
+         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
+            & - merge(0, 1, cells%first + cells%count == cells%whole))]
+         piece%kind = spread(merge(quadratic_cell, linear_cell, span == 2), 1, cells%count)
+         allocate (piece%connectivity(corners*cells%count), self%layer(cells%count), &
+            & self%quad(cells%count))
+         do i = 1, cells%count
+            k = (cells%first + i - 1)/size(site, 2) + 1
+            self%layer(i) = layer(k)
+            self%quad(i) = cells%first + i - size(site, 2)*(k - 1)
+            piece%connectivity(corners*(i - 1) + 1:corners*i) = &
+               & cell_points(site(:, self%quad(i)), self%slots%sites, level(k))
          end do
-      end do
+      end associate
    end subroutine make_cells
 
-   !> Points of one cell in VTK's order, within the layer
+   !> Points of one cell in VTK's order
    pure function cell_points(site, sites, level) result(point)
-      !> Sites of the quad in tensor order
+      !> Sites of the quad in the deck's order
       integer, intent(in) :: site(:)
       !> Sites of the plane, levels below the cell
       integer, intent(in) :: sites, level
       integer, allocatable :: point(:)
 
-      integer, parameter :: of_q4(4) = [1, 2, 4, 3], of_q9(9) = [1, 3, 9, 7, 2, 6, 8, 4, 5]
-
       if (size(site) == 4) then
-         point = [site(of_q4) + sites*level, site(of_q4) + sites*(level + 1)] - 1
+         point = [site + sites*level, site + sites*(level + 1)] - 1
       else
-         point = site(of_q9(quad_place)) + sites*(level + level_place - 1) - 1
+         point = site(quad_place) + sites*(level + level_place - 1) - 1
       end if
    end function cell_points
 

@@ -1,203 +1,47 @@
-!> A file of HDF5 being written: groups, attributes, whole datasets and datasets that grow.
+!> Files of HDF5 being written, with errors as values: datasets, and datasets that grow.
 !>
-!> Files have the earliest format of the library, so that a file whose run was killed opens again
-!> with all that was flushed, and no lock, so that a running job can be looked at. Objects inside
-!> a file are named by their path, such as `VTKHDF/Steps/Values`. Arrays keep the order of their
-!> memory: `values(components, rows)` here is a table of rows by components for C and Python.
+!> Arrays keep the order of their memory: `values(components, rows)` here is a table of rows by
+!> components for C and Python. Where several ranks write a file, each of them gives the rows that
+!> it has, and says by a slab where they go; without a slab all ranks give the same, and the root
+!> writes it.
 module plydyn_output_h5
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_error, only : error_type, exit_output, fail
-   use plydyn_base_files, only : rename_file
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw, only : append_rows, close_file, create_file, create_group, &
-      & create_series, flush_file, hid_t, is_integer, is_long, is_real, numbers_type, &
-      & store_byte, store_double, store_integer, store_long, store_single, write_attribute, &
-      & write_dataset, write_text_attribute
-   use plydyn_output_text_file, only : try_text
+   use plydyn_output_h5_file, only : h5_base_type
+   use plydyn_output_h5_raw_file, only : half_index
+   use plydyn_output_h5_raw, only : append_rows, create_series, is_integer, is_long, is_real, &
+      & numbers_type, slab_type, store_byte, store_double, store_integer, store_long, &
+      & store_single, write_dataset
    implicit none
    private
 
-   public :: store_byte, store_double, store_integer, store_long, store_single
+   public :: slab_type, store_byte, store_double, store_integer, store_long, store_single
 
-   !> A handle that the library refuses
-   integer(hid_t), parameter :: no_file = -1_hid_t
+   !> Bytes of a node in the index of a dataset that grows, and of the first rows of a list
+   integer(int64), parameter :: node_bytes = 24*2**10
 
    !> A file being written
-   type, public :: h5_file_type
-      private
-      !> Path of the file
-      character(:), allocatable :: path
-      !> Handle of the file
-      integer(hid_t) :: id = no_file
-      !> True between `create` and `close` or the first failure
-      logical :: opened = .false.
+   type, public, extends(h5_base_type) :: h5_file_type
+      !> Datasets that grow
+      integer, private :: series = 0
    contains
-      procedure :: create
-      procedure :: is_open
-      procedure :: rename
-      procedure :: make_group
-      procedure :: write_text
-      !> Give an object of the file an attribute of numbers, or give it anew with the same shape
-      generic :: write_number => write_integer, write_integers, write_real
       !> Write a dataset whole
       generic :: write_values => write_integer_list, write_integer_table, write_real_list, &
          & write_real_table
       procedure :: make_series
+      procedure :: reserve_rows
       !> Add rows to a dataset made by `make_series`
       generic :: append => append_longs, append_reals, append_real_rows
-      procedure :: flush => flush_all
-      procedure :: close => close_whole
-      procedure, private :: write_integer, write_integers, write_real, write_integer_list, &
-         & write_integer_table, write_real_list, write_real_table, append_longs, append_reals, &
-         & append_real_rows, confirm
+      procedure, private :: write_integer_list, write_integer_table, write_real_list, &
+         & write_real_table, append_longs, append_reals, append_real_rows, write_all, slab_of
    end type h5_file_type
 
 contains
 
-   !> Create the file, in place of one that was there
-   subroutine create(this, path, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the file; its folder must exist
-      character(*), intent(in) :: path
-      !> Why the file could not be created
-      type(error_type), allocatable, intent(out) :: error
-
-      this%path = trim(path)
-      call try_text(this%path, error)
-      if (allocated(error)) return
-      call create_file(this%path, this%id, this%opened)
-      call this%confirm(this%opened, "the file", error)
-   end subroutine create
-
-   !> True between `create` and `close` or the first failure
-   pure logical function is_open(this)
-      class(h5_file_type), intent(in) :: this
-
-      is_open = this%opened
-   end function is_open
-
-   !> Give the file another name, in place of a file that has it
-   subroutine rename(this, path, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Its new path, on the same disk
-      character(*), intent(in) :: path
-      !> Why it keeps its name
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call rename_file(this%path, path, good)
-      if (good) then
-         this%path = path
-      else
-         call fail(error, exit_output, "cannot rename "//this%path//" to "//path)
-      end if
-   end subroutine rename
-
-   !> Make a group
-   subroutine make_group(this, name, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the group in the file; the groups above it must exist
-      character(*), intent(in) :: name
-      !> Why it could not be made
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call create_group(this%id, name, good)
-      call this%confirm(good, name, error)
-   end subroutine make_group
-
-   !> Attribute of text, of exactly its length; trailing blanks are left out
-   subroutine write_text(this, place, name, value, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value
-      character(*), intent(in) :: value
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      ! the library has no text without length: a single null reads as none
-      if (len_trim(value) > 0) then
-         call write_text_attribute(this%id, place, name, trim(value), good)
-      else
-         call write_text_attribute(this%id, place, name, achar(0), good)
-      end if
-      call this%confirm(good, place//"/"//name, error)
-   end subroutine write_text
-
-   !> Attribute of one integer
-   subroutine write_integer(this, place, name, value, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value
-      integer, intent(in), target :: value
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call write_attribute(this%id, place, name, &
-         & numbers_type(c_loc(value), [integer ::], is_integer, store_long), good)
-      call this%confirm(good, place//"/"//name, error)
-   end subroutine write_integer
-
-   !> Attribute of several integers
-   subroutine write_integers(this, place, name, value, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value
-      integer, intent(in), target, contiguous :: value(:)
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call write_attribute(this%id, place, name, &
-         & numbers_type(c_loc(value), shape(value), is_integer, store_long), good)
-      call this%confirm(good, place//"/"//name, error)
-   end subroutine write_integers
-
-   !> Attribute of one real
-   subroutine write_real(this, place, name, value, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value
-      real(wp), intent(in), target :: value
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call write_attribute(this%id, place, name, &
-         & numbers_type(c_loc(value), [integer ::], is_real, store_double), good)
-      call this%confirm(good, place//"/"//name, error)
-   end subroutine write_real
-
    !> Dataset of a list of integers
-   subroutine write_integer_list(this, name, values, storage, error)
+   subroutine write_integer_list(this, name, values, storage, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -208,16 +52,15 @@ contains
       integer, intent(in) :: storage
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call write_dataset(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_integer, storage), good)
-      call this%confirm(good, name, error)
+      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
+         & this%slab_of(size(values, 1), slab), error)
    end subroutine write_integer_list
 
    !> Dataset of a table of integers
-   subroutine write_integer_table(this, name, values, storage, error)
+   subroutine write_integer_table(this, name, values, storage, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -228,16 +71,15 @@ contains
       integer, intent(in) :: storage
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call write_dataset(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_integer, storage), good)
-      call this%confirm(good, name, error)
+      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
+         & this%slab_of(size(values, 2), slab), error)
    end subroutine write_integer_table
 
    !> Dataset of a list of reals
-   subroutine write_real_list(this, name, values, storage, error)
+   subroutine write_real_list(this, name, values, storage, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -248,16 +90,15 @@ contains
       integer, intent(in) :: storage
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call write_dataset(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_real, storage), good)
-      call this%confirm(good, name, error)
+      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
+         & this%slab_of(size(values, 1), slab), error)
    end subroutine write_real_list
 
    !> Dataset of a table of reals
-   subroutine write_real_table(this, name, values, storage, error)
+   subroutine write_real_table(this, name, values, storage, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -268,13 +109,48 @@ contains
       integer, intent(in) :: storage
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
+      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
+         & this%slab_of(size(values, 2), slab), error)
+   end subroutine write_real_table
+
+   !> Make sure of room, and write a dataset
+   subroutine write_all(this, name, numbers, slab, error)
+      class(h5_file_type), intent(inout) :: this
+      character(*), intent(in) :: name
+      !> What this rank writes, and where it goes
+      type(numbers_type), intent(in) :: numbers
+      type(slab_type), intent(in) :: slab
+      type(error_type), allocatable, intent(out) :: error
+
+      !> Most bytes of a number
+      integer(int64), parameter :: most_bytes = 8
+      integer :: width
       logical :: good
 
-      call write_dataset(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_real, storage), good)
+      width = product(numbers%extent(:size(numbers%extent) - 1))
+      call this%reserve(most_bytes*width*slab%whole*slab%levels, error)
+      if (allocated(error)) return
+      call write_dataset(this%handle, name, numbers, slab, good)
       call this%confirm(good, name, error)
-   end subroutine write_real_table
+   end subroutine write_all
+
+   !> The slab that is asked for, or the one by which the root writes all
+   pure type(slab_type) function slab_of(this, rows, slab)
+      class(h5_file_type), intent(in) :: this
+      !> Rows there are
+      integer, intent(in) :: rows
+      type(slab_type), intent(in), optional :: slab
+
+      slab_of = slab_type(whole=rows, count=rows)
+      if (present(slab)) then
+         slab_of = slab
+      else if (.not. this%is_root()) then
+         slab_of%count = 0
+      end if
+   end function slab_of
 
    !> Make a dataset of no rows to which rows can be added
    subroutine make_series(this, name, width, rows_per_chunk, storage, error)
@@ -293,12 +169,32 @@ contains
 
       logical :: good
 
-      call create_series(this%id, name, width, max(1, rows_per_chunk), storage, good)
+      this%series = this%series + 1
+      call create_series(this%handle, name, width, max(1, rows_per_chunk), storage, good)
       call this%confirm(good, name, error)
    end subroutine make_series
 
+   !> Make sure of room for an entry in all datasets that grow, the same number of rows each time
+   subroutine reserve_rows(this, bytes, entry, error)
+      !> The file
+      class(h5_file_type), intent(inout) :: this
+      !> Bytes of the rows of all ranks
+      integer(int64), intent(in) :: bytes
+      !> Entries before it
+      integer, intent(in) :: entry
+      !> The disk is full
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: index_bytes
+
+      ! each index gets its first node, and two more when that is full and split
+      index_bytes = 0
+      if (mod(entry, half_index) == 0) index_bytes = merge(1, 2, entry == 0)*this%series*node_bytes
+      call this%reserve(bytes + index_bytes, error)
+   end subroutine reserve_rows
+
    !> Add long integers: a list of whole rows
-   subroutine append_longs(this, name, values, error)
+   subroutine append_longs(this, name, values, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -307,16 +203,18 @@ contains
       integer(int64), intent(in), target, contiguous :: values(:)
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
       logical :: good
 
-      call append_rows(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_long, store_long), good)
+      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_long, &
+         & store_long), this%slab_of(size(values, 1), slab), good)
       call this%confirm(good, name, error)
    end subroutine append_longs
 
    !> Add reals: a list of whole rows
-   subroutine append_reals(this, name, values, error)
+   subroutine append_reals(this, name, values, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -325,16 +223,18 @@ contains
       real(wp), intent(in), target, contiguous :: values(:)
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
       logical :: good
 
-      call append_rows(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_real, store_double), good)
+      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_real, &
+         & store_double), this%slab_of(size(values, 1), slab), good)
       call this%confirm(good, name, error)
    end subroutine append_reals
 
    !> Add rows of reals
-   subroutine append_real_rows(this, name, values, error)
+   subroutine append_real_rows(this, name, values, error, slab)
       !> The file
       class(h5_file_type), intent(inout) :: this
       !> Path of the dataset in the file
@@ -343,58 +243,14 @@ contains
       real(wp), intent(in), target, contiguous :: values(:, :)
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
+      !> Where the rows of this rank go
+      type(slab_type), intent(in), optional :: slab
 
       logical :: good
 
-      call append_rows(this%id, name, &
-         & numbers_type(c_loc(values), shape(values), is_real, store_double), good)
+      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_real, &
+         & store_double), this%slab_of(size(values, 2), slab), good)
       call this%confirm(good, name, error)
    end subroutine append_real_rows
-
-   !> Hand all that was written to the operating system: it outlives a kill of this process
-   subroutine flush_all(this, error)
-      class(h5_file_type), intent(inout) :: this
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      call flush_file(this%id, good)
-      call this%confirm(good, "what is not yet on the disk", error)
-   end subroutine flush_all
-
-   !> Write what is left and close the file; nothing happens when it is not open
-   subroutine close_whole(this, error)
-      class(h5_file_type), intent(inout) :: this
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      logical :: good
-
-      if (.not. this%opened) return
-      this%opened = .false.
-      call close_file(this%id, good)
-      call this%confirm(good, "what is not yet on the disk", error)
-   end subroutine close_whole
-
-   !> Turn what went wrong into an error
-   !>
-   !> From then on the file is left alone, as closing it would spoil what was flushed before.
-   subroutine confirm(this, good, quantity, error)
-      !> The file
-      class(h5_file_type), intent(inout) :: this
-      !> True when all went well
-      logical, intent(in) :: good
-      !> What was to be written
-      character(*), intent(in) :: quantity
-      !> The error, when there is one
-      type(error_type), allocatable, intent(out) :: error
-
-      if (good) return
-      this%opened = .false.
-      this%id = no_file
-      call fail(error, exit_output, "cannot write "//quantity//" to "//this%path &
-         & //": its disk must have room and be writable")
-   end subroutine confirm
 
 end module plydyn_output_h5

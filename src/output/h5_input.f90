@@ -1,4 +1,4 @@
-!> A file of HDF5 being read: datasets whole or by rows, and attributes of the kinds that
+!> A file of HDF5 being read: datasets whole or by slabs, and attributes of the kinds that
 !> `plydyn_output_h5` writes.
 module plydyn_output_h5_input
    use, intrinsic :: iso_c_binding, only : c_char, c_loc, c_ptr
@@ -6,12 +6,13 @@ module plydyn_output_h5_input
       & h5dget_space_f, h5dont_atexit_f, h5dopen_f, h5dread_f, h5eset_auto_f, h5f_acc_rdonly_f, &
       & h5f_close_strong_f, h5fclose_f, h5fopen_f, h5lexists_f, h5oclose_f, h5oopen_f, h5open_f, &
       & h5p_file_access_f, h5pclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
-      & h5pset_file_locking_f, h5s_select_set_f, h5sclose_f, h5screate_simple_f, &
+      & h5pset_file_locking_f, h5sclose_f, &
       & h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
-      & h5sselect_hyperslab_f, h5tclose_f, h5tget_size_f, hid_t, &
+      & h5tclose_f, h5tget_size_f, hid_t, &
       & hsize_t, size_t
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw, only : is_integer, is_real, type_in_memory
+   use plydyn_output_h5_raw, only : is_integer, is_real, select_slab, slab_type, &
+      & type_in_memory
    implicit none
    private
 
@@ -26,7 +27,7 @@ module plydyn_output_h5_input
       procedure :: extent
       procedure :: read_integers
       procedure :: read_reals
-      procedure :: read_rows
+      procedure :: read_slab
       procedure :: read_number
       procedure :: read_text
       procedure :: close => close_input
@@ -142,22 +143,24 @@ contains
       good = all(status >= 0)
    end subroutine read_all
 
-   !> Read some rows of a table, or some numbers of a list
-   subroutine read_rows(self, name, first, values, good)
+   !> Read a slab of the rows of a table, or of the numbers of a list
+   subroutine read_slab(self, name, before, slab, values, good)
       class(h5_input_type), intent(in) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> Rows before the first one to read
-      integer(hsize_t), intent(in) :: first
-      !> What is in them, (width, rows); of width 1 for a list
+      !> Rows before all levels of the slab
+      integer(hsize_t), intent(in) :: before
+      !> The slab
+      type(slab_type), intent(in) :: slab
+      !> What is in it, (width, rows); of width 1 for a list
       real(wp), intent(inout), target, contiguous :: values(:, :)
-      !> False when there are not as many
+      !> False when there are not as many rows
       logical, intent(out) :: good
 
-      integer(hsize_t) :: most(2), start(2), rows(2)
+      integer(hsize_t) :: most(2), rows(2)
       integer(hid_t) :: dataset, memory, space
       type(c_ptr) :: address
-      integer :: rank, status(9)
+      integer :: rank, status(8)
 
       good = .false.
       call h5dopen_f(self%id, name, dataset, status(1))
@@ -166,20 +169,17 @@ contains
       call h5sget_simple_extent_ndims_f(space, rank, status(3))
       if (rank < 1 .or. rank > 2) return
       call h5sget_simple_extent_dims_f(space, rows, most, status(4))
-      good = rows(rank) >= first + size(values, 2)
-      start(:) = 0
-      start(rank) = first
-      rows(1) = size(values, 1)
-      rows(rank) = size(values, 2)
-      call h5screate_simple_f(rank, rows, memory, status(5))
-      call h5sselect_hyperslab_f(space, h5s_select_set_f, start, rows, status(6))
+      good = rows(rank) >= before + slab%whole*slab%levels .and. all(status(:4) >= 0)
+      if (rank == 2) good = good .and. rows(1) == size(values, 1)
+      if (.not. good) return
+      call select_slab(space, before, slab, memory, status(5))
       address = c_loc(values)
-      call h5dread_f(dataset, type_in_memory(is_real), address, status(7), memory, space)
-      call h5sclose_f(memory, status(8))
-      call h5sclose_f(space, status(9))
-      good = good .and. all(status(:3) >= 0) .and. all(status(5:) >= 0)
+      call h5dread_f(dataset, type_in_memory(is_real), address, status(6), memory, space)
+      call h5sclose_f(memory, status(7))
+      call h5sclose_f(space, status(8))
       call h5dclose_f(dataset, status(1))
-   end subroutine read_rows
+      good = all(status([1, 5, 6, 7, 8]) >= 0)
+   end subroutine read_slab
 
    !> Read an attribute of one integer
    subroutine read_number(self, place, name, value, good)

@@ -1,41 +1,38 @@
-!> Calls of HDF5 that write, bundled; `plydyn_output_h5_input` has those that read. No other module
-!> uses the library's interface.
+!> Calls of HDF5 that write what is in a file, bundled; `plydyn_output_h5_raw_file` has those for
+!> the file itself, `plydyn_output_h5_input` those that read. No other module uses the library.
 !>
 !> Each procedure makes one thing in a file and says whether every call went well; the module
 !> `plydyn_output_h5` turns that into errors. Numbers come as an address, the kind of number that
-!> lies there, and how it is stored. Extents are in Fortran's order.
+!> lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken when
+!> a thing is made, and never filled in advance: it lies in the same place for any number of ranks.
 module plydyn_output_h5_raw
    use, intrinsic :: iso_c_binding, only : c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aexists_f, &
-      & h5aopen_f, h5awrite_f, h5dclose_f, h5dcreate_f, h5dget_space_f, h5dont_atexit_f, &
-      & h5dopen_f, h5dset_extent_f, h5dwrite_f, h5eset_auto_f, h5f_acc_trunc_f, &
-      & h5f_close_strong_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5gclose_f, &
-      & h5gcreate_f, h5kind_to_type, h5oclose_f, h5oopen_f, h5open_f, h5p_dataset_create_f, &
-      & h5p_file_access_f, h5p_file_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, &
-      & h5pset_fclose_degree_f, h5pset_file_locking_f, h5pset_istore_k_f, &
+      & h5aopen_f, h5awrite_f, h5d_alloc_time_early_f, h5d_fill_time_never_f, h5dclose_f, &
+      & h5dcreate_f, h5dget_space_f, h5dopen_f, h5dset_extent_f, h5dwrite_f, h5gclose_f, &
+      & h5gcreate_f, h5kind_to_type, h5oclose_f, h5oopen_f, h5p_dataset_create_f, h5pclose_f, &
+      & h5pcreate_f, h5pset_alloc_time_f, h5pset_chunk_f, h5pset_fill_time_f, &
       & h5pset_obj_track_times_f, h5s_scalar_f, h5s_select_set_f, h5s_unlimited_f, h5sclose_f, &
       & h5screate_f, h5screate_simple_f, h5sget_simple_extent_dims_f, &
-      & h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, h5t_ieee_f32le, h5t_ieee_f64le, &
-      & h5t_native_character, h5t_std_i32le, h5t_std_i64le, h5t_std_u8le, h5t_str_nullpad_f, &
-      & h5tclose_f, h5tcopy_f, h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, size_t
+      & h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, h5sselect_none_f, h5t_ieee_f32le, &
+      & h5t_ieee_f64le, h5t_native_character, h5t_std_i32le, h5t_std_i64le, h5t_std_u8le, &
+      & h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, &
+      & size_t
    use plydyn_base_precision, only : wp
+   use plydyn_output_h5_raw_file, only : create_transfer, handle_type
    implicit none
    private
 
-   public :: create_file, flush_file, close_file, create_group, write_text_attribute, &
-      & write_attribute, write_dataset, create_series, append_rows
-   public :: hid_t, type_in_memory
+   public :: create_group, write_text_attribute, write_attribute, write_dataset, create_series, &
+      & append_rows, select_slab
+   public :: type_in_memory
 
    !> Kinds of number in memory: default integers, long integers, reals of the working precision
    integer, parameter, public :: is_integer = 1, is_long = 2, is_real = 3
    !> Ways to store a number in the file, whatever it is in memory
    integer, parameter, public :: store_byte = 1, store_integer = 2, store_long = 3, &
       & store_single = 4, store_double = 5
-
-   !> Half the entries in a node of the index of chunks: a dataset of up to twice as many chunks
-   !> has one node, which a kill in the midst of a flush cannot leave half split
-   integer, parameter :: half_index = 256
 
    !> Numbers in memory, and how they are stored
    type, public :: numbers_type
@@ -49,66 +46,20 @@ module plydyn_output_h5_raw
       integer :: storage = store_double
    end type numbers_type
 
+   !> The rows that a rank has of those that all ranks write: the same ones of each level
+   type, public :: slab_type
+      !> Rows of a level, and levels
+      integer :: whole = 0, levels = 1
+      !> Rows of a level before those of this rank, and how many this rank has
+      integer :: first = 0, count = 0
+   end type slab_type
+
 contains
 
-   !> Create a file, in place of one that was there
-   subroutine create_file(path, id, good)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Handle of the file
-      integer(hid_t), intent(out) :: id
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hid_t) :: access, creation
-      integer :: status(10)
-
-      ! at the program's end the library is not to tidy up: after a failure it would crash, and
-      ! whoever wants a file whole closes it; asked a second time it refuses, which is as well
-      call h5dont_atexit_f(status(1))
-      call h5open_f(status(1))
-      call h5eset_auto_f(0, status(2))
-      call h5pcreate_f(h5p_file_access_f, access, status(3))
-      call h5pset_fclose_degree_f(access, h5f_close_strong_f, status(4))
-      call h5pset_file_locking_f(access, .false., .true., status(5))
-      call h5pcreate_f(h5p_file_create_f, creation, status(6))
-      call h5pset_istore_k_f(creation, half_index, status(7))
-      call h5fcreate_f(path, h5f_acc_trunc_f, id, status(8), creation, access)
-      call h5pclose_f(creation, status(9))
-      call h5pclose_f(access, status(10))
-      good = all(status >= 0)
-   end subroutine create_file
-
-   !> Hand all that was written to the operating system: it outlives this process
-   subroutine flush_file(id, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer :: status
-
-      call h5fflush_f(id, h5f_scope_global_f, status)
-      good = status >= 0
-   end subroutine flush_file
-
-   !> Close a file and all that is open in it
-   subroutine close_file(id, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer :: status
-
-      call h5fclose_f(id, status)
-      good = status >= 0
-   end subroutine close_file
-
    !> Create a group
-   subroutine create_group(id, name, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   subroutine create_group(file, name, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the group in the file
       character(*), intent(in) :: name
       !> True when all went well
@@ -117,15 +68,15 @@ contains
       integer(hid_t) :: group
       integer :: status(2)
 
-      call h5gcreate_f(id, name, group, status(1))
+      call h5gcreate_f(file%id, name, group, status(1))
       call h5gclose_f(group, status(2))
       good = all(status >= 0)
    end subroutine create_group
 
    !> Write an attribute of text, of exactly its length
-   subroutine write_text_attribute(id, place, name, value, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   subroutine write_text_attribute(file, place, name, value, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -142,7 +93,7 @@ contains
       call h5tset_size_f(string, int(len(value), size_t), status(2))
       call h5tset_strpad_f(string, h5t_str_nullpad_f, status(3))
       call h5screate_f(h5s_scalar_f, space, status(4))
-      call h5oopen_f(id, place, object, status(5))
+      call h5oopen_f(file%id, place, object, status(5))
       call h5acreate_f(object, name, string, space, attribute, status(6))
       call h5awrite_f(attribute, string, c_loc(value), status(7))
       call h5aclose_f(attribute, status(8))
@@ -153,9 +104,9 @@ contains
    end subroutine write_text_attribute
 
    !> Write an attribute of numbers: in place when it is there, else create it
-   subroutine write_attribute(id, place, name, numbers, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   subroutine write_attribute(file, place, name, numbers, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -170,7 +121,7 @@ contains
       logical :: exists
 
       status(:) = 0
-      call h5oopen_f(id, place, object, status(1))
+      call h5oopen_f(file%id, place, object, status(1))
       call h5aexists_f(object, name, exists, status(2))
       if (exists) then
          call h5aopen_f(object, name, attribute, status(3))
@@ -185,37 +136,109 @@ contains
       good = all(status >= 0)
    end subroutine write_attribute
 
-   !> Create a dataset and write all of it
-   subroutine write_dataset(id, name, numbers, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   !> Create a dataset and write all of it, each rank its slab
+   subroutine write_dataset(file, name, numbers, slab, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> What to write
+      !> What this rank writes
       type(numbers_type), intent(in) :: numbers
+      !> Its place among the rows
+      type(slab_type), intent(in) :: slab
       !> True when all went well
       logical, intent(out) :: good
 
       integer(hid_t) :: dataset, plan, space
-      integer :: status(7)
+      integer :: extent(size(numbers%extent)), status(7)
 
-      status(:) = 0
+      extent(:) = numbers%extent
+      extent(size(extent)) = slab%whole*slab%levels
       call create_plan(plan, status(1))
-      call create_space(numbers%extent, space, status(2))
-      call h5dcreate_f(id, name, type_in_file(numbers%storage), space, dataset, status(3), plan)
-      if (product(numbers%extent) > 0) then
-         call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, status(4))
-      end if
+      call create_space(extent, space, status(2))
+      call h5dcreate_f(file%id, name, type_in_file(numbers%storage), space, dataset, status(3), &
+         & plan)
+      call write_slab(file, dataset, 0_hsize_t, numbers, slab, status(4))
       call h5dclose_f(dataset, status(5))
       call h5sclose_f(space, status(6))
       call h5pclose_f(plan, status(7))
       good = all(status >= 0)
    end subroutine write_dataset
 
+   !> Write a slab of the rows of a dataset
+   subroutine write_slab(file, dataset, before, numbers, slab, status)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> Handle of the dataset
+      integer(hid_t), intent(in) :: dataset
+      !> Rows of the dataset before all that are written now
+      integer(hsize_t), intent(in) :: before
+      !> What to write
+      type(numbers_type), intent(in) :: numbers
+      !> Where it goes
+      type(slab_type), intent(in) :: slab
+      !> Negative when it went wrong
+      integer, intent(out) :: status
+
+      integer(hid_t) :: memory, space, transfer
+      integer :: calls(7)
+
+      status = 0
+      if (slab%whole*slab%levels == 0) return
+      call h5dget_space_f(dataset, space, calls(1))
+      call select_slab(space, before, slab, memory, calls(2))
+      call create_transfer(file, transfer, calls(3))
+      call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, calls(4), memory, &
+         & space, transfer)
+      call h5pclose_f(transfer, calls(5))
+      call h5sclose_f(memory, calls(6))
+      call h5sclose_f(space, calls(7))
+      status = minval(calls)
+   end subroutine write_slab
+
+   !> Select a slab in the space of a dataset, and make the space in memory for it
+   subroutine select_slab(space, before, slab, memory, status)
+      !> Handle of the space of the dataset, a list or a table
+      integer(hid_t), intent(in) :: space
+      !> Rows of the dataset before all levels
+      integer(hsize_t), intent(in) :: before
+      !> The slab
+      type(slab_type), intent(in) :: slab
+      !> Handle of the space in memory
+      integer(hid_t), intent(out) :: memory
+      !> Negative when the dataset is neither or a call failed
+      integer, intent(out) :: status
+
+      integer(hsize_t) :: block(2), count(2), most(2), start(2), stride(2)
+      integer :: calls(5), rank
+
+      status = -1
+      calls(:) = 0
+      call h5sget_simple_extent_ndims_f(space, rank, calls(1))
+      if (rank < 1 .or. rank > 2) return
+      call h5sget_simple_extent_dims_f(space, block, most, calls(2))
+      start(:) = 0
+      stride(:) = 1
+      count(:) = 1
+      start(rank) = before + slab%first
+      stride(rank) = slab%whole
+      count(rank) = slab%levels
+      block(rank) = slab%count*count(rank)
+      call h5screate_simple_f(rank, block, memory, calls(3))
+      block(rank) = slab%count
+      if (slab%count > 0) then
+         call h5sselect_hyperslab_f(space, h5s_select_set_f, start, count, calls(4), stride, block)
+      else
+         call h5sselect_none_f(space, calls(4))
+         call h5sselect_none_f(memory, calls(5))
+      end if
+      status = minval(calls)
+   end subroutine select_slab
+
    !> Create a dataset of no rows that can grow
-   subroutine create_series(id, name, width, rows_per_chunk, storage, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   subroutine create_series(file, name, width, rows_per_chunk, storage, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> Numbers in a row; 0 for a list of numbers
@@ -240,76 +263,69 @@ contains
       call create_plan(plan, status(1))
       call h5pset_chunk_f(plan, rank, chunk(first:), status(2))
       call h5screate_simple_f(rank, none(first:), space, status(3), most(first:))
-      call h5dcreate_f(id, name, type_in_file(storage), space, dataset, status(4), plan)
+      call h5dcreate_f(file%id, name, type_in_file(storage), space, dataset, status(4), plan)
       call h5dclose_f(dataset, status(5))
       call h5sclose_f(space, status(6))
       call h5pclose_f(plan, status(7))
       good = all(status >= 0)
    end subroutine create_series
 
-   !> Add rows at the end of a dataset that can grow; its storage is as it was created
-   subroutine append_rows(id, name, numbers, good)
-      !> Handle of the file
-      integer(hid_t), intent(in) :: id
+   !> Add rows at the end of a dataset that can grow, each rank its slab; the storage is as it was
+   !> created
+   subroutine append_rows(file, name, numbers, slab, good)
+      !> The file
+      type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> What to add: whole rows
+      !> What this rank adds: whole rows
       type(numbers_type), intent(in) :: numbers
+      !> Its place among the rows that all ranks add
+      type(slab_type), intent(in) :: slab
       !> True when all went well
       logical, intent(out) :: good
 
-      integer(hsize_t) :: start(2), rows(2)
-      integer(hid_t) :: dataset, memory_space, file_space
-      integer :: status(9), rank
+      integer(hsize_t) :: before
+      integer(hid_t) :: dataset
+      integer :: status(4)
 
-      call h5dopen_f(id, name, dataset, status(1))
-      call grow(dataset, numbers%extent, rank, start, rows, status(2))
-      call h5screate_simple_f(rank, rows, memory_space, status(3))
-      call h5dget_space_f(dataset, file_space, status(4))
-      call h5sselect_hyperslab_f(file_space, h5s_select_set_f, start, rows, status(5))
-      call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, status(6), &
-         & memory_space, file_space)
-      call h5sclose_f(file_space, status(7))
-      call h5sclose_f(memory_space, status(8))
-      call h5dclose_f(dataset, status(9))
+      call h5dopen_f(file%id, name, dataset, status(1))
+      call grow(dataset, numbers%extent, slab, before, status(2))
+      call write_slab(file, dataset, before, numbers, slab, status(3))
+      call h5dclose_f(dataset, status(4))
       good = all(status >= 0)
    end subroutine append_rows
 
    !> Make room at the end of a dataset
-   subroutine grow(dataset, added, rank, start, rows, status)
+   subroutine grow(dataset, added, slab, before, status)
       !> Handle of the dataset
       integer(hid_t), intent(in) :: dataset
-      !> Extent of the numbers to add: a table of the dataset's width, or a list to fill whole rows
+      !> Extent of the numbers to add: a table of the dataset's width, or a list
       integer, intent(in) :: added(:)
-      !> Rank of the dataset, 1 or 2
-      integer, intent(out) :: rank
-      !> Where the room starts
-      integer(hsize_t), intent(out) :: start(2)
-      !> Extent of the room
-      integer(hsize_t), intent(out) :: rows(2)
+      !> Its place among the rows that all ranks add
+      type(slab_type), intent(in) :: slab
+      !> Rows before the room
+      integer(hsize_t), intent(out) :: before
       !> Negative when the numbers do not fit or a call failed
       integer, intent(out) :: status
 
-      integer(hsize_t) :: most(2)
+      integer(hsize_t) :: most(2), rows(2)
       integer(hid_t) :: space
-      integer :: calls(5)
+      integer :: calls(5), rank
 
       status = -1
-      start(:) = 0
       rows(:) = 0
+      before = 0
       call h5dget_space_f(dataset, space, calls(1))
       call h5sget_simple_extent_ndims_f(space, rank, calls(2))
       if (rank < 1 .or. rank > 2) return
       call h5sget_simple_extent_dims_f(space, rows, most, calls(3))
       call h5sclose_f(space, calls(4))
       if (size(added) == 2 .and. added(1) /= rows(1)) return
-      start(rank) = rows(rank)
-      rows(rank) = product(added)/product(rows(:rank - 1))
-      if (product(rows(:rank)) /= product(added)) return
-      ! the whole extent: the width of before, and the rows of before with those added
-      most(:) = rows
-      most(rank) = most(rank) + start(rank)
-      call h5dset_extent_f(dataset, most, calls(5))
+      if (slab%count > 0 .and. product(rows(:rank - 1))*slab%count*slab%levels &
+         & /= product(added)) return
+      before = rows(rank)
+      rows(rank) = before + slab%whole*slab%levels
+      call h5dset_extent_f(dataset, rows, calls(5))
       status = minval(calls)
    end subroutine grow
 
@@ -329,17 +345,20 @@ contains
       end if
    end subroutine create_space
 
-   !> Creation of a dataset without the time of day, so that the same run makes the same file
+   !> Creation of a dataset without the time of day, so that the same run makes the same file, and
+   !> with its room at once, as several ranks need it
    subroutine create_plan(plan, status)
       !> Handle of the creation
       integer(hid_t), intent(out) :: plan
       !> Negative when it went wrong
       integer, intent(out) :: status
 
-      integer :: calls(2)
+      integer :: calls(4)
 
       call h5pcreate_f(h5p_dataset_create_f, plan, calls(1))
       call h5pset_obj_track_times_f(plan, .false., calls(2))
+      call h5pset_alloc_time_f(plan, h5d_alloc_time_early_f, calls(3))
+      call h5pset_fill_time_f(plan, h5d_fill_time_never_f, calls(4))
       status = minval(calls)
    end subroutine create_plan
 

@@ -1,33 +1,41 @@
 !> Field states of the interfaces between plies: a surface for each, with points of its own.
+!>
+!> Points lie surface by surface from the bottom up, in each the nodes of all quads. So do cells, in
+!> each the quads of the deck that have the interface.
 module plydyn_output_interface_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_delamination, only : interface_ply
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_quad, only : quad_node_area
+   use plydyn_element_quad, only : quad_node_area, tensor_order
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_output_field_file, only : field_file_type
+   use plydyn_output_grid, only : band_of_rows, plate_quads
    use plydyn_output_interface_values, only : at_damage, at_dissipated, at_mixity, damage_values, &
       & interface_values
+   use plydyn_output_sites, only : new_slots, number_sites, slots_type
+   use plydyn_output_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    !> VTK's cells: quads of 4 and of 9 nodes
    integer, parameter :: linear_cell = 9, quadratic_cell = 28
-   !> Places of VTK's nodes of a quad in tensor order
-   integer, parameter :: of_q4(4) = [1, 2, 4, 3], of_q9(9) = [1, 3, 9, 7, 2, 6, 8, 4, 5]
+
    !> The file of interface states
    type, public, extends(field_file_type) :: interface_fields_type
       private
-      !> Where the points of an interface begin, less one, by the ply below it; -1 for none
-      integer, allocatable :: first(:)
-      !> Layer below each interface, in the same order as the points
-      integer, allocatable :: layer(:)
-      !> Batch, lane and quad of each cell
+      !> Layer below each interface, and its ply, from the bottom up
+      integer, allocatable :: layer(:), ply(:)
+      !> Batch and lane of each interface in each plate, 0 for none, (2, interfaces, plates)
+      integer, allocatable :: batch(:, :, :)
+      !> Sites of the quads of this rank, nodes in tensor order
+      type(slots_type) :: slots
+      !> Plate and quad of the plate of each of these, (2, quads)
       integer, allocatable :: home(:, :)
-      !> Sum of the areas that meet at a point
-      real(wp), allocatable :: area(:)
+      !> Interface, and quad of the mesh, of each cell that this rank writes
+      integer, allocatable :: cell(:), quad(:)
    contains
       procedure :: create_grid
       procedure :: add_cell_fields
@@ -44,105 +52,115 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
+      integer, allocatable :: node(:), site(:, :)
+      integer :: i
+      type(piece_type) :: piece
+
       if (size(domain%interfaces) == 0) return
       self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
          & "dissipated"]
       self%components = [3, 3, 1, 1, 1]
       call arrange(self, domain)
-      call create_surfaces(self, path, domain, error)
+      associate (mesh => model%mesh)
+         call number_sites(spread(1, 1, size(mesh%quad_id)), mesh%quad_node, size(mesh%node_id), &
+            & site, node)
+         self%home = plate_quads(domain)
+         self%slots = new_slots(domain%comm, site, [(domain%plates(self%home(1, i))%quad( &
+            & self%home(2, i)), i=1, size(self%home, 2))], size(self%layer))
+         self%slots%slot(:, :) = self%slots%slot(tensor_order(domain%plates(1)%side), :)
+         piece%points = self%slots%points()
+         call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
+            & piece%points%first + piece%points%count)), self, piece)
+         call make_cells(domain, mesh, site, self, piece)
+      end associate
+      call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
 
-   !> Find the cells, and where the points of each interface begin
+   !> Find the interfaces, from the bottom up
    subroutine arrange(self, domain)
       type(interface_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      integer :: b, e, i, k, l
+      integer :: b, k, l, layer(maxval(domain%layers%ply)), number(maxval(domain%layers%ply))
 
-      allocate (self%first(maxval(domain%layers%ply)), self%layer(0))
-      self%first(:) = -1
-      allocate (self%home(3, sum([(count(domain%interfaces(b)%lower > 0) &
-         & *size(domain%interfaces(b)%quad), b=1, size(domain%interfaces))])))
-      i = 0
-      do k = 1, size(self%first)
-         do b = 1, size(domain%interfaces)
-            associate (batch => domain%interfaces(b))
-               do l = 1, lanes
-                  if (batch%lower(l) == 0) cycle
-                  if (interface_ply(domain, batch, l) /= k) cycle
-                  if (self%first(k) < 0) then
-                     self%first(k) = domain%columns%nodes*size(self%layer)
-                     self%layer = [self%layer, batch%lower(l)]
-                  end if
-                  do e = 1, size(batch%quad)
-                     i = i + 1
-                     self%home(:, i) = [b, l, e]
-                  end do
-               end do
-            end associate
-         end do
+      layer(:) = 0
+      do b = 1, size(domain%interfaces)
+         associate (batch => domain%interfaces(b))
+            do l = 1, lanes
+               if (batch%lower(l) == 0) cycle
+               layer(interface_ply(domain, batch, l)) = batch%lower(l)
+            end do
+         end associate
+      end do
+      self%ply = pack([(k, k=1, size(layer))], layer > 0)
+      self%layer = layer(self%ply)
+      number(self%ply) = [(k, k=1, size(self%ply))]
+      allocate (self%batch(2, size(self%layer), size(domain%plates)))
+      self%batch(:, :, :) = 0
+      do b = 1, size(domain%interfaces)
+         associate (batch => domain%interfaces(b))
+            do l = 1, lanes
+               if (batch%lower(l) == 0) cycle
+               self%batch(:, number(interface_ply(domain, batch, l)), batch%plate) = [b, l]
+            end do
+         end associate
       end do
    end subroutine arrange
 
-   !> Points and cells
-   subroutine create_surfaces(self, path, domain, error)
-      type(interface_fields_type), intent(inout) :: self
-      character(*), intent(in) :: path
+   !> Positions of the points that this rank writes
+   pure subroutine place_points(domain, position, self, piece)
       type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
+      !> Positions of the nodes of its sites, (3, sites)
+      real(wp), intent(in) :: position(:, :)
+      type(interface_fields_type), intent(in) :: self
+      type(piece_type), intent(inout) :: piece
 
-      real(wp) :: position(3, domain%columns%nodes*size(self%layer))
-      integer, dimension(size(self%home, 2)*domain%plates(1)%side**2) :: connectivity
-      integer :: i, k, nodes, order(domain%plates(1)%side**2)
+      integer :: k, sites
 
-      nodes = domain%columns%nodes
+      sites = size(position, 2)
+      allocate (piece%position(3, sites*size(self%layer)))
       do k = 1, size(self%layer)
-         position(:, (k - 1)*nodes + 1:k*nodes) = domain%position
-         position(3, (k - 1)*nodes + 1:k*nodes) = domain%position(3, :) &
+         piece%position(:, (k - 1)*sites + 1:k*sites) = position
+         piece%position(3, (k - 1)*sites + 1:k*sites) = position(3, :) &
             & + domain%layers%top(self%layer(k))
       end do
-      if (size(order) == size(of_q4)) then
-         order(:) = of_q4
-      else
-         order(:) = of_q9
-      end if
-      allocate (self%area(size(position, 2)))
-      self%area(:) = 0.0_wp
-      do i = 1, size(self%home, 2)
-         associate (point => cell_points(self, domain, i))
-            self%area(point) = self%area(point) + cell_areas(self, domain, i)
-            connectivity((i - 1)*size(order) + 1:i*size(order)) = point(order) - 1
-         end associate
+   end subroutine place_points
+
+   !> The cells that this rank writes
+   pure subroutine make_cells(domain, mesh, site, self, piece)
+      type(domain_type), intent(in) :: domain
+      type(mesh_type), intent(in) :: mesh
+      !> Sites of all quads
+      integer, intent(in) :: site(:, :)
+      type(interface_fields_type), intent(inout) :: self
+      type(piece_type), intent(inout) :: piece
+
+      integer, allocatable :: own(:)
+      integer :: before, corners, first, i, k, last
+
+      corners = size(site, 1)
+      piece%cells = band_of_rows(domain, sum([(count(self%batch(1, k, mesh%quad_part) > 0), &
+         & k=1, size(self%layer))]))
+      allocate (self%cell(0), self%quad(0))
+      before = 0
+      do k = 1, size(self%layer)
+         own = pack([(i, i=1, size(site, 2))], self%batch(1, k, mesh%quad_part) > 0)
+         first = max(1, piece%cells%first - before + 1)
+         last = min(size(own), piece%cells%first + piece%cells%count - before)
+         self%cell = [self%cell, (k, i=first, last)]
+         self%quad = [self%quad, own(first:last)]
+         before = before + size(own)
       end do
-      call self%file%create(path, position, connectivity, &
-         & [(i*size(order), i=0, size(self%home, 2))], spread(merge(linear_cell, quadratic_cell, &
-         & size(order) == size(of_q4)), 1, size(self%home, 2)), error)
-   end subroutine create_surfaces
-
-   !> Points of a cell in tensor order, from 1
-   pure function cell_points(self, domain, cell) result(point)
-      type(interface_fields_type), intent(in) :: self
-      type(domain_type), intent(in) :: domain
-      integer, intent(in) :: cell
-      integer :: point(domain%plates(1)%side**2)
-
-      associate (home => self%home(:, cell), batch => domain%interfaces(self%home(1, cell)))
-         point(:) = self%first(interface_ply(domain, batch, home(2))) + batch%node(:, home(3))
+      associate (cells => piece%cells)
+         piece%before = corners*cells%first
+         piece%all_ends = corners*cells%whole
+         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
+            & - merge(0, 1, cells%first + cells%count == cells%whole))]
+         piece%kind = spread(merge(linear_cell, quadratic_cell, corners == 4), 1, cells%count)
+         piece%connectivity = [(site(:, self%quad(i)) - 1 + self%slots%sites*(self%cell(i) - 1), &
+            & i=1, cells%count)]
       end associate
-   end function cell_points
-
-   !> Areas of a quad at its nodes
-   pure function cell_areas(self, domain, cell) result(area)
-      type(interface_fields_type), intent(in) :: self
-      type(domain_type), intent(in) :: domain
-      integer, intent(in) :: cell
-      real(wp) :: area(domain%plates(1)%side**2)
-
-      associate (batch => domain%interfaces(self%home(1, cell)))
-         area(:) = quad_node_area(batch%side, &
-            & domain%position(1:2, batch%node(:, self%home(3, cell))))
-      end associate
-   end function cell_areas
+   end subroutine make_cells
 
    !> What does not change: interface, plies, angles, element
    subroutine add_cell_fields(self, model, domain, error)
@@ -151,21 +169,17 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp), dimension(size(self%home, 2)) :: above, below
-      integer, dimension(size(self%home, 2)) :: element, number, ply_above, ply_below
-      integer :: i, quad
+      real(wp), dimension(size(self%cell)) :: above, below
+      integer, dimension(size(self%cell)) :: number, ply_above, ply_below
+      integer :: i
 
-      do i = 1, size(element)
-         associate (batch => domain%interfaces(self%home(1, i)))
-            quad = batch%quad(self%home(3, i))
-            number(i) = interface_ply(domain, batch, self%home(2, i))
-            element(i) = model%mesh%quad_id(quad)
-            associate (plies => model%parts(model%mesh%quad_part(quad))%plies)
-               ply_below(i) = plies(number(i))%id
-               ply_above(i) = plies(number(i) + 1)%id
-               below(i) = plies(number(i))%angle
-               above(i) = plies(number(i) + 1)%angle
-            end associate
+      number(:) = self%ply(self%cell)
+      do i = 1, size(number)
+         associate (plies => model%parts(model%mesh%quad_part(self%quad(i)))%plies)
+            ply_below(i) = plies(number(i))%id
+            ply_above(i) = plies(number(i) + 1)%id
+            below(i) = plies(number(i))%angle
+            above(i) = plies(number(i) + 1)%angle
          end associate
       end do
       call self%file%add_cell_data("interface", number, error)
@@ -173,7 +187,8 @@ contains
       if (.not. allocated(error)) call self%file%add_cell_data("ply_above", ply_above, error)
       if (.not. allocated(error)) call self%file%add_cell_data("angle_below", below, error)
       if (.not. allocated(error)) call self%file%add_cell_data("angle_above", above, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("element", element, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("element", &
+         & model%mesh%quad_id(self%quad), error)
    end subroutine add_cell_fields
 
    !> Write the present state; it is whole in the file when this returns
@@ -186,15 +201,16 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp), allocatable :: mean(:, :), opening(:, :), values(:, :)
+      real(wp), allocatable :: motion(:, :), values(:, :)
 
       if (.not. self%file%is_open()) return
-      call face_motion(self, domain, state, mean, opening)
-      values = point_values(self, domain, state)
-      call self%file%begin_step(state%time)
-      call self%file%write_point_data("displacement", mean, error)
+      call self%file%begin_step(state%time, error)
       if (allocated(error)) return
-      call self%file%write_point_data("opening", opening, error)
+      motion = face_motion(self, domain, state)
+      values = point_values(self, domain, state)
+      call self%file%write_point_data("displacement", motion(:3, :), error)
+      if (allocated(error)) return
+      call self%file%write_point_data("opening", motion(4:, :), error)
       if (allocated(error)) return
       call self%file%write_point_data("damage", values(at_damage, :), error)
       if (allocated(error)) return
@@ -205,54 +221,66 @@ contains
       call self%file%end_step(error)
    end subroutine write_state
 
-   !> Mean and difference of the motion of both faces, (3, points)
-   subroutine face_motion(self, domain, state, mean, opening)
+   !> Mean and difference of the motion of both faces at the points of this rank, (6, points)
+   function face_motion(self, domain, state) result(motion)
       type(interface_fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      real(wp), allocatable, intent(out) :: mean(:, :), opening(:, :)
+      real(wp), allocatable :: motion(:, :)
 
-      integer :: c, i, k, n
-      real(wp) :: above, below
+      real(wp) :: at_slot(6, size(self%layer), self%slots%count)
+      integer :: c, i, k
 
-      allocate (mean(3, size(self%area)), opening(3, size(self%area)))
-      i = 0
-      do k = 1, size(self%layer)
-         associate (layer => self%layer(k), columns => domain%columns)
-            do n = 1, columns%nodes
-               i = i + 1
+      do i = 1, size(self%home, 2)
+         associate (node => domain%plates(self%home(1, i))%node(:, self%home(2, i)), &
+            & slot => self%slots%slot(:, i), columns => domain%columns, u => state%displacement)
+            do k = 1, size(self%layer)
                do c = 1, 3
-                  below = state%displacement(columns%freedom(layer, columns%levels(layer), c, n))
-                  above = state%displacement(columns%freedom(layer + 1, 1, c, n))
-                  mean(c, i) = 0.5_wp*(above + below)
-                  opening(c, i) = above - below
+                  associate (below => u(columns%freedom(self%layer(k), &
+                     & columns%levels(self%layer(k)), c, node)), &
+                     & above => u(columns%freedom(self%layer(k) + 1, 1, c, node)))
+                     at_slot(c, k, slot) = 0.5_wp*(above + below)
+                     at_slot(c + 3, k, slot) = above - below
+                  end associate
                end do
             end do
          end associate
       end do
-   end subroutine face_motion
+      allocate (motion(6, self%slots%own_points()))
+      call self%slots%hand_over(at_slot, motion)
+   end function face_motion
 
-   !> Damage, mix of modes and energy at the points: of the nearest point of each quad, averaged
-   !> over the quads that meet there, (values, points)
+   !> Damage, mix of modes and energy at the points of this rank: of the nearest point of each quad,
+   !> averaged by area over the quads that meet there, (values, points)
    function point_values(self, domain, state) result(values)
       type(interface_fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      real(wp) :: values(damage_values, size(self%area))
+      real(wp), allocatable :: values(:, :)
 
-      real(wp) :: here(damage_values, domain%plates(1)%side**2)
-      integer :: i, q
+      real(wp) :: area(size(self%slots%slot, 1)), here(damage_values, size(self%slots%slot, 1))
+      real(wp) :: sums(damage_values + 1, size(self%layer), self%slots%count)
+      integer :: i, k, q
 
-      values(:, :) = 0.0_wp
+      sums(:, :, :) = 0.0_wp
       do i = 1, size(self%home, 2)
-         here(:, :) = interface_values(domain, state, self%home(:, i))
-         associate (point => cell_points(self, domain, i), share => cell_areas(self, domain, i))
-            do q = 1, size(point)
-               values(:, point(q)) = values(:, point(q)) &
-                  & + share(q)/self%area(point(q))*here(:, q)
+         associate (p => self%home(1, i), e => self%home(2, i))
+            area(:) = quad_node_area(domain%plates(p)%side, &
+               & domain%position(1:2, domain%plates(p)%node(:, e)))
+            do k = 1, size(self%layer)
+               if (self%batch(1, k, p) == 0) cycle
+               here(:, :) = interface_values(domain, state, [self%batch(:, k, p), e])
+               do q = 1, size(area)
+                  associate (total => sums(:, k, self%slots%slot(q, i)))
+                     total(:damage_values) = total(:damage_values) + area(q)*here(:, q)
+                     total(damage_values + 1) = total(damage_values + 1) + area(q)
+                  end associate
+               end do
             end do
          end associate
       end do
+      allocate (values(damage_values, self%slots%own_points()))
+      call self%slots%mean(sums, values)
       ! round-off of the shares
       values(:, :) = max(values, 0.0_wp)
       values(at_damage, :) = min(values(at_damage, :), 1.0_wp)

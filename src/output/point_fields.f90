@@ -20,7 +20,7 @@ module plydyn_output_point_fields
    end type point_fields_type
 
    abstract interface
-      !> Displacement or velocity at the points, (3, points)
+      !> Displacement or velocity at the points that this rank writes, (3, points)
       function motion_values(self, domain, motion) result(values)
          import :: domain_type, point_fields_type, wp
          implicit none
@@ -32,7 +32,8 @@ module plydyn_output_point_fields
          real(wp), allocatable :: values(:, :)
       end function motion_values
 
-      !> Strain, stress and scalars at the points, (recovered, points)
+      !> Strain, stress and scalars at the points that this rank writes,
+      !> (recovered, points)
       function recovered_values(self, domain, state) result(values)
          import :: domain_type, point_fields_type, state_type, wp
          implicit none
@@ -61,7 +62,8 @@ contains
       integer :: i
 
       if (.not. self%file%is_open()) return
-      call self%file%begin_step(state%time)
+      call self%file%begin_step(state%time, error)
+      if (allocated(error)) return
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
          values = self%recovered_values(domain, state)
       else

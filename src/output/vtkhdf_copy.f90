@@ -6,7 +6,7 @@ module plydyn_output_vtkhdf_copy
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5, only : h5_file_type
+   use plydyn_output_h5, only : h5_file_type, slab_type
    use plydyn_output_h5_input, only : h5_input_type
    use plydyn_output_vtkhdf_layout, only : add_state, point_data, point_data_offsets, state_times
    implicit none
@@ -16,6 +16,8 @@ module plydyn_output_vtkhdf_copy
 
    !> Longest name of a list of offsets
    integer, parameter :: longest_name = 64
+   !> Bytes of a value of a field
+   integer(int64), parameter :: value_bytes = 4
 
 contains
 
@@ -23,8 +25,10 @@ contains
    subroutine copy_states(path, states, points, names, components, still, file, error)
       !> Path of the file that has them
       character(*), intent(in) :: path
-      !> How many, and points of each
-      integer, intent(in) :: states, points
+      !> How many
+      integer, intent(in) :: states
+      !> Points of each that this rank copies
+      type(slab_type), intent(in) :: points
       !> Names of the fields on points, and their values per point
       character(*), intent(in) :: names(:)
       integer, intent(in) :: components(:)
@@ -42,6 +46,7 @@ contains
       call old%open(path, good)
       if (good) call old%read_number("VTKHDF/Steps", "NSteps", found, good)
       if (good) good = found >= states
+      call file%agree(good)
       if (.not. good) then
          call old%close()
          call fail(error, exit_output, "cannot go on with "//path//": it must be there with all " &
@@ -49,9 +54,14 @@ contains
          return
       end if
       do s = 1, states
-         call copy_state(old, path, (s - 1_int64)*points, points, names, components, file, error)
-         if (allocated(error)) exit
-         call count_state(old, path, s, (s - 1_int64)*points, names, still, file, error)
+         associate (first => (s - 1_int64)*points%whole*points%levels)
+            call file%reserve_rows(value_bytes*points%whole*points%levels*sum(components), s - 1, &
+               & error)
+            if (allocated(error)) exit
+            call copy_state(old, path, first, points, names, components, file, error)
+            if (allocated(error)) exit
+            call count_state(old, path, s, first, names, still, file, error)
+         end associate
          if (allocated(error)) exit
       end do
       call old%close()
@@ -63,7 +73,7 @@ contains
       character(*), intent(in) :: path
       !> Rows before those of the state
       integer(int64), intent(in) :: first
-      integer, intent(in) :: points
+      type(slab_type), intent(in) :: points
       character(*), intent(in) :: names(:)
       integer, intent(in) :: components(:)
       type(h5_file_type), intent(inout) :: file
@@ -74,15 +84,16 @@ contains
       integer :: i
 
       do i = 1, size(names)
-         allocate (values(components(i), points))
-         call old%read_rows(point_data//trim(names(i)), first, values, good)
+         allocate (values(components(i), points%count*points%levels))
+         call old%read_slab(point_data//trim(names(i)), first, points, values, good)
+         call file%agree(good)
          if (.not. good) then
             call fail(error, exit_output, "cannot go on with "//path//": its field " &
                & //trim(names(i))//" is not that of this deck, or damaged")
          else if (components(i) == 1) then
-            call file%append(point_data//trim(names(i)), values(1, :), error)
+            call file%append(point_data//trim(names(i)), values(1, :), error, points)
          else
-            call file%append(point_data//trim(names(i)), values, error)
+            call file%append(point_data//trim(names(i)), values, error, points)
          end if
          deallocate (values)
          if (allocated(error)) return
@@ -105,7 +116,8 @@ contains
       logical :: good
       integer :: i
 
-      call old%read_rows(state_times, state - 1_int64, time, good)
+      call old%read_slab(state_times, state - 1_int64, slab_type(whole=1, count=1), time, good)
+      call file%agree(good)
       if (.not. good) then
          call fail(error, exit_output, "cannot go on with "//path//": a state has no time")
          return

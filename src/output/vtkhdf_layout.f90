@@ -3,7 +3,7 @@ module plydyn_output_vtkhdf_layout
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5, only : h5_file_type, store_byte, store_double, store_long
+   use plydyn_output_h5, only : h5_file_type, slab_type, store_byte, store_double, store_long
    implicit none
    private
 
@@ -29,6 +29,23 @@ module plydyn_output_vtkhdf_layout
    character(*), parameter :: still_tables(2) = &
       & [character(21) :: "CellOffsets", "ConnectivityIdOffsets"]
 
+   !> The part of a grid that a rank writes
+   type, public :: piece_type
+      !> Rows of its points, and of its cells
+      type(slab_type) :: points, cells
+      !> Numbers before its own in the list of the points of all cells, and in the whole list
+      integer :: before = 0, all_ends = 0
+      !> Places, (3, points)
+      real(wp), allocatable :: position(:, :)
+      !> Points of its cells, one cell after the other, counted from 0
+      integer, allocatable :: connectivity(:)
+      !> Where each of its cells starts in the whole list, from 0; behind the last cell of all also
+      !> where that one ends
+      integer, allocatable :: offset(:)
+      !> VTK's types of its cells
+      integer, allocatable :: kind(:)
+   end type piece_type
+
 contains
 
    !> Make all groups
@@ -52,18 +69,12 @@ contains
       call file%write_text("VTKHDF", "Type", "UnstructuredGrid", error)
    end subroutine make_groups
 
-   !> Write the grid, in one part
-   subroutine write_grid(file, points, connectivity, offsets, types, error)
+   !> Write the grid, in one part for whoever reads it
+   subroutine write_grid(file, piece, error)
       !> The file
       type(h5_file_type), intent(inout) :: file
-      !> Places, (3, points)
-      real(wp), intent(in), contiguous :: points(:, :)
-      !> Points of all cells, counted from 0
-      integer, intent(in), contiguous :: connectivity(:)
-      !> Where each cell starts in `connectivity`, and where the last one ends
-      integer, intent(in), contiguous :: offsets(:)
-      !> VTK's cell types
-      integer, intent(in), contiguous :: types(:)
+      !> What this rank writes
+      type(piece_type), intent(in) :: piece
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
@@ -71,18 +82,21 @@ contains
          & "NumberOfCells", "NumberOfConnectivityIds"]
       integer :: sizes(3), i
 
-      sizes(:) = [size(points, 2), size(types), size(connectivity)]
+      sizes(:) = [piece%points%whole*piece%points%levels, piece%cells%whole, piece%all_ends]
       do i = 1, size(names)
          call file%write_values("VTKHDF/"//trim(names(i)), sizes(i:i), store_long, error)
          if (allocated(error)) return
       end do
-      call file%write_values("VTKHDF/Points", points, store_double, error)
+      call file%write_values("VTKHDF/Points", piece%position, store_double, error, piece%points)
       if (allocated(error)) return
-      call file%write_values("VTKHDF/Connectivity", connectivity, store_long, error)
+      call file%write_values("VTKHDF/Connectivity", piece%connectivity, store_long, error, &
+         & slab_type(whole=piece%all_ends, first=piece%before, count=size(piece%connectivity)))
       if (allocated(error)) return
-      call file%write_values("VTKHDF/Offsets", offsets, store_long, error)
+      call file%write_values("VTKHDF/Offsets", piece%offset, store_long, error, &
+         & slab_type(whole=piece%cells%whole + 1, first=piece%cells%first, &
+         & count=size(piece%offset)))
       if (allocated(error)) return
-      call file%write_values("VTKHDF/Types", types, store_byte, error)
+      call file%write_values("VTKHDF/Types", piece%kind, store_byte, error, piece%cells)
    end subroutine write_grid
 
    !> Make the lists of states, all empty

@@ -1,17 +1,13 @@
-!> All results of a job: histories, profiles and fields.
+!> All results of a job but its fields: histories and profiles.
 module plydyn_output_writer
-   use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : mechanisms
    use plydyn_model_model, only : model_type
-   use plydyn_output_brick_fields, only : brick_fields_type
    use plydyn_output_delamination, only : delamination_history_type
-   use plydyn_output_fields, only : fields_type
-   use plydyn_output_history, only : history_type, schedule_type
-   use plydyn_output_interface_fields, only : interface_fields_type
+   use plydyn_output_history, only : history_type
    use plydyn_output_job, only : job_type
    use plydyn_output_node_history, only : node_history_type
    use plydyn_output_places, only : new_places, places_type
@@ -32,12 +28,6 @@ module plydyn_output_writer
       type(delamination_history_type) :: delamination
       type(history_type), allocatable :: impactors(:)
       type(profile_file_type), allocatable :: profiles(:)
-      type(fields_type) :: fields
-      type(interface_fields_type) :: interfaces
-      type(brick_fields_type) :: bricks
-      type(schedule_type) :: field_schedule
-      !> Time of the last state in the file of fields
-      real(wp) :: field_time = -1.0_wp
    contains
       procedure :: open => open_writer
       procedure :: due
@@ -47,12 +37,8 @@ module plydyn_output_writer
       procedure :: impactors_due
       procedure :: record_impactors
       procedure :: keep
-      procedure :: plot
       procedure :: close => close_writer
    end type writer_type
-
-   !> Ending of the file of fields, and what its instants are kept under
-   character(*), parameter :: fields_ending = ".vtkhdf", schedule_ending = ".vtkhdf instants"
 
 contains
 
@@ -88,20 +74,9 @@ contains
          end associate
          if (allocated(error)) return
       end do
-      call self%fields%open(job%path//fields_ending, job%deck, job%version, model, domain, &
-         & job%places, error)
-      if (allocated(error)) return
-      call self%bricks%open(job%path//fields_ending, job%deck, job%version, model, domain, &
-         & job%places, error)
-      if (allocated(error)) return
-      call self%interfaces%open(job%path//".interfaces.vtkhdf", job%deck, job%version, model, &
-         & domain, job%places, error)
-      if (allocated(error)) return
       call self%delamination%open(job%path//".delamination.csv", model%control%units, &
          & model%request%delamination_interval, domain, job%places, error)
       if (allocated(error)) return
-      self%field_schedule%interval = model%request%field_interval
-      call self%field_schedule%resume(job%places%at(job%path//schedule_ending))
    end subroutine open_writer
 
    !> Energies and momentum
@@ -143,7 +118,7 @@ contains
       end associate
    end subroutine open_impactors
 
-   !> Write what is due of the state of the whole model: nodes, supports, profiles, fields
+   !> Write what is due of the state of the whole model: nodes, supports, profiles
    subroutine record(self, domain, state, error)
       class(writer_type), intent(inout) :: self
       !> The domain
@@ -165,23 +140,7 @@ contains
          call self%profiles(i)%record(domain, state, is_last, error)
          if (allocated(error)) return
       end do
-      if (.not. (self%field_schedule%due(state%time) .or. is_last)) return
-      call self%field_schedule%advance(state%time)
-      call write_fields(self, domain, state, error)
    end subroutine record
-
-   !> Add the state to the files of fields
-   subroutine write_fields(self, domain, state, error)
-      class(writer_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      type(error_type), allocatable, intent(out) :: error
-
-      self%field_time = state%time
-      call self%fields%write(domain, state, error)
-      if (.not. allocated(error)) call self%bricks%write(domain, state, error)
-      if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
-   end subroutine write_fields
 
    !> Whether `record` has anything to write at this time
    pure logical function due(self, state)
@@ -192,7 +151,7 @@ contains
 
       associate (time => state%time)
          due = state%is_finished() .or. self%nodes%history%due(time) &
-            & .or. self%supports%history%due(time) .or. self%field_schedule%due(time)
+            & .or. self%supports%history%due(time)
          do i = 1, size(self%profiles)
             due = due .or. self%profiles(i)%history%due(time)
          end do
@@ -272,7 +231,6 @@ contains
       integer :: i
 
       places = new_places(self%job%path)
-      call places%add(self%job%path//schedule_ending, self%field_schedule%mark(0_int64))
       call self%energy%mark(places, error)
       if (.not. allocated(error)) call self%nodes%mark(places, error)
       if (.not. allocated(error)) call self%supports%mark(places, error)
@@ -283,24 +241,7 @@ contains
          if (.not. allocated(error)) call self%profiles(i)%mark(places, error)
       end do
       if (.not. allocated(error)) call self%delamination%mark(places, error)
-      if (.not. allocated(error)) call self%fields%mark(places, error)
-      if (.not. allocated(error)) call self%bricks%mark(places, error)
-      if (.not. allocated(error)) call self%interfaces%mark(places, error)
    end subroutine keep
-
-   !> Write the fields at this time, if they are not in the file already
-   subroutine plot(self, domain, state, error)
-      class(writer_type), intent(inout) :: self
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> The state
-      type(state_type), intent(in) :: state
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      if (state%time <= self%field_time) return
-      call write_fields(self, domain, state, error)
-   end subroutine plot
 
    !> Close all files, also after an error
    subroutine close_writer(self, error)
@@ -324,12 +265,6 @@ contains
          call self%profiles(i)%close(each)
          call keep_first(error, each)
       end do
-      call self%fields%close(each)
-      call keep_first(error, each)
-      call self%bricks%close(each)
-      call keep_first(error, each)
-      call self%interfaces%close(each)
-      call keep_first(error, each)
       call self%delamination%close(each)
       call keep_first(error, each)
    end subroutine close_writer

@@ -5,13 +5,14 @@ module plydyn_parallel_comm
    use, intrinsic :: iso_fortran_env, only : int64
    use mpi_f08, only : mpi_allgatherv, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_character, &
       & mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_double_precision, mpi_finalize, &
-      & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_sum, mpi_thread_funneled
+      & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_land, mpi_logical, mpi_sum, &
+      & mpi_thread_funneled
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: start_ranks, stop_ranks
+   public :: leave_ranks, start_ranks, stop_ranks
 
    !> The rank that reads the deck and writes the results
    integer, parameter :: root = 0
@@ -25,6 +26,7 @@ module plydyn_parallel_comm
    contains
       procedure :: is_root
       procedure :: add_up
+      procedure :: agree
       procedure :: collect
       procedure :: tell_integers
       procedure :: tell_reals
@@ -74,6 +76,15 @@ contains
       call mpi_finalize()
    end subroutine stop_ranks
 
+   !> Wait for the other ranks before the program ends with files that could not be written: MPI is
+   !> not ended, as HDF5 would try to write them again then, and wait for ever
+   subroutine leave_ranks(comm)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+
+      if (comm%is_launched) call mpi_barrier(mpi_comm_world)
+   end subroutine leave_ranks
+
    !> Whether this rank reads the deck and writes the results
    pure logical function is_root(self)
       class(comm_type), intent(in) :: self
@@ -91,6 +102,16 @@ contains
       call mpi_allreduce(mpi_in_place, values, size(values), mpi_integer8, mpi_sum, &
          & mpi_comm_world)
    end subroutine add_up
+
+   !> Whether all went well on all ranks
+   subroutine agree(self, good)
+      class(comm_type), intent(in) :: self
+      !> Whether it did on this rank in, the same on all ranks out
+      logical, intent(inout) :: good
+
+      if (self%ranks == 1) return
+      call mpi_allreduce(mpi_in_place, good, 1, mpi_logical, mpi_land, mpi_comm_world)
+   end subroutine agree
 
    !> Let all ranks have what each has a part of
    subroutine collect(self, part, counts, whole)

@@ -1,16 +1,18 @@
-!> What is written about a run: by its only rank, or by the root, to which the others bring their
-!> parts when something is due.
+!> What is written about a run: fields by all ranks together, the rest by the root, to which the
+!> others bring their parts when something is due.
 module plydyn_solver_journal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_output_dump, only : write_dump
+   use plydyn_output_field_states, only : field_states_type
    use plydyn_output_job, only : job_type
    use plydyn_output_life_line, only : life_line_type
    use plydyn_output_listing, only : write_end
-   use plydyn_output_places, only : places_type
+   use plydyn_output_places, only : new_places, places_type
    use plydyn_output_rows, only : new_rows, rows_type
+   use plydyn_output_tell_job, only : tell_job
    use plydyn_output_writer, only : writer_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_assembly, only : assembly_type
@@ -24,8 +26,12 @@ module plydyn_solver_journal
       private
       !> The ranks
       type(comm_type) :: comm
-      !> What writes; on the root
+      !> Path of the results without endings
+      character(:), allocatable :: path
+      !> What writes histories; on the root
       type(writer_type) :: writer
+      !> What writes fields
+      type(field_states_type) :: fields
       !> Where the run is; on the root's screen
       type(life_line_type) :: life_line
       !> The whole model; on the root of several ranks
@@ -65,15 +71,21 @@ contains
       !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      type(job_type) :: same
+
       self%comm = domain%comm
       self%assembly = assembly
+      same = job
+      call tell_job(self%comm, same)
+      self%path = same%path
       call move_alloc(whole, self%whole)
       if (allocated(self%whole)) then
-         call self%writer%open(job, model, self%whole, error)
+         call self%writer%open(same, model, self%whole, error)
       else if (self%comm%is_root()) then
-         call self%writer%open(job, model, domain, error)
+         call self%writer%open(same, model, domain, error)
       end if
       call self%comm%tell(error)
+      if (.not. allocated(error)) call self%fields%open(same, model, domain, error)
       if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
    end subroutine open_journal
 
@@ -104,6 +116,7 @@ contains
       if (state%rows_due) call record_rows(self, domain, state, error)
       if (allocated(error)) return
       if (state%output_due) call record_state(self, domain, state, error)
+      if (.not. allocated(error)) call self%fields%record(domain, state, error)
       call self%life_line%show(state)
    end subroutine record
 
@@ -120,6 +133,7 @@ contains
       call record_impactors(self, domain, state, error)
       if (.not. allocated(error)) call record_rows(self, domain, state, error)
       if (.not. allocated(error)) call record_state(self, domain, state, error)
+      if (.not. allocated(error)) call self%fields%record(domain, state, error)
    end subroutine begin
 
    !> Lines of the impactors, which all ranks know
@@ -173,13 +187,7 @@ contains
       !> Why they could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (self%comm%ranks == 1) then
-         call self%writer%plot(domain, state, error)
-         return
-      end if
-      call self%assembly%gather(state, self%state)
-      if (allocated(self%whole)) call self%writer%plot(self%whole, self%state, error)
-      call self%comm%tell(error)
+      call self%fields%plot(domain, state, error)
    end subroutine plot
 
    !> Write the fields of a run that is stopped, and find the cause in the whole model
@@ -196,6 +204,7 @@ contains
 
       ! what stopped the run is worse than a state that cannot be written
       call self%plot(domain, state, plot_error)
+      if (self%comm%ranks > 1) call self%assembly%gather(state, self%state)
       if (allocated(self%whole)) then
          call check_health(self%whole, self%state, better)
          if (allocated(better)) call move_alloc(better, error)
@@ -215,13 +224,15 @@ contains
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
       class(journal_type), intent(inout) :: self
-      !> Gets the places, on the root
+      !> Gets the places; those of histories on the root only
       type(places_type), intent(out) :: places
       !> Why something is not on the disk; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      places = new_places(self%path)
       if (self%comm%is_root()) call self%writer%keep(places, error)
       call self%comm%tell(error)
+      if (.not. allocated(error)) call self%fields%mark(places, error)
    end subroutine keep
 
    !> Write a restart file
@@ -278,8 +289,12 @@ contains
       !> The first file that could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      type(error_type), allocatable :: each
+
       if (self%comm%is_root()) call self%writer%close(error)
       call self%comm%tell(error)
+      call self%fields%close(each)
+      if (.not. allocated(error)) call move_alloc(each, error)
    end subroutine close_journal
 
 end module plydyn_solver_journal

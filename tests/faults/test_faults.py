@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
 import random
 import shutil
 import signal
 import subprocess
 import time
-from collections.abc import Iterator
 from pathlib import Path
 
 import h5py
@@ -18,10 +16,12 @@ import pytest
 from broken import impact, said, unlike
 from decks import Deck
 from runs import SOLVER
+from small_disk import enlarge, small_disk
+
+__all__ = ["small_disk"]
 
 NORMAL, INPUT, FAILED, OUTPUT = 0, 2, 3, 5
 KILLS, SEED = 20, 5
-MEGABYTE = 2**20
 
 
 def long_deck(cycles: int, end: float = 1.5e-4) -> Deck:
@@ -69,21 +69,6 @@ def test_kill_at_any_moment(tmp_path: Path) -> None:
     assert unlike(whole, broken) == []
 
 
-@pytest.fixture
-def small_disk(tmp_path: Path) -> Iterator[Path]:
-    """A disk with room for some restart files, but not for all results."""
-    if os.geteuid() != 0:
-        pytest.skip("only root can make a small disk")
-    folder = tmp_path / "disk"
-    folder.mkdir()
-    mount = ["mount", "-t", "tmpfs", "-o", f"size={2 * MEGABYTE}", "tmpfs", folder]
-    done = subprocess.run(mount, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        pytest.skip(f"this machine lets nobody make a small disk: {done.stderr.strip()}")
-    yield folder
-    subprocess.run(["umount", folder], check=True)
-
-
 def test_disk_is_full(small_disk: Path, tmp_path: Path) -> None:
     """The run ends with a message and a good restart file; with more room it goes on."""
     deck = long_deck(20, 6.0e-5).write(tmp_path / "job.k")
@@ -92,8 +77,7 @@ def test_disk_is_full(small_disk: Path, tmp_path: Path) -> None:
     assert code == OUTPUT, text
     assert "disk must have room" in text
     assert not (small_disk / "job.runrsf.part").exists()
-    larger = ["mount", "-o", f"remount,size={64 * MEGABYTE}", small_disk]
-    subprocess.run(larger, check=True)
+    enlarge(small_disk)
     code, text = said("restart", small_disk / "job.runrsf")
     assert code == NORMAL, text
     assert unlike(whole, small_disk) == []

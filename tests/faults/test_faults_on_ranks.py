@@ -8,12 +8,16 @@ import subprocess
 import time
 from pathlib import Path
 
+import h5py
 import pytest
 
 from broken import impact, said, unlike
 from ranks import PATIENT, command, launch
+from small_disk import enlarge, small_disk
 
-NORMAL, STOPPED = 0, 4
+__all__ = ["small_disk"]
+
+NORMAL, STOPPED, OUTPUT = 0, 4, 5
 END = 3.0e-4
 SECONDS = 20.0
 
@@ -71,6 +75,41 @@ def test_rank_dies(rank: int, whole: Path, tmp_path: Path) -> None:
     assert run.returncode != NORMAL
     assert "signal 9" in text
     goes_on(tmp_path / "broken", tmp_path / "broken" / "job.runrsf", whole)
+
+
+def test_killed_ranks_leave_all_states_of_fields(whole: Path, tmp_path: Path) -> None:
+    """What was counted is whole, as in the run in one piece."""
+    run = start(tmp_path / "broken", 3)
+    for rank in ranks_of(run):
+        os.kill(rank, signal.SIGKILL)
+    run.communicate(timeout=SECONDS)
+    with (
+        h5py.File(whole / "job.vtkhdf") as alone,
+        h5py.File(tmp_path / "broken" / "job.vtkhdf") as file,
+    ):
+        states = int(file["VTKHDF/Steps"].attrs["NSteps"])
+        assert states > 0
+        for name, field in file["VTKHDF/PointData"].items():
+            rows = states * int(file["VTKHDF/NumberOfPoints"][0])
+            assert (field[:rows] == alone["VTKHDF/PointData"][name][:rows]).all()
+
+
+@pytest.mark.parametrize("ranks", [2, 3])
+def test_disk_is_full(ranks: int, small_disk: Path, tmp_path: Path) -> None:
+    """All ranks end with one message, none waits for another; with more room the run goes on."""
+    deck = impact(1, "cohesive", end=6.0e-5)
+    deck.add("DATABASE_BINARY_RUNRSF", (20,))
+    path = deck.write(tmp_path / "job.k")
+    (tmp_path / "whole").mkdir()
+    code, text = said("run", path, "-o", tmp_path / "whole")
+    assert code == NORMAL, text
+    done = launch(ranks, "run", path, "-o", small_disk, seconds=SECONDS)
+    assert done.returncode == OUTPUT, done.stdout + done.stderr
+    assert done.stderr.count("disk must have room") == 1
+    enlarge(small_disk)
+    done = launch(ranks, "restart", small_disk / "job.runrsf")
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert unlike(tmp_path / "whole", small_disk) == []
 
 
 @pytest.mark.parametrize("rank", [0, 1])

@@ -1,13 +1,16 @@
 !> Writes a small VTKHDF file for `test_reads_back.py`: write_sample PATH STATES [HELD]
 !>
 !> A 27-node and an 8-node hexahedron side by side, a scalar, a vector and a tensor whose values
-!> tell state, point and component. With HELD the program says `pause` in the midst of that state,
+!> tell state, point and component. Several ranks write as much of the points as each other, and the
+!> cells likewise. With HELD the program says `pause` in the midst of that state,
 !> where nothing of it is counted yet, and waits for a line. An error is printed; the exit is 5.
 program write_sample
    use plydyn_base_error, only : error_type, exit_output
    use plydyn_base_precision, only : wp
    use plydyn_output_places, only : new_places
-   use plydyn_output_vtkhdf, only : vtkhdf_type
+   use plydyn_output_vtkhdf, only : piece_type, slab_type, vtkhdf_type
+   use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
+   use plydyn_parallel_delivery, only : band_start
    implicit none
 
    integer, parameter :: nodes(2) = [27, 8], cell_types(2) = [29, 12]
@@ -17,6 +20,8 @@ program write_sample
       & 1, 0, 0, 2, 1, 0, 1, 2, 0, 0, 1, 0, 1, 0, 2, 2, 1, 2, 1, 2, 2, 0, 1, 2, &
       & 0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 2, 1, 0, 1, 1, 2, 1, 1, 1, 0, 1, 1, 2, 1, &
       & 1, 1, 0, 1, 1, 2, 1, 1, 1], [3, 27])
+   type(comm_type) :: comm
+   type(slab_type) :: points, cells
    type(vtkhdf_type) :: file
    type(error_type), allocatable :: error
    character(256) :: path, word
@@ -29,6 +34,9 @@ program write_sample
    call get_command_argument(3, word)
    if (len_trim(word) > 0) read (word, *) held
 
+   call start_ranks(comm)
+   points = band(sum(nodes))
+   cells = band(size(nodes))
    call start()
    call leave_on_error()
    do k = 1, states
@@ -37,19 +45,52 @@ program write_sample
    end do
    call file%close(error)
    call leave_on_error()
+   call stop_ranks(comm)
 
 contains
 
-   !> The grid and what is told about it
-   subroutine start()
-      real(wp) :: points(3, sum(nodes)), normals(3, 2)
-      integer :: i
+   !> Rows that this rank writes
+   type(slab_type) function band(rows)
+      integer, intent(in) :: rows
 
-      points(:, :27) = 0.5_wp*place
-      points(:, 28:) = 0.5_wp*place(:, :8)
-      points(1, 28:) = points(1, 28:) + 2.0_wp
-      normals(:, :) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp], [3, 2])
-      call file%create(path, points, [(i, i=0, 34)], [0, 27, 35], cell_types, error)
+      band%whole = rows
+      band%first = band_start(rows, comm%rank, comm%ranks)
+      band%count = band_start(rows, comm%rank + 1, comm%ranks) - band%first
+   end function band
+
+   !> The part of the grid that this rank writes
+   function grid() result(piece)
+      type(piece_type) :: piece
+
+      real(wp) :: position(3, sum(nodes))
+      integer :: begin(3), i
+
+      begin(:) = [0, nodes(1), sum(nodes)]
+      position(:, :27) = 0.5_wp*place
+      position(:, 28:) = 0.5_wp*place(:, :8)
+      position(1, 28:) = position(1, 28:) + 2.0_wp
+      associate (first => cells%first, last => cells%first + cells%count)
+         piece%points = points
+         piece%cells = cells
+         piece%before = begin(first + 1)
+         piece%all_ends = begin(3)
+         piece%position = position(:, points%first + 1:points%first + points%count)
+         piece%connectivity = [(i, i=begin(first + 1), begin(last + 1) - 1)]
+         piece%offset = begin(first + 1:merge(last + 1, last, last == 2 .and. cells%count > 0))
+         piece%kind = cell_types(first + 1:last)
+      end associate
+   end function grid
+
+   !> The grid and what is told about it; each rank its part
+   subroutine start()
+      integer, parameter :: ply(2) = [1, 2]
+      real(wp), parameter :: angle(2) = [45.0_wp, -45.0_wp], normals(3, 2) = &
+         & reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp], [3, 2])
+      integer :: first, last
+
+      first = cells%first + 1
+      last = cells%first + cells%count
+      call file%create(path, comm, grid(), error)
       if (allocated(error)) return
       call file%describe("title", "Sample of two cells", error)
       if (allocated(error)) return
@@ -58,11 +99,11 @@ contains
       call file%add_table("plies", [character(9) :: "ply", "angle", "thickness"], &
          & reshape([1.0_wp, 45.0_wp, 0.1_wp, 2.0_wp, -45.0_wp, 0.2_wp], [3, 2]), error)
       if (allocated(error)) return
-      call file%add_cell_data("ply", [1, 2], error)
+      call file%add_cell_data("ply", ply(first:last), error)
       if (allocated(error)) return
-      call file%add_cell_data("angle", [45.0_wp, -45.0_wp], error)
+      call file%add_cell_data("angle", angle(first:last), error)
       if (allocated(error)) return
-      call file%add_cell_data("fibre", normals, error)
+      call file%add_cell_data("fibre", normals(:, first:last), error)
       if (allocated(error)) return
       call file%declare_point_data("pressure", 1, error)
       if (allocated(error)) return
@@ -77,23 +118,26 @@ contains
    subroutine write_state(state)
       integer, intent(in) :: state
 
-      real(wp) :: values(6, sum(nodes)), vectors(3, sum(nodes)), scalars(sum(nodes))
+      real(wp) :: values(6, points%count), vectors(3, points%count), scalars(points%count)
       integer :: i, c
 
       do i = 1, size(values, 2)
-         values(:, i) = 1000.0_wp*state + i + [(0.1_wp*c, c=1, 6)]
+         values(:, i) = 1000.0_wp*state + points%first + i + [(0.1_wp*c, c=1, 6)]
       end do
       scalars(:) = values(1, :)
       vectors(:, :) = values(:3, :)
-      call file%begin_step(0.1_wp*state)
+      call file%begin_step(0.1_wp*state, error)
+      if (allocated(error)) return
       call file%write_point_data("pressure", scalars, error)
       if (allocated(error)) return
       call file%write_point_data("displacement", vectors, error)
       if (allocated(error)) return
       if (state == held) then
-         write (*, "(a)") "pause"
-         flush (6)
-         read (*, *)
+         if (comm%is_root()) then
+            write (*, "(a)") "pause"
+            flush (6)
+            read (*, *)
+         end if
       end if
       call file%write_point_data("stress", values, error)
       if (allocated(error)) return
@@ -103,8 +147,10 @@ contains
    !> Print the error, if there is one, and leave; closing a file that cannot be written is tried
    subroutine leave_on_error()
       if (.not. allocated(error)) return
-      write (*, "(a)") error%message
+      if (comm%is_root()) write (*, "(a)") error%message
+      flush (6)
       call file%close(error)
+      call leave_ranks(comm)
       stop exit_output
    end subroutine leave_on_error
 

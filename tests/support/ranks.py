@@ -20,7 +20,9 @@ def command(ranks: int, words: list[str | Path]) -> list[str]:
     return line if ranks == 1 else [*LAUNCHER, str(ranks), *line]
 
 
-def launch(ranks: int, *words: str | Path, threads: int = 1) -> subprocess.CompletedProcess[str]:
+def launch(
+    ranks: int, *words: str | Path, threads: int = 1, seconds: float = 300.0
+) -> subprocess.CompletedProcess[str]:
     """Run to the end on some ranks and threads."""
     environment = {**os.environ, **PATIENT, "OMP_NUM_THREADS": str(threads)}
     return subprocess.run(
@@ -29,7 +31,7 @@ def launch(ranks: int, *words: str | Path, threads: int = 1) -> subprocess.Compl
         capture_output=True,
         text=True,
         check=False,
-        timeout=300,
+        timeout=seconds,
     )
 
 

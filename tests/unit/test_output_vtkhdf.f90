@@ -3,12 +3,13 @@ program test_output_vtkhdf
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_output_places, only : new_places, places_type
-   use plydyn_output_vtkhdf, only : vtkhdf_type
+   use plydyn_output_vtkhdf, only : piece_type, slab_type, vtkhdf_type
+   use plydyn_parallel_comm, only : comm_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
    character(*), parameter :: path = "test_output_vtkhdf.vtkhdf"
-   integer, parameter :: hexahedron(1) = [12]
+   integer, parameter :: hexahedron = 12
    real(wp), parameter :: points(3, 8) = reshape(real([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, &
       & 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1], wp), [3, 8])
    integer, parameter :: connectivity(8) = [0, 1, 2, 3, 4, 5, 6, 7]
@@ -27,16 +28,31 @@ contains
    !> Creation
    subroutine grids()
       call begin("create")
-      call file%create("no/such/folder/a.vtkhdf", points, connectivity, [0, 8], hexahedron, error)
+      call file%create("no/such/folder/a.vtkhdf", comm_type(), grid([0, 8]), error)
       call check_error(error, "no/such/folder/a.vtkhdf", "a folder that is not there")
       call check(.not. file%is_open(), "the file stays closed")
-      call file%create(path, points, connectivity, [0], hexahedron, error)
+      call file%create(path, comm_type(), grid([0]), error)
       call check_error(error, "one offset per cell and one more", "too few offsets")
-      call file%create(path, points, connectivity, [0, 8], hexahedron, error)
+      call file%create(path, comm_type(), grid([0, 8]), error)
       call check(.not. allocated(error) .and. file%is_open(), "a grid that is right")
       call file%add_table("plies", ["ply"], reshape([1.0_wp, 2.0_wp], [2, 1]), error)
       call check_error(error, "a name for each column", "a table with too few names")
    end subroutine grids
+
+   !> One cell, written by one rank
+   function grid(offset) result(piece)
+      !> Where the cell begins and ends
+      integer, intent(in) :: offset(:)
+      type(piece_type) :: piece
+
+      piece%points = slab_type(whole=8, count=8)
+      piece%cells = slab_type(whole=1, count=1)
+      piece%all_ends = size(connectivity)
+      piece%position = points
+      piece%connectivity = connectivity
+      piece%offset = offset
+      piece%kind = [hexahedron]
+   end function grid
 
    !> Fields on cells
    subroutine cell_fields()
@@ -63,7 +79,8 @@ contains
       call file%settle(places, error)
       inquire (file=path, exist=exists)
       call check(exists, "and then it is")
-      call file%begin_step(0.0_wp)
+      call file%begin_step(0.0_wp, error)
+      call check(.not. allocated(error), "there is room for a state")
       call file%write_point_data("speed", scalar, error)
       call check_error(error, "speed must be declared", "a field that is not")
       call file%write_point_data("velocity", scalar, error)
@@ -84,8 +101,7 @@ contains
       call check(.not. allocated(error) .and. .not. file%is_open(), "closes")
       call file%close(error)
       call check(.not. allocated(error), "closing again does nothing")
-      call file%begin_step(1.0_wp)
-      call file%write_point_data("velocity", vector, error)
+      call file%begin_step(1.0_wp, error)
       call check_error(error, path, "nothing is written to a closed file")
    end subroutine point_fields
 

@@ -1,0 +1,287 @@
+!> A file of HDF5 being written, by one rank or by several together: its life, its groups, and the
+!> attributes of what is in it. `plydyn_output_h5` adds the datasets.
+!>
+!> Files have the earliest format of the library, so that a file whose run was killed opens again
+!> with all that was flushed, and no lock, so that a running job can be looked at. Objects inside
+!> a file are named by their path, such as `VTKHDF/Steps/Values`.
+!>
+!> Several ranks call all procedures together, and get the same error. A rank that has no room on
+!> the disk would let the others wait for ever in the midst of the library: so `reserve` makes sure
+!> of it before they go there.
+module plydyn_output_h5_file
+   use, intrinsic :: iso_c_binding, only : c_loc
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : has_room, rename_file
+   use plydyn_base_precision, only : wp
+   use plydyn_output_h5_raw, only : create_group, is_integer, is_real, numbers_type, &
+      & store_double, store_long, write_attribute, write_text_attribute
+   use plydyn_output_h5_raw_file, only : close_file, create_file, flush_file, handle_type
+   use plydyn_output_text_file, only : try_text
+   use plydyn_parallel_comm, only : comm_type
+   implicit none
+   private
+
+   !> Bytes of the library's own data that come with a dataset, or with rows, and more
+   integer(int64), parameter :: overhead = 2_int64**14
+
+   !> A file being written
+   type, public :: h5_base_type
+      !> Path of the file
+      character(:), allocatable :: path
+      !> Its handle; for extensions
+      type(handle_type) :: handle
+      !> The ranks that write it
+      type(comm_type), private :: comm
+      !> True between `create` and `close` or the first failure
+      logical, private :: opened = .false.
+   contains
+      procedure :: create
+      procedure :: is_open
+      procedure :: is_root
+      procedure :: agree
+      procedure :: reserve
+      procedure :: rename
+      procedure :: make_group
+      procedure :: write_text
+      !> Give an object of the file an attribute of numbers, or give it anew with the same shape
+      generic :: write_number => write_integer, write_integers, write_real
+      procedure :: flush => flush_all
+      procedure :: close => close_whole
+      procedure :: confirm
+      procedure, private :: write_integer, write_integers, write_real
+   end type h5_base_type
+
+contains
+
+   !> Create the file, in place of one that was there
+   subroutine create(this, path, comm, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the file; its folder must exist
+      character(*), intent(in) :: path
+      !> The ranks that write it together
+      type(comm_type), intent(in) :: comm
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      this%path = trim(path)
+      this%comm = comm
+      this%handle%is_shared = comm%ranks > 1
+      if (comm%is_root()) call try_text(this%path, error)
+      call comm%tell(error)
+      if (allocated(error)) return
+      call create_file(this%path, this%handle, this%opened)
+      call this%confirm(this%opened, "the file", error)
+   end subroutine create
+
+   !> True between `create` and `close` or the first failure
+   pure logical function is_open(this)
+      class(h5_base_type), intent(in) :: this
+
+      is_open = this%opened
+   end function is_open
+
+   !> Whether this is the only rank that writes, or the root of several
+   pure logical function is_root(this)
+      class(h5_base_type), intent(in) :: this
+
+      is_root = this%comm%is_root()
+   end function is_root
+
+   !> Whether all went well on all ranks that write the file
+   subroutine agree(this, good)
+      class(h5_base_type), intent(in) :: this
+      !> Whether it did on this rank in, the same on all ranks out
+      logical, intent(inout) :: good
+
+      call this%comm%agree(good)
+   end subroutine agree
+
+   !> Make sure of room for numbers, and for what the library adds
+   subroutine reserve(this, bytes, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Bytes of the numbers of all ranks
+      integer(int64), intent(in) :: bytes
+      !> The disk is full
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      good = this%opened
+      if (good .and. this%is_root()) good = has_room(this%path, bytes + overhead)
+      call this%confirm(good, "what is to come", error)
+   end subroutine reserve
+
+   !> Give the file another name, in place of a file that has it
+   subroutine rename(this, path, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Its new path, on the same disk
+      character(*), intent(in) :: path
+      !> Why it keeps its name
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      good = .true.
+      if (this%is_root()) call rename_file(this%path, path, good)
+      call this%comm%agree(good)
+      if (good) then
+         this%path = path
+      else
+         call fail(error, exit_output, "cannot rename "//this%path//" to "//path)
+      end if
+   end subroutine rename
+
+   !> Make a group
+   subroutine make_group(this, name, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the group in the file; the groups above it must exist
+      character(*), intent(in) :: name
+      !> Why it could not be made
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call create_group(this%handle, name, good)
+      call this%confirm(good, name, error)
+   end subroutine make_group
+
+   !> Attribute of text, of exactly its length; trailing blanks are left out
+   subroutine write_text(this, place, name, value, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the group or dataset that gets the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      character(*), intent(in) :: value
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      ! the library has no text without length: a single null reads as none
+      if (len_trim(value) > 0) then
+         call write_text_attribute(this%handle, place, name, trim(value), good)
+      else
+         call write_text_attribute(this%handle, place, name, achar(0), good)
+      end if
+      call this%confirm(good, place//"/"//name, error)
+   end subroutine write_text
+
+   !> Attribute of one integer
+   subroutine write_integer(this, place, name, value, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the group or dataset that gets the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      integer, intent(in), target :: value
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call write_attribute(this%handle, place, name, &
+         & numbers_type(c_loc(value), [integer ::], is_integer, store_long), good)
+      call this%confirm(good, place//"/"//name, error)
+   end subroutine write_integer
+
+   !> Attribute of several integers
+   subroutine write_integers(this, place, name, value, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the group or dataset that gets the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      integer, intent(in), target, contiguous :: value(:)
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call write_attribute(this%handle, place, name, &
+         & numbers_type(c_loc(value), shape(value), is_integer, store_long), good)
+      call this%confirm(good, place//"/"//name, error)
+   end subroutine write_integers
+
+   !> Attribute of one real
+   subroutine write_real(this, place, name, value, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> Path of the group or dataset that gets the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      real(wp), intent(in), target :: value
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call write_attribute(this%handle, place, name, &
+         & numbers_type(c_loc(value), [integer ::], is_real, store_double), good)
+      call this%confirm(good, place//"/"//name, error)
+   end subroutine write_real
+
+   !> Hand all that was written to the operating system: it outlives a kill of this process
+   subroutine flush_all(this, error)
+      class(h5_base_type), intent(inout) :: this
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call flush_file(this%handle, good)
+      call this%confirm(good, "what is not yet on the disk", error)
+   end subroutine flush_all
+
+   !> Write what is left and close the file; nothing happens when it is not open
+   subroutine close_whole(this, error)
+      class(h5_base_type), intent(inout) :: this
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      if (.not. this%opened) return
+      this%opened = .false.
+      call close_file(this%handle, good)
+      call this%confirm(good, "what is not yet on the disk", error)
+   end subroutine close_whole
+
+   !> Turn what went wrong on any rank into an error
+   !>
+   !> From then on the file is left alone, as closing it would spoil what was flushed before.
+   subroutine confirm(this, good, quantity, error)
+      !> The file
+      class(h5_base_type), intent(inout) :: this
+      !> True when all went well
+      logical, intent(in) :: good
+      !> What was to be written
+      character(*), intent(in) :: quantity
+      !> The error, when there is one
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: all_good
+
+      all_good = good
+      call this%comm%agree(all_good)
+      if (all_good) return
+      this%opened = .false.
+      this%handle = handle_type(is_shared=this%handle%is_shared)
+      call fail(error, exit_output, "cannot write "//quantity//" to "//this%path &
+         & //": its disk must have room and be writable")
+   end subroutine confirm
+
+end module plydyn_output_h5_file

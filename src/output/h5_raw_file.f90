@@ -1,0 +1,121 @@
+!> Calls of HDF5 that make and end files, on one rank or on several that write one file together.
+!>
+!> One rank writes as the system lets it, several write by MPI. The library lays out a file in the
+!> same way in both cases, so that its bytes do not tell how many ranks there were.
+module plydyn_output_h5_raw_file
+   use hdf5, only : h5dont_atexit_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_close_strong_f, &
+      & h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fd_mpio_collective_f, h5fflush_f, &
+      & h5open_f, h5p_dataset_xfer_f, h5p_file_access_f, h5p_file_create_f, &
+      & h5pclose_f, h5pcreate_f, h5pset_all_coll_metadata_ops_f, h5pset_coll_metadata_write_f, &
+      & h5pset_dxpl_mpio_f, h5pset_fapl_mpio_f, h5pset_fclose_degree_f, h5pset_file_locking_f, &
+      & h5pset_istore_k_f, hid_t
+   use mpi_f08, only : mpi_comm_world, mpi_info_null
+   implicit none
+   private
+
+   public :: close_file, create_file, create_transfer, flush_file
+
+   !> Half the entries in a node of the index of chunks: a dataset of up to twice as many chunks
+   !> has one node, which a kill in the midst of a flush cannot leave half split
+   integer, parameter, public :: half_index = 256
+
+   !> An open file
+   type, public :: handle_type
+      !> Handle of the library; negative for none
+      integer(hid_t) :: id = -1_hid_t
+      !> Whether several ranks write the file: then all of them make the same calls
+      logical :: is_shared = .false.
+   end type handle_type
+
+contains
+
+   !> Create a file, in place of one that was there
+   subroutine create_file(path, file, good)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Says whether it is shared; gets its handle
+      type(handle_type), intent(inout) :: file
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer(hid_t) :: access, creation
+      integer :: status(11)
+
+      ! at the program's end the library is not to tidy up: after a failure it would crash, and
+      ! whoever wants a file whole closes it; asked a second time it refuses, which is as well
+      call h5dont_atexit_f(status(1))
+      call h5open_f(status(1))
+      call h5eset_auto_f(0, status(2))
+      call h5pcreate_f(h5p_file_access_f, access, status(3))
+      call h5pset_fclose_degree_f(access, h5f_close_strong_f, status(4))
+      call h5pset_file_locking_f(access, .false., .true., status(5))
+      call share(access, file%is_shared, status(6))
+      call h5pcreate_f(h5p_file_create_f, creation, status(7))
+      call h5pset_istore_k_f(creation, half_index, status(8))
+      call h5fcreate_f(path, h5f_acc_trunc_f, file%id, status(9), creation, access)
+      call h5pclose_f(creation, status(10))
+      call h5pclose_f(access, status(11))
+      good = all(status >= 0)
+   end subroutine create_file
+
+   !> Let all ranks have access to the file to come; the library's own data go out in one piece
+   subroutine share(access, is_shared, status)
+      integer(hid_t), intent(in) :: access
+      logical, intent(in) :: is_shared
+      !> Negative when it went wrong
+      integer, intent(out) :: status
+
+      integer :: calls(3)
+
+      status = 0
+      if (.not. is_shared) return
+      call h5pset_fapl_mpio_f(access, mpi_comm_world%mpi_val, mpi_info_null%mpi_val, calls(1))
+      call h5pset_coll_metadata_write_f(access, .true., calls(2))
+      call h5pset_all_coll_metadata_ops_f(access, .true., calls(3))
+      status = minval(calls)
+   end subroutine share
+
+   !> How data are brought to a file: by all ranks together where it is shared
+   subroutine create_transfer(file, transfer, status)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> Handle of the transfer
+      integer(hid_t), intent(out) :: transfer
+      !> Negative when it went wrong
+      integer, intent(out) :: status
+
+      integer :: calls(2)
+
+      calls(2) = 0
+      call h5pcreate_f(h5p_dataset_xfer_f, transfer, calls(1))
+      if (file%is_shared) call h5pset_dxpl_mpio_f(transfer, h5fd_mpio_collective_f, calls(2))
+      status = minval(calls)
+   end subroutine create_transfer
+
+   !> Hand all that was written to the operating system: it outlives this process
+   subroutine flush_file(file, good)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: status
+
+      call h5fflush_f(file%id, h5f_scope_global_f, status)
+      good = status >= 0
+   end subroutine flush_file
+
+   !> Close a file and all that is open in it
+   subroutine close_file(file, good)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: status
+
+      call h5fclose_f(file%id, status)
+      good = status >= 0
+   end subroutine close_file
+
+end module plydyn_output_h5_raw_file

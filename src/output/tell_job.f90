@@ -1,0 +1,60 @@
+!> What the root knows of a job that goes on, told to the other ranks that write its files with it.
+module plydyn_output_tell_job
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_precision, only : wp
+   use plydyn_output_job, only : job_type
+   use plydyn_output_places, only : new_places, place_type, places_type
+   use plydyn_parallel_comm, only : comm_type
+   implicit none
+   private
+
+   public :: tell_job
+
+   !> Numbers of a place
+   integer, parameter :: numbers = 3
+
+contains
+
+   !> Let all ranks have the names of the job, and the places in its files
+   subroutine tell_job(comm, job)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> The root's in, the same on all ranks out
+      type(job_type), intent(inout) :: job
+
+      call comm%tell(job%path)
+      call comm%tell(job%deck)
+      call comm%tell(job%version)
+      if (comm%ranks > 1) call tell_places(comm, job%path, job%places)
+   end subroutine tell_job
+
+   !> Let all ranks have the places
+   subroutine tell_places(comm, path, places)
+      type(comm_type), intent(in) :: comm
+      !> Path of the results without endings
+      character(*), intent(in) :: path
+      type(places_type), intent(inout) :: places
+
+      character(:), allocatable :: ending
+      type(place_type) :: place
+      real(wp) :: table(numbers)
+      integer :: count(1), i
+
+      count(1) = size(places%list)
+      call comm%tell(count)
+      if (.not. comm%is_root()) places = new_places(path)
+      do i = 1, count(1)
+         if (comm%is_root()) then
+            place = places%list(i)
+            ending = trim(place%ending)
+            table(:) = [real(place%amount, wp), place%interval, real(place%next, wp)]
+         end if
+         call comm%tell(ending)
+         call comm%tell(table)
+         if (comm%is_root()) cycle
+         call places%add(path//ending, place_type(amount=nint(table(1), int64), &
+            & interval=table(2), next=nint(table(3), int64)))
+      end do
+   end subroutine tell_places
+
+end module plydyn_output_tell_job

@@ -1,0 +1,221 @@
+!> VTKHDF 2.0: an unstructured grid that stands still, and what never changes on it.
+!>
+!> `plydyn_output_vtkhdf` adds the fields that change from state to state.
+module plydyn_output_vtkhdf_grid
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_output_h5, only : h5_file_type, slab_type, store_double, store_integer, store_single
+   use plydyn_output_text_file, only : try_text
+   use plydyn_output_vtkhdf_layout, only : cell_data, cell_data_offsets, make_groups, &
+      & make_offsets, make_steps, own_group, piece_type, write_grid
+   use plydyn_parallel_comm, only : comm_type
+   implicit none
+   private
+
+   !> Longest name of a field
+   integer, parameter, public :: field_name_length = 32
+
+   !> Behind the name of a file that is not in its place yet
+   character(*), parameter :: in_the_making = ".part"
+
+   !> A file with its grid being written
+   type, public :: grid_file_type
+      !> The file; for extensions
+      type(h5_file_type) :: file
+      !> Its path in the end
+      character(:), allocatable :: path
+      !> Rows of the points and of the cells of this rank
+      type(slab_type) :: points, cells
+      !> States that are complete
+      integer :: states = 0
+      !> Names of the fields on the cells
+      character(field_name_length), allocatable :: cell_fields(:)
+   contains
+      procedure :: create
+      procedure :: is_open
+      procedure :: describe
+      procedure :: add_table
+      !> Fields on the cells that never change; before the first state
+      generic :: add_cell_data => add_cell_integers, add_cell_reals, add_cell_vectors
+      procedure :: refuse
+      procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors, note_cell_data
+   end type grid_file_type
+
+contains
+
+   !> Create the file with its grid, under a name of its own
+   subroutine create(this, path, comm, piece, error)
+      !> The file
+      class(grid_file_type), intent(inout) :: this
+      !> Path of the file; a file that was there is replaced
+      character(*), intent(in) :: path
+      !> The ranks that write it together
+      type(comm_type), intent(in) :: comm
+      !> The grid, or the part of it that this rank writes
+      type(piece_type), intent(in) :: piece
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: exists
+
+      this%path = trim(path)
+      this%points = piece%points
+      this%cells = piece%cells
+      this%states = 0
+      this%cell_fields = [character(field_name_length) ::]
+      call check_piece(this, piece, error)
+      if (allocated(error)) return
+      ! what is there already must be a file that can be replaced
+      inquire (file=this%path, exist=exists)
+      if (exists .and. comm%is_root()) call try_text(this%path, error)
+      call comm%tell(error)
+      if (allocated(error)) return
+      call this%file%create(this%path//in_the_making, comm, error)
+      if (allocated(error)) return
+      call make_groups(this%file, error)
+      if (allocated(error)) return
+      call write_grid(this%file, piece, error)
+      if (allocated(error)) return
+      call make_steps(this%file, error)
+      if (allocated(error)) return
+      call this%file%flush(error)
+   end subroutine create
+
+   !> Refuse a grid whose lists do not fit each other
+   subroutine check_piece(this, piece, error)
+      class(grid_file_type), intent(in) :: this
+      type(piece_type), intent(in) :: piece
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: cells
+
+      associate (last => piece%cells%first + piece%cells%count == piece%cells%whole)
+         cells = size(piece%kind) + merge(1, 0, last .and. piece%cells%count > 0)
+      end associate
+      if (size(piece%position, 1) == 3 .and. size(piece%offset) == cells) return
+      call this%refuse("the grid must have 3 coordinates per point, one offset per cell and one " &
+         & //"more", error)
+   end subroutine check_piece
+
+   !> True between `create` and `close`
+   pure logical function is_open(this)
+      class(grid_file_type), intent(in) :: this
+
+      is_open = this%file%is_open()
+   end function is_open
+
+   !> Say something about the file: an attribute of the group /plydyn, such as title or length
+   subroutine describe(this, name, value, error)
+      class(grid_file_type), intent(inout) :: this
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its text
+      character(*), intent(in) :: value
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      call this%file%write_text(own_group, name, value, error)
+   end subroutine describe
+
+   !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
+   subroutine add_table(this, name, columns, values, error)
+      class(grid_file_type), intent(inout) :: this
+      !> Name of the dataset
+      character(*), intent(in) :: name
+      !> Names of the columns; written with commas between them
+      character(*), intent(in) :: columns(:)
+      !> Numbers, (columns, rows)
+      real(wp), intent(in), contiguous :: values(:, :)
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: head
+      integer :: i
+
+      if (size(columns) /= size(values, 1) .or. size(columns) == 0) then
+         call this%refuse("table "//name//" must have a name for each column", error)
+         return
+      end if
+      head = trim(columns(1))
+      do i = 2, size(columns)
+         head = head//","//trim(columns(i))
+      end do
+      call this%file%write_values(own_group//"/"//name, values, store_double, error)
+      if (allocated(error)) return
+      call this%file%write_text(own_group//"/"//name, "columns", head, error)
+   end subroutine add_table
+
+   !> A number per cell
+   subroutine add_cell_integers(this, name, values, error)
+      class(grid_file_type), intent(inout) :: this
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (cells)
+      integer, intent(in), contiguous :: values(:)
+      !> Why they could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      call this%note_cell_data(name, size(values), error)
+      if (allocated(error)) return
+      call this%file%write_values(cell_data//name, values, store_integer, error, this%cells)
+   end subroutine add_cell_integers
+
+   !> A real per cell
+   subroutine add_cell_reals(this, name, values, error)
+      class(grid_file_type), intent(inout) :: this
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (cells)
+      real(wp), intent(in), contiguous :: values(:)
+      !> Why they could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      call this%note_cell_data(name, size(values), error)
+      if (allocated(error)) return
+      call this%file%write_values(cell_data//name, values, store_single, error, this%cells)
+   end subroutine add_cell_reals
+
+   !> Several reals per cell
+   subroutine add_cell_vectors(this, name, values, error)
+      class(grid_file_type), intent(inout) :: this
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (components, cells)
+      real(wp), intent(in), contiguous :: values(:, :)
+      !> Why they could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      call this%note_cell_data(name, size(values, 2), error)
+      if (allocated(error)) return
+      call this%file%write_values(cell_data//name, values, store_single, error, this%cells)
+   end subroutine add_cell_vectors
+
+   !> Note a field on the cells: it has a list of offsets as well
+   subroutine note_cell_data(this, name, cells, error)
+      class(grid_file_type), intent(inout) :: this
+      character(*), intent(in) :: name
+      !> Cells that the values are for
+      integer, intent(in) :: cells
+      type(error_type), allocatable, intent(out) :: error
+
+      if (this%states > 0 .or. cells /= this%cells%count) then
+         call this%refuse("cell data "//name//" must come before the first state, with a value " &
+            & //"for each of "//text(this%cells%count)//" cells", error)
+         return
+      end if
+      this%cell_fields = [character(field_name_length) :: this%cell_fields, name]
+      call make_offsets(this%file, cell_data_offsets//name, error)
+   end subroutine note_cell_data
+
+   !> Refuse what does not fit the file
+   subroutine refuse(this, what, error)
+      class(grid_file_type), intent(in) :: this
+      !> What must be
+      character(*), intent(in) :: what
+      type(error_type), allocatable, intent(out) :: error
+
+      call fail(error, exit_output, this%path//": "//what)
+   end subroutine refuse
+
+end module plydyn_output_vtkhdf_grid

@@ -1,0 +1,55 @@
+!> Rows from parts: the order of their keys decides the sum, and bands hold all rows once.
+program test_parallel_delivery
+   use plydyn_base_precision, only : wp
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_delivery, only : band_start, delivery_type, new_delivery
+   use testing, only : begin, check, finish
+   implicit none
+
+   call bands()
+   call sums()
+   call finish()
+
+contains
+
+   !> Every row lies in one band
+   subroutine bands()
+      integer, parameter :: rows = 10
+      integer :: r, ranks
+
+      call begin("band_start")
+      do ranks = 1, 13
+         call check(band_start(rows, 0, ranks) == 0, "the first band begins with the first row")
+         call check(band_start(rows, ranks, ranks) == rows, "the last ends with the last")
+         do r = 1, ranks
+            call check(band_start(rows, r, ranks) - band_start(rows, r - 1, ranks) &
+               & <= (rows + ranks - 1)/ranks, "no band is longer than its share, rounded up")
+         end do
+      end do
+      call check(band_start(2000000000, 3, 4) == 1500000000, "many rows")
+   end subroutine bands
+
+   !> 1 + 2**-53 - 1 is 0 and 1 - 1 + 2**-53 is not: the order shows
+   subroutine sums()
+      real(wp), parameter :: small = 0.5_wp**53
+      integer, parameter :: row(5) = [2, 1, 2, 3, 2], key(5) = [3, 5, 1, 5, 2]
+      type(delivery_type) :: delivery
+      real(wp) :: rows(2, 3), values(2, 5)
+
+      call begin("add_up")
+      delivery = new_delivery(comm_type(), 3, row, key)
+      call check(delivery%first == 0 .and. delivery%count == 3, "one rank has all rows")
+      values(1, :) = [small, 7.0_wp, 1.0_wp, 9.0_wp, -1.0_wp]
+      values(2, :) = [-1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp, small]
+      call delivery%add_up(values, rows)
+      call check(rows(1, :), [7.0_wp, small, 9.0_wp], 0.0_wp, "in the order of the keys")
+      call check(rows(2, :), [1.0_wp, 0.0_wp, 2.0_wp], 0.0_wp, "whatever the values are")
+      call begin("hand_over")
+      values(1, :) = [4.0_wp, 7.0_wp, 4.0_wp, 9.0_wp, 4.0_wp]
+      values(2, :) = -values(1, :)
+      call delivery%hand_over(values, rows)
+      call check(rows(1, :), [7.0_wp, 4.0_wp, 9.0_wp], 0.0_wp, "each row once")
+      call check(rows(2, :), [-7.0_wp, -4.0_wp, -9.0_wp], 0.0_wp, "all of its numbers")
+   end subroutine sums
+
+end program test_parallel_delivery
