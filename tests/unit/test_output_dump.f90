@@ -10,6 +10,7 @@ program test_output_dump
    use plydyn_output_h5, only : h5_file_type
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : new_places, place_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -147,7 +148,7 @@ contains
       close (unit)
       call dump%open(foreign, error)
       call check_error(error, "is no restart file, or not a whole one", "a text")
-      call file%create(foreign, error)
+      call file%create(foreign, comm_type(), error)
       call file%make_group("run", error)
       call file%close(error)
       call dump%open(foreign, error)
