@@ -3,6 +3,7 @@ module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_domain_averages, only : build_averages
    use plydyn_domain_bands, only : check_bands
    use plydyn_domain_build_inertia, only : build_inertia, couple_surface, largest_step
    use plydyn_domain_chunks, only : new_chunks
@@ -82,6 +83,8 @@ contains
       if (allocated(error)) return
       call check_bands(model, domain, error)
       if (allocated(error)) return
+      call build_averages(model, domain, error)
+      if (allocated(error)) return
       call build_joints(model, domain)
    end subroutine build_laminates
 
@@ -93,7 +96,8 @@ contains
 
       domain%layers = new_layers(model%parts(1))
       domain%columns = new_solid_columns(size(model%mesh%node_id))
-      allocate (domain%plates(0), domain%interfaces(0), domain%ties(0), domain%far_ties(2, 0))
+      allocate (domain%plates(0), domain%averages(0), domain%interfaces(0))
+      allocate (domain%ties(0), domain%far_ties(2, 0))
       allocate (domain%mass(domain%columns%masses))
       domain%mass(:) = 0.0_wp
       domain%bricks = new_bricks(model, domain%columns)

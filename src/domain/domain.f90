@@ -5,6 +5,7 @@ module plydyn_domain_domain
    use plydyn_domain_columns, only : columns_type, front
    use plydyn_domain_links, only : links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
+   use plydyn_element_average, only : average_type
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : plate_type
@@ -121,6 +122,8 @@ module plydyn_domain_domain
       type(columns_type) :: columns
       !> One plate for each part
       type(plate_type), allocatable :: plates(:)
+      !> Averages over neighbours that drive the damage of plies
+      type(average_type), allocatable :: averages(:)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
       !> History variables of all Gauss points together

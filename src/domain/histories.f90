@@ -5,12 +5,13 @@ module plydyn_domain_histories
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
-   use plydyn_law_crack_band, only : band_length, share_bilinear, share_biquadratic
+   use plydyn_law_crack_band, only : band_length, rule_gauss_point, share_average, &
+      & share_bilinear, share_biquadratic
    use plydyn_law_law, only : law_type
    implicit none
    private
 
-   public :: band_lengths, start_histories
+   public :: band_lengths, cell_lengths, start_histories
 
 contains
 
@@ -75,11 +76,10 @@ contains
       integer, intent(in) :: q, quad
       real(wp) :: length(lanes, 2)
 
-      real(wp) :: area, jacobian(2, 2), line(plate%side), share, weight(2)
+      real(wp) :: area, jacobian(2, 2), share, weight(2)
       integer :: l
 
-      line(:) = gauss_weights(plate%side)
-      weight(:) = [line(1 + mod(q - 1, plate%side)), line(1 + (q - 1)/plate%side)]
+      weight(:) = point_weights(plate%side, q)
       share = merge(share_biquadratic, share_bilinear, plate%side == 3)
       area = sum(plate%metric(5, :, quad))
       jacobian(:, :) = point_jacobian(plate%reach, plate%metric(:4, q, quad))
@@ -89,9 +89,40 @@ contains
          length(l, 1) = band_length(law%band_rule(l), jacobian, turn(l, :), weight, share, area)
          length(l, 2) = band_length(law%band_rule(l), jacobian, [-turn(l, 2), turn(l, 1)], weight, &
             & share, area)
+         if (law%radius(l, 1) > 0.0_wp) length(l, :) = share_average*law%radius(l, :)
          if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
       end do
    end function band_lengths
+
+   !> Lengths of the own cell of a Gauss point of the plane along the fibres and across them
+   pure function cell_lengths(plate, turn, q, quad) result(length)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Cosine and sine of the fibre direction
+      real(wp), intent(in) :: turn(2)
+      !> Gauss point of the plane, and quad
+      integer, intent(in) :: q, quad
+      real(wp) :: length(2)
+
+      real(wp) :: jacobian(2, 2), weight(2)
+
+      weight(:) = point_weights(plate%side, q)
+      jacobian(:, :) = point_jacobian(plate%reach, plate%metric(:4, q, quad))
+      length(1) = band_length(rule_gauss_point, jacobian, turn, weight, 1.0_wp, 1.0_wp)
+      length(2) = band_length(rule_gauss_point, jacobian, [-turn(2), turn(1)], weight, 1.0_wp, &
+         & 1.0_wp)
+   end function cell_lengths
+
+   !> Gauss weights of a point of the plane along xi and along eta
+   pure function point_weights(side, q) result(weight)
+      integer, intent(in) :: side, q
+      real(wp) :: weight(2)
+
+      real(wp) :: line(side)
+
+      line(:) = gauss_weights(side)
+      weight(:) = [line(1 + mod(q - 1, side)), line(1 + (q - 1)/side)]
+   end function point_weights
 
    !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice the reach
    pure function point_jacobian(reach, metric) result(jacobian)

@@ -28,7 +28,7 @@ contains
       integer, intent(in) :: lane_material(:, :)
       type(block_law_type), allocatable :: laws(:)
 
-      integer :: b, k
+      integer :: b, i, k
 
       allocate (laws(count_laws(materials, lane_material)))
       if (size(laws) == 0) return
@@ -38,8 +38,11 @@ contains
          call add_law(laws, k, b, kinematic_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, curve_lanes(materials, lane_material(:, b)))
          call add_law(laws, k, b, johnson_cook_lanes(materials, lane_material(:, b)))
-         call add_law(laws, k, b, damage_lanes(materials, lane_material(:, b)))
-         call add_law(laws, k, b, strain_lanes(materials, lane_material(:, b)))
+         ! lanes whose strains are averaged over neighbours have a law of their own
+         do i = 1, 2
+            call add_law(laws, k, b, damage_lanes(materials, lane_material(:, b), i == 2))
+            call add_law(laws, k, b, strain_lanes(materials, lane_material(:, b), i == 2))
+         end do
       end do
    end function new_laws
 
@@ -49,17 +52,15 @@ contains
       integer, intent(in) :: lane_material(:, :)
 
       integer :: b, law
-      logical :: used(law_elastic:last_law)
 
       laws = 0
-      used(:) = .false.
       do b = 1, size(lane_material, 2)
-         associate (present => pack(lane_material(:, b), lane_material(:, b) > 0))
+         associate (present => materials(pack(lane_material(:, b), lane_material(:, b) > 0)))
             do law = law_elastic, last_law
-               used(law) = any(materials(present)%law == law)
+               laws = laws + count([any(present%law == law .and. .not. present%averages()), &
+                  & any(present%law == law .and. present%averages())])
             end do
          end associate
-         laws = laws + count(used)
       end do
       if (all(materials(pack(lane_material, lane_material > 0))%law == law_elastic)) laws = 0
    end function count_laws
@@ -171,31 +172,39 @@ contains
    end function johnson_cook_lanes
 
    !> The lanes of a block whose fibres and matrix are damaged
-   function damage_lanes(materials, lane_material) result(law)
+   function damage_lanes(materials, lane_material, averages) result(law)
       type(material_type), intent(in) :: materials(:)
       integer, intent(in) :: lane_material(:)
+      !> Those whose strains are averaged, else the others
+      logical, intent(in) :: averages
       type(ply_damage_type) :: law
       integer :: l
 
       do l = 1, lanes
          if (lane_material(l) == 0) cycle
          associate (material => materials(lane_material(l)))
-            if (material%law == law_ply_damage) call law%set_lane(l, material%ply)
+            if (material%law /= law_ply_damage .or. (material%averages() .neqv. averages)) cycle
+            call law%set_lane(l, material%ply)
+            if (averages) call law%set_average(l, material%radius)
          end associate
       end do
    end function damage_lanes
 
    !> The lanes of a block whose damage begins and ends at strains of the deck
-   function strain_lanes(materials, lane_material) result(law)
+   function strain_lanes(materials, lane_material, averages) result(law)
       type(material_type), intent(in) :: materials(:)
       integer, intent(in) :: lane_material(:)
+      !> Those whose strains are averaged, else the others
+      logical, intent(in) :: averages
       type(strain_damage_type) :: law
       integer :: l
 
       do l = 1, lanes
          if (lane_material(l) == 0) cycle
          associate (material => materials(lane_material(l)))
-            if (material%law == law_strain_damage) call law%set_lane(l, material%strains, rule_band)
+            if (material%law /= law_strain_damage .or. (material%averages() .neqv. averages)) cycle
+            call law%set_lane(l, material%strains, rule_band)
+            if (averages) call law%set_average(l, material%radius)
          end associate
       end do
    end function strain_lanes

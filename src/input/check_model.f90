@@ -8,7 +8,7 @@ module plydyn_input_check_model
       & an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_impact, only : check_impact
    use plydyn_input_check_mesh, only : check_mesh
-   use plydyn_input_check_solid, only : check_bricks
+   use plydyn_input_check_solid, only : check_bricks, refuse_averages
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layers, only : is_same_structure, new_layers
    use plydyn_model_model, only : model_type
@@ -40,6 +40,7 @@ contains
       call check_presence(model, catalogue)
       if (catalogue%mesh_is_sound .and. size(model%mesh%brick_id) > 0) then
          call check_bricks(model%mesh, catalogue)
+         call refuse_averages(model%materials, catalogue)
       else if (catalogue%mesh_is_sound) then
          call check_mesh(model%mesh, catalogue)
       end if

@@ -4,11 +4,12 @@ module plydyn_input_check_solid
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : place_type, report_type
    use plydyn_input_catalogue, only : a_brick, a_node, catalogue_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: check_bricks, refuse_for_bricks
+   public :: check_bricks, refuse_averages, refuse_for_bricks
 
    !> Keywords that need plies, faces or quads
    character(*), parameter :: need_plates(*) = [character(32) :: "BOUNDARY_FACE", &
@@ -42,6 +43,24 @@ contains
             & //"laminate with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE")
       end if
    end subroutine refuse_for_bricks
+
+   !> Refuse averages over neighbours: bricks do not know what layer they are of
+   subroutine refuse_averages(materials, catalogue)
+      !> Materials of bricks
+      type(material_type), intent(in) :: materials(:)
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      integer :: i
+
+      do i = 1, size(materials)
+         if (.not. materials(i)%averages()) cycle
+         place%line = materials(i)%radius_line
+         call catalogue%report%refuse(place, "R1 of material "//text(materials(i)%id)//": an " &
+            & //"average over neighbours does not go with bricks", "plies of plates, or no radii")
+      end do
+   end subroutine refuse_averages
 
    !> Every node belongs to a brick, and no brick is turned inside out
    subroutine check_bricks(mesh, catalogue)

@@ -115,6 +115,11 @@ contains
       call keyword%add_real("BRITTLE", "-", "share of XC from which the stress of crushed fibres " &
          & //"drops to nothing, from 0 (never) to below 1; 0 with PLATEAU", default=0.0_wp, &
          & least=0.0_wp, most=0.99_wp)
+      call keyword%add_real("R1", "length", "radius, along the fibres, of the ellipse over which " &
+         & //"the strains that drive damage are averaged; 0 for no average", default=0.0_wp, &
+         & least=0.0_wp)
+      call keyword%add_real("R2", "length", "radius of it across the fibres; needed with R1", &
+         & default=0.0_wp, least=0.0_wp)
    end subroutine add_switch_card
 
    !> Ply whose damage begins and ends at strains of the deck
@@ -125,10 +130,10 @@ contains
          & //"strains that the deck gives.", suffixes="TITLE", alias="MAT_219")
       keyword%remark = "One ply, alike in all directions across its fibres (a): EC = EB, PRCA = " &
          & //"PRBA, GCA = GAB, GBC = EB/(2 (1 + PRCB)). Each ply of *PART_COMPOSITE has damage " &
-         & //"of its own, so the sub-laminate has one layer. Strains are those of the point: " &
-         & //"without the average over neighbours the energy of a crack grows with the size of " &
-         & //"the quads; the listing prints it. *MAT_PLY_CODAM2 takes toughnesses instead. " &
-         & //"Nothing is deleted."
+         & //"of its own, so the sub-laminate has one layer. Without the average over " &
+         & //"neighbours (R1) a crack costs more where quads are larger; with it, about what a " &
+         & //"band of 1.4 R1 costs. The listing prints it. *MAT_PLY_CODAM2 takes toughnesses " &
+         & //"instead. Nothing is deleted."
       call add_layer_cards(keyword)
       call add_axis_cards(keyword)
       call add_strain_card(keyword, "T", "tension")
@@ -159,7 +164,10 @@ contains
       call keyword%add_real("GAB", "stress", "shear modulus along the fibres", above=0.0_wp)
       call keyword%add_unused("UNUSED3 UNUSED4")
       call keyword%add_integer("NLAYER", "layers of the sub-laminate: 1", least=1)
-      call keyword%add_unused("R1 R2 NFREQ")
+      call keyword%add_real("R1", "length", "radius of the circle over which the strains in the " &
+         & //"plane are averaged before they drive damage; 0 for no average", default=0.0_wp, &
+         & least=0.0_wp)
+      call keyword%add_unused("R2 NFREQ")
    end subroutine add_layer_cards
 
    !> Axes of the material, and the angle of its layer

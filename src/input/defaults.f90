@@ -46,6 +46,9 @@ contains
          model%materials(i)%place = ""
          if (model%materials(i)%line > 0) model%materials(i)%place = deck%source%where( &
             & model%materials(i)%line)
+         model%materials(i)%radius_place = ""
+         if (model%materials(i)%radius_line > 0) model%materials(i)%radius_place = &
+            & deck%source%where(model%materials(i)%radius_line)
       end do
       associate (request => model%request)
          if (size(request%fields) == 0) then

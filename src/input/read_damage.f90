@@ -65,6 +65,7 @@ contains
       material%line = cards%line_of("MID")
       if (cards%has("SNAP")) material%line = cards%line_of("SNAP")
       call read_shear_curve(cards, catalogue, curves, material%ply)
+      call read_average(cards, catalogue, material)
       materials = [materials, material]
    end subroutine read_mat_ply_codam2
 
@@ -116,6 +117,32 @@ contains
             & //"onset (MCOMP 1) needs")
       end if
    end subroutine read_switches
+
+   !> Radii of the average over neighbours
+   subroutine read_average(cards, catalogue, material)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(material_type), intent(inout) :: material
+
+      character(2), parameter :: names(2) = ["R1", "R2"]
+      real(wp) :: radius(2)
+      integer :: missing
+
+      if (.not. (cards%is_fine("R1") .and. cards%is_fine("R2"))) return
+      radius(:) = cards%reals(names)
+      if (maxval(radius) <= 0.0_wp) return
+      missing = minloc(radius, 1)
+      if (radius(missing) <= 0.0_wp) then
+         call catalogue%refuse(cards, names(missing), names(missing)//" is missing beside " &
+            & //names(3 - missing)//" = "//number_words(radius(3 - missing)), "both radii of the " &
+            & //"ellipse, or none")
+      else if (material%ply%closes) then
+         call catalogue%refuse(cards, "CLOSE", "cracks that close do not go with an average over " &
+            & //"neighbours", "0, or no R1 and R2")
+      end if
+      material%radius(:) = radius
+      material%radius_line = cards%line_of("R1")
+   end subroutine read_average
 
    !> Number of a choice; 0 where the deck says none, or what cannot be
    pure integer function choice(cards, name)
@@ -224,6 +251,8 @@ contains
          strains%shear(:) = material%shear
       end associate
       call read_strains(cards, catalogue, material%strains)
+      material%radius(:) = cards%real("R1")
+      material%radius_line = cards%line_of("R1")
       materials = [materials, material]
    end subroutine read_mat_codam2
 

@@ -38,6 +38,12 @@ module plydyn_law_law
       integer :: band_rule(lanes) = 0
       !> Width of the crack band of lanes whose deck gives it; 0 elsewhere
       real(wp) :: band_width(lanes) = 0.0_wp
+      !> Radii, along and across the fibres, of the ellipse of each lane over which the strains that
+      !> drive damage are averaged; 0 where there is no average
+      real(wp) :: radius(lanes, 2) = 0.0_wp
+      !> How many such strains a point has; its own, and their averages, are the history variables
+      !> behind these
+      integer :: driving = 0, behind_own = 0, behind_mean = 0
    contains
       procedure(update_batch), deferred :: update
       procedure :: update_points

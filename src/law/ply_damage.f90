@@ -10,11 +10,13 @@ module plydyn_law_ply_damage
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_length, &
-      & fibre_onset, find_remains, give_own, histories_closing, histories_open, matrix_damage, &
-      & matrix_energy, matrix_finish, matrix_length, matrix_onset, shear_energy, shear_peak, &
-      & shear_set, swap_closed, take_own, to_compression
+   use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
+      & fibre_length, fibre_onset, find_remains, find_share, give_own, histories_average, &
+      & histories_closing, histories_most, histories_open, keep_driving, matrix_damage, &
+      & matrix_energy, matrix_finish, matrix_length, matrix_onset, mean_strain, own_strain, &
+      & shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, to_compression
    use plydyn_law_ply_quiet, only : quiet_type
+   use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
    implicit none
    private
 
@@ -38,31 +40,16 @@ module plydyn_law_ply_damage
       !> 1 in lanes where onset is by the stress of an intact ply; whether in any
       real(wp) :: intact(lanes) = 0.0_wp
       logical :: any_intact = .false.
+      !> Damage is driven by strains that are averaged over neighbours
+      logical :: averages = .false.
    contains
       procedure :: update
       procedure :: update_points
       procedure :: set_lane
+      procedure :: set_average
       procedure :: start_history
       procedure :: show
    end type ply_damage_type
-
-   !> What happens to a point in a step
-   type :: step_type
-      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
-      real(wp) :: shear(lanes, 2)
-      !> Work per volume of a ply without damage on the shear that stays
-      real(wp) :: work(lanes)
-      !> Stresses along and across the fibres of which the signs count; only where cracks close
-      real(wp) :: sense(lanes, 2)
-      !> What remained and what remains: R1 and R2 for normal stress, R1 and R2 for shear
-      real(wp) :: before(lanes, 4), after(lanes, 4)
-      !> How far beyond onset the modes are that have not begun: 0 or more where one begins
-      real(wp) :: excess(lanes, 2)
-      !> Mean of the driving forces over their values at the end, for fibres and for matrix
-      real(wp) :: share(lanes, 2)
-      !> Whether the shear that stays, or any damage, grows
-      logical :: grows
-   end type step_type
 
 contains
 
@@ -94,6 +81,22 @@ contains
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane
+
+   !> Let averages over neighbours drive the damage of a lane that has its ply; cracks do not close
+   pure subroutine set_average(self, lane, radius)
+      class(ply_damage_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Radii of the ellipse along and across the fibres
+      real(wp), intent(in) :: radius(2)
+
+      self%averages = .true.
+      self%radius(lane, :) = radius
+      self%histories = histories_average
+      self%driving = driving_strains
+      self%behind_own = own_strain - 1
+      self%behind_mean = mean_strain - 1
+   end subroutine set_average
 
    !> History of a point at time zero: all zero but the widths of the crack band
    pure subroutine start_history(self, length, history)
@@ -151,11 +154,14 @@ contains
       real(wp), intent(inout) :: history(lanes, histories, points)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
-      real(wp) :: e(lanes, 6), h(lanes, histories_closing), s(lanes, 6)
+      real(wp) :: e(lanes, 6), h(lanes, histories_most), s(lanes, 6)
       integer :: m
       logical :: quiet(points)
 
-      call self%ply%stay(points, histories, strain, history, stress, quiet)
+      quiet(:) = .false.
+      if (.not. self%averages) then
+         call self%ply%stay(points, histories, strain, history, stress, quiet)
+      end if
       do m = 1, points
          if (quiet(m)) cycle
          if (self%whole) then
@@ -177,29 +183,56 @@ contains
       real(wp), intent(out) :: s(lanes, 6)
 
       type(step_type) :: now
-      real(wp) :: share(lanes, 2)
-      logical :: begins
+      real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
 
-      call advance_shear(self, e(:, 4), h, now)
-      if (self%any_closes) call put_acting_first(self, e, h, now%sense)
-      call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
-      call soften(self, e, h, now, now%share, s(:, 1:3))
-      call begin_damage(self, e, s(:, 1:3), h, now, begins)
-      if (begins) then
-         call soften(self, e, h, now, share, s(:, 1:3))
-         now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
+      call advance_shear(self, e(:, 4), h, shear, now)
+      if (self%averages) then
+         call take_mean(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), drive, &
+            & drive_shear)
+         call advance_damage(self, drive, drive_shear, h, now, s(:, 1:3))
+         call self%ply%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), s(:, 1:3))
+         call find_share(e, shear(:, 2), h(:, own_strain:mean_strain - 1), now%share)
+         call keep_driving(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
+      else
+         call advance_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
       end if
-      if (now%grows) call add_energies(self, e, now, s(:, 1:2), h)
-      call add_damaged(self, e, now, s)
+      if (now%grows) call add_energies(self%ply%secant, self%across, e, shear(:, 2), now, &
+         & s(:, 1:2), h)
+      call add_damaged(self%ply%secant, self%across, e, shear(:, 1), now, s)
       if (self%any_closes) call swap_closed(self%closes, now%sense, h)
    end subroutine advance
 
+   !> Damage after a step, and the normal stresses that the strains that drive it have on what
+   !> remains
+   pure subroutine advance_damage(self, e, shear, h, now, s)
+      class(ply_damage_type), intent(in) :: self
+      !> Strains 11, 22, 33; sizes of the shear stress 12 before damage and of the elastic shear
+      !> strain
+      real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2)
+      real(wp), intent(inout) :: h(lanes, self%histories)
+      type(step_type), intent(inout) :: now
+      real(wp), intent(out) :: s(lanes, 3)
+
+      real(wp) :: share(lanes, 2)
+      logical :: begins
+
+      if (self%any_closes) call put_acting_first(self, e, h, now%sense)
+      call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
+      call soften(self, e, shear(:, 2), h, now, now%share, s)
+      call begin_damage(self, e, shear, s, h, now, begins)
+      if (.not. begins) return
+      call soften(self, e, shear(:, 2), h, now, share, s)
+      now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
+   end subroutine advance_damage
+
    !> Shear along its curve until the matrix cracks, and elastic from there
-   pure subroutine advance_shear(self, strain, h, now)
+   pure subroutine advance_shear(self, strain, h, shear, now)
       class(ply_damage_type), intent(in) :: self
       !> Shear strain 12
       real(wp), intent(in) :: strain(lanes)
       real(wp), intent(inout) :: h(lanes, self%histories)
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp), intent(out) :: shear(lanes, 2)
       type(step_type), intent(inout) :: now
 
       real(wp) :: cracked(lanes), size(lanes)
@@ -209,7 +242,7 @@ contains
       if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
       size(:) = merge(0.0_wp, abs(strain), cracked > 0.0_wp)
       call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, now%grows)
-      associate (modulus => self%ply%secant%shear, shear => now%shear)
+      associate (modulus => self%ply%secant%shear)
          !$omp simd
          do l = 1, lanes
             shear(l, 2) = max(abs(strain(l)) - h(l, shear_set), 0.0_wp)
@@ -223,27 +256,28 @@ contains
    !> effect: there the damage that goes with the signs of an intact ply will do.
    pure subroutine put_acting_first(self, e, h, sense)
       class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 6)
+      real(wp), intent(in) :: e(lanes, 3)
       real(wp), intent(inout) :: h(lanes, self%histories)
       !> Stresses 11 and 22 of which the signs count
       real(wp), intent(out) :: sense(lanes, 2)
 
       real(wp) :: remains(lanes, 4), stress(lanes, 3)
 
-      call self%ply%secant%intact_stress(e(:, 1:3), stress)
+      call self%ply%secant%intact_stress(e, stress)
       sense(:, :) = stress(:, 1:2)
       call swap_closed(self%closes, sense, h)
       call find_remains(self%residual, self%any_closes, h, sense, remains)
-      call self%ply%secant%damaged_stress(e(:, 1:3), remains(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e, remains(:, 1:2), stress)
       call swap_closed(self%closes, sense, h)
       sense(:, :) = stress(:, 1:2)
       call swap_closed(self%closes, sense, h)
    end subroutine put_acting_first
 
    !> Let damage grow that has begun, and find the normal stresses on what remains
-   pure subroutine soften(self, e, h, now, share, stress)
+   pure subroutine soften(self, e, elastic, h, now, share, stress)
       class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 6)
+      !> Strains 11, 22, 33, size of the elastic shear strain
+      real(wp), intent(in) :: e(lanes, 3), elastic(lanes)
       real(wp), intent(inout) :: h(lanes, self%histories)
       type(step_type), intent(inout) :: now
       !> Mean of the driving forces over their values at the end
@@ -256,7 +290,7 @@ contains
       !$omp simd
       do l = 1, lanes
          size(l, 1) = abs(e(l, 1))
-         size(l, 2) = sqrt(e(l, 2)**2 + now%shear(l, 2)**2)
+         size(l, 2) = sqrt(e(l, 2)**2 + elastic(l)**2)
       end do
       if (can_grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish))) then
          now%grows = .true.
@@ -268,14 +302,15 @@ contains
          share(:, :) = 1.0_wp
          now%after(:, :) = now%before
       end if
-      call self%ply%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e, now%after(:, 1:2), stress)
    end subroutine soften
 
    !> Freeze the strains of the modes that begin in this step
-   pure subroutine begin_damage(self, e, stress, h, now, begins)
+   pure subroutine begin_damage(self, e, shear, stress, h, now, begins)
       class(ply_damage_type), intent(in) :: self
-      !> Strain, normal stresses on what remains
-      real(wp), intent(in) :: e(lanes, 6), stress(lanes, 3)
+      !> Strains 11, 22, 33; sizes of shear stress and elastic shear strain; normal stresses on what
+      !> remains
+      real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2), stress(lanes, 3)
       real(wp), intent(inout) :: h(lanes, self%histories)
       type(step_type), intent(inout) :: now
       !> A mode begins in some lane
@@ -286,10 +321,10 @@ contains
 
       trial(:, :) = stress(:, 1:2)
       if (self%any_intact) then
-         call self%ply%secant%intact_stress(e(:, 1:3), intact)
+         call self%ply%secant%intact_stress(e, intact)
          trial(:, :) = merge(intact(:, 1:2), trial, spread(self%intact > 0.0_wp, 2, 2))
       end if
-      call self%ply%onset%find_onset(trial, e(:, 1:2), now%shear, &
+      call self%ply%onset%find_onset(trial, e(:, 1:2), shear, &
          & abs(h(:, fibre_length:matrix_length)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
@@ -313,64 +348,12 @@ contains
          end if
          if (now%excess(l, 2) >= 0.0_wp) then
             length = abs(h(l, matrix_length))
-            in_plane(:) = now%shear(l, :)
+            in_plane(:) = shear(l, :)
             call self%ply%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
                & h(l, matrix_onset), h(l, matrix_finish))
             h(l, matrix_length) = -length
          end if
       end do
    end subroutine begin_damage
-
-   !> Stress of damaged lanes, from the normal stresses on what remains
-   pure subroutine add_damaged(self, e, now, s)
-      class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 6)
-      type(step_type), intent(in) :: now
-      real(wp), intent(inout) :: s(lanes, 6)
-
-      integer :: l
-
-      associate (modulus => self%ply%secant%shear, across => self%across, r => now%after, &
-         & shear => now%shear)
-         !$omp simd
-         do l = 1, lanes
-            s(l, 1) = r(l, 1)*s(l, 1)
-            s(l, 2) = r(l, 2)*s(l, 2)
-            s(l, 4) = r(l, 3)*r(l, 4)*sign(shear(l, 1), e(l, 4))
-            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r(l, 3)))*modulus(l, 2)*e(l, 5)
-            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r(l, 4)))*modulus(l, 3)*e(l, 6)
-         end do
-      end associate
-   end subroutine add_damaged
-
-   !> Energy that the loss of stiffness sets free at the strain of the step, and plastic work
-   pure subroutine add_energies(self, e, now, s, h)
-      class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 6)
-      type(step_type), intent(in) :: now
-      !> Normal stresses 11 and 22 on what remains
-      real(wp), intent(in) :: s(lanes, 2)
-      real(wp), intent(inout) :: h(lanes, self%histories)
-
-      real(wp) :: loss(4), mean(2), plane
-      integer :: l
-
-      associate (compliance => self%ply%secant%compliance, g => self%ply%secant%shear, &
-         & across => self%across, before => now%before, after => now%after, share => now%share)
-         !$omp simd private(loss, mean, plane)
-         do l = 1, lanes
-            loss(:) = before(l, :) - after(l, :)
-            mean(:) = 0.5_wp*(before(l, 3:4) + after(l, 3:4))
-            plane = g(l, 1)*now%shear(l, 2)**2
-            h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
-               & loss(1)*compliance(l, 1)*s(l, 1)**2 &
-               & + loss(3)*(mean(2)*plane + across(l)*g(l, 2)*e(l, 5)**2))
-            h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
-               & loss(2)*compliance(l, 2)*s(l, 2)**2 &
-               & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
-            h(l, shear_energy) = h(l, shear_energy) + now%work(l)*after(l, 3)*after(l, 4)
-         end do
-      end associate
-   end subroutine add_energies
 
 end module plydyn_law_ply_damage

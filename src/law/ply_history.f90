@@ -4,7 +4,7 @@ module plydyn_law_ply_history
    implicit none
    private
 
-   public :: find_remains, give_own, swap_closed, take_own
+   public :: find_remains, find_share, give_own, keep_driving, swap_closed, take_mean, take_own
 
    !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
    !> 0 before; equivalent strain at the end of softening
@@ -20,8 +20,13 @@ module plydyn_law_ply_history
    !> Where cracks close, the first six are of tension; those of compression are so much further on
    integer, parameter, public :: to_compression = 13
 
-   !> Histories without and with cracks that close
-   integer, parameter, public :: histories_open = 13, histories_closing = 19
+   !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
+   !> their averages; cracks do not close there
+   integer, parameter, public :: driving_strains = 4, own_strain = 14, mean_strain = 18
+
+   !> Histories without and with cracks that close, with averages, and the most of all
+   integer, parameter, public :: histories_open = 13, histories_closing = 19, &
+      & histories_average = 21, histories_most = 21
 
 contains
 
@@ -90,6 +95,74 @@ contains
          end do
       end do
    end subroutine give_own
+
+   !> Strains that drive damage, from their averages over neighbours
+   pure subroutine take_mean(modulus, mean, strain, shear)
+      !> G12
+      real(wp), intent(in) :: modulus(lanes)
+      !> Averages
+      real(wp), intent(in) :: mean(lanes, driving_strains)
+      !> Strains 11, 22, 33
+      real(wp), intent(out) :: strain(lanes, 3)
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp), intent(out) :: shear(lanes, 2)
+
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         strain(l, 1) = mean(l, 1)
+         strain(l, 2) = mean(l, 2)
+         strain(l, 3) = mean(l, 3)
+         shear(l, 2) = abs(mean(l, 4))
+         shear(l, 1) = modulus(l)*shear(l, 2)
+      end do
+   end subroutine take_mean
+
+   !> Mean of the driving forces of a step over their values at the end, where damage grows with
+   !> the strain of neighbours: strain before over strain now, which is what the work of the step
+   !> less what is stored comes to
+   pure subroutine find_share(e, elastic, own, share)
+      !> Total strain
+      real(wp), intent(in) :: e(lanes, 6)
+      !> Size of the elastic shear strain 12
+      real(wp), intent(in) :: elastic(lanes)
+      !> Strains of the point before
+      real(wp), intent(in) :: own(lanes, driving_strains)
+      !> Of fibres and of matrix
+      real(wp), intent(out) :: share(lanes, 2)
+
+      real(wp) :: shear
+      integer :: l
+
+      !$omp simd private(shear)
+      do l = 1, lanes
+         shear = sign(elastic(l), e(l, 4))
+         share(l, 1) = max(own(l, 1)*e(l, 1), 0.0_wp)/max(e(l, 1)**2, tiny(shear))
+         share(l, 2) = max(own(l, 2)*e(l, 2) + own(l, 4)*shear, 0.0_wp) &
+            & /max(e(l, 2)**2 + shear**2, tiny(shear))
+      end do
+   end subroutine find_share
+
+   !> Keep what neighbours average in the next step
+   pure subroutine keep_driving(e, elastic, own)
+      !> Total strain
+      real(wp), intent(in) :: e(lanes, 6)
+      !> Size of the elastic shear strain 12
+      real(wp), intent(in) :: elastic(lanes)
+      !> Strains of the point
+      real(wp), intent(inout) :: own(lanes, driving_strains)
+
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         own(l, 1) = e(l, 1)
+         own(l, 2) = e(l, 2)
+         own(l, 3) = e(l, 3)
+         own(l, 4) = sign(elastic(l), e(l, 4))
+      end do
+   end subroutine keep_driving
 
    !> Put first the damage that acts, of tension or of compression; a second call undoes it
    pure subroutine swap_closed(closes, trial, h)

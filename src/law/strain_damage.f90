@@ -1,5 +1,5 @@
 !> Damage of a ply by strains at which it begins and ends: the law of LS-DYNA's *MAT_CODAM2 for one
-!> ply, without its average over neighbours.
+!> ply.
 !>
 !> Each of three mechanisms has a damage that grows with an equivalent strain from 0 at onset to 1
 !> at saturation, so that the stress of a straight path falls along a line. Fibres reduce what is
@@ -19,6 +19,8 @@ module plydyn_law_strain_damage
    !> is that of both
    integer, parameter, public :: along_energy = 4, across_energy = 5
    integer, parameter :: histories = 6
+   !> Where strains are averaged: those in the plane of the point, and behind them their averages
+   integer, parameter :: driving_strains = 3
    !> Places of tension and of compression in pairs of constants
    integer, parameter :: in_tension = 1, in_compression = 2
 
@@ -45,9 +47,12 @@ module plydyn_law_strain_damage
       !> Strains at which each mechanism begins and is complete, (lanes, mechanisms, senses)
       real(wp) :: onset(lanes, strain_mechanisms, 2) = 1.0_wp
       real(wp) :: finish(lanes, strain_mechanisms, 2) = 2.0_wp
+      !> Damage is driven by strains that are averaged over neighbours
+      logical :: averages = .false.
    contains
       procedure :: update
       procedure :: set_lane
+      procedure :: set_average
       procedure :: show
    end type strain_damage_type
 
@@ -73,6 +78,22 @@ contains
       self%band_rule(lane) = band_rule
    end subroutine set_lane
 
+   !> Let averages over neighbours drive the damage of a lane that has its ply
+   pure subroutine set_average(self, lane, radius)
+      class(strain_damage_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Radii of the ellipse along and across the fibres
+      real(wp), intent(in) :: radius(2)
+
+      self%averages = .true.
+      self%radius(lane, :) = radius
+      self%histories = histories + 2*driving_strains
+      self%driving = driving_strains
+      self%behind_own = histories
+      self%behind_mean = histories + driving_strains
+   end subroutine set_average
+
    !> What is lost along the fibres, across them and in shear, and the energy
    pure function show(self, history) result(values)
       class(strain_damage_type), intent(in) :: self
@@ -86,7 +107,7 @@ contains
       values(shows_fibre_damage) = 1.0_wp - remains(by_fibres)*remains(by_locking)
       values(shows_matrix_damage) = 1.0_wp - remains(by_matrix)*remains(by_locking)
       values(shows_shear_damage) = values(shows_matrix_damage)
-      values(shows_dissipated) = history(self%histories)
+      values(shows_dissipated) = history(histories)
    end function show
 
    !> Stress and history after a step
@@ -99,9 +120,19 @@ contains
 
       real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
       real(wp) :: remains(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3)
+      real(wp) :: drive(lanes, driving_strains), before_share(lanes, strain_mechanisms)
 
       before(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
-      call grow(self, strain, history, share)
+      drive(:, 1:2) = strain(:, 1:2)
+      drive(:, 3) = strain(:, 4)
+      if (self%averages) then
+         call exchange(self%owns, history(:, self%behind_own + 1: &
+            & self%behind_own + 2*driving_strains), drive, before_share)
+         call grow(self, drive, history, share)
+         share(:, :) = before_share
+      else
+         call grow(self, drive, history, share)
+      end if
       after(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
       remains(:, 1) = after(:, by_fibres)*after(:, by_locking)
       remains(:, 2) = after(:, by_matrix)*after(:, by_locking)
@@ -110,10 +141,37 @@ contains
       call give_stress(self, strain, normal, remains, stress)
    end subroutine update
 
-   !> Let damage grow with the strain of the step; it never heals
+   !> Keep the strains of the point for its neighbours, and take the averages instead
+   pure subroutine exchange(owns, kept, drive, share)
+      logical, intent(in) :: owns(lanes)
+      !> Strains of the point, and averages
+      real(wp), intent(inout) :: kept(lanes, driving_strains, 2)
+      !> Strains of the point in, averages out
+      real(wp), intent(inout) :: drive(lanes, driving_strains)
+      !> Mean of the driving forces over their values at the end: strain of the point before over
+      !> that now, as the trapezoidal work of the step has it
+      real(wp), intent(out) :: share(lanes, strain_mechanisms)
+
+      real(wp) :: product(lanes, driving_strains), square(lanes, driving_strains)
+      integer :: k
+
+      product(:, :) = kept(:, :, 1)*drive
+      square(:, :) = drive**2
+      share(:, by_fibres) = max(product(:, 1), 0.0_wp)/max(square(:, 1), tiny(share))
+      share(:, by_matrix) = max(sum(product(:, 2:), 2), 0.0_wp) &
+         & /max(sum(square(:, 2:), 2), tiny(share))
+      share(:, by_locking) = max(sum(product, 2), 0.0_wp)/max(sum(square, 2), tiny(share))
+      do k = 1, driving_strains
+         where (owns) kept(:, k, 1) = drive(:, k)
+         drive(:, k) = merge(kept(:, k, 2), 0.0_wp, owns)
+      end do
+   end subroutine exchange
+
+   !> Let damage grow with the strain that drives it; it never heals
    pure subroutine grow(self, strain, history, share)
       type(strain_damage_type), intent(in) :: self
-      real(wp), intent(in) :: strain(lanes, 6)
+      !> Strains 11, 22 and 12
+      real(wp), intent(in) :: strain(lanes, driving_strains)
       real(wp), intent(inout) :: history(lanes, *)
       !> Mean of the driving force over its value at the end, when all strains grow in proportion
       real(wp), intent(out) :: share(lanes, strain_mechanisms)
@@ -145,7 +203,7 @@ contains
    !> Sizes of the equivalent strains, and what their signs are those of: strain along the fibres;
    !> strain and half the shear across them; the larger principal strain in the plane
    pure subroutine find_strains(strain, size, sense)
-      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(in) :: strain(lanes, driving_strains)
       real(wp), intent(out) :: size(lanes, strain_mechanisms), sense(lanes, strain_mechanisms)
 
       real(wp) :: half, mean, radius
@@ -153,7 +211,7 @@ contains
 
       !$omp simd private(half, mean, radius)
       do l = 1, lanes
-         half = 0.5_wp*strain(l, 4)
+         half = 0.5_wp*strain(l, 3)
          mean = 0.5_wp*(strain(l, 1) + strain(l, 2))
          radius = sqrt((0.5_wp*(strain(l, 1) - strain(l, 2)))**2 + half**2)
          size(l, by_fibres) = abs(strain(l, 1))

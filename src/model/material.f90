@@ -63,10 +63,17 @@ module plydyn_model_material
       type(ply_constants_type) :: ply
       !> For `law_strain_damage`: all constants, the elastic ones too
       type(strain_constants_type) :: strains
+      !> Radii of the ellipse over which the strains that drive damage are averaged, along the
+      !> fibres and across them; 0 for no average
+      real(wp) :: radius(2) = 0.0_wp
+      !> Where the deck says so, as `line` and `place`
+      integer :: radius_line = 0
+      character(:), allocatable :: radius_place
       !> Direction from which ply angles are measured, degrees from the x axis
       real(wp) :: axis_angle = 0.0_wp
    contains
       procedure :: is_damaged
+      procedure :: averages
    end type material_type
 
    !> What lies between the faces of two plies: springs, or a bond that softens and fails
@@ -93,5 +100,12 @@ contains
 
       is_damaged = self%law == law_ply_damage .or. self%law == law_strain_damage
    end function is_damaged
+
+   !> Whether averages over neighbours drive its damage
+   elemental logical function averages(self)
+      class(material_type), intent(in) :: self
+
+      averages = self%radius(1) > 0.0_wp
+   end function averages
 
 end module plydyn_model_material

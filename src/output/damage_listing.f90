@@ -2,6 +2,7 @@
 module plydyn_output_damage_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_averages, only : count_points
    use plydyn_domain_bands, only : band_type, find_bands
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
@@ -29,32 +30,48 @@ contains
       type(domain_type), intent(in) :: domain
 
       type(band_type) :: bands(size(model%materials))
-      integer :: i
+      integer :: i, points(2, size(model%materials))
 
       if (.not. any(model%materials%is_damaged())) return
       bands(:) = find_bands(model, domain)
+      points(:, :) = count_points(model, domain)
       do i = 1, size(bands)
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
+         if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
+            & points(:, i), model%control%units)
          if (model%materials(i)%law == law_strain_damage) then
             call write_strains(unit, model%materials(i)%strains, bands(i), model%control%units)
             cycle
          end if
-         call write_bands(unit, model%materials(i)%ply, bands(i), model%control%units)
+         call write_bands(unit, model%materials(i), bands(i), model%control%units)
          call write_modes(unit, model%materials(i)%ply, bands(i), model%control%units)
          call write_snap_back(unit, model%materials(i), bands(i))
       end do
    end subroutine write_damage
 
-   !> Rule and widths of the crack band
-   subroutine write_bands(unit, ply, band, units)
+   !> The ellipse of the average over neighbours
+   subroutine write_average(unit, material, points, units)
       integer, intent(in) :: unit
-      type(ply_constants_type), intent(in) :: ply
+      type(material_type), intent(in) :: material
+      !> Fewest and most points in it
+      integer, intent(in) :: points(2)
+      type(units_type), intent(in) :: units
+
+      write (unit, "(2(a,es12.5),2a)") "strains averaged within ", material%radius(1), &
+         & " along the fibres and ", material%radius(2), " across them ", trim(units%length)
+      write (unit, "(2(a,i0),/)") "  Gauss points in the ellipse ", points(1), " to ", points(2)
+   end subroutine write_average
+
+   !> Rule and widths of the crack band
+   subroutine write_bands(unit, material, band, units)
+      integer, intent(in) :: unit
+      type(material_type), intent(in) :: material
       type(band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
-      write (unit, "(2a)") "width of the crack band       ", rule_words(ply)
+      write (unit, "(2a)") "width of the crack band       ", rule_words(material)
       write (unit, "(a,2(es12.5,a))") "  across broken fibres       ", band%narrowest(1), " to", &
          & band%widest(1), " "//trim(units%length)
       write (unit, "(a,2(es12.5,a),/)") "  across matrix cracks       ", band%narrowest(2), " to", &
@@ -62,15 +79,18 @@ contains
    end subroutine write_bands
 
    !> The rule in words
-   function rule_words(ply) result(words)
-      type(ply_constants_type), intent(in) :: ply
+   function rule_words(material) result(words)
+      type(material_type), intent(in) :: material
       character(:), allocatable :: words
 
-      if (ply%band_width > 0.0_wp) then
+      if (material%ply%band_width > 0.0_wp) then
          words = "given (LSTAR)"
          return
+      else if (material%averages()) then
+         words = "share of the radius of the average along the direction"
+         return
       end if
-      select case (ply%band_rule)
+      select case (material%ply%band_rule)
       case (rule_gauss_point); words = "length of the Gauss point along the direction"
       case (rule_root_point); words = "root of the area of the Gauss point"
       case (rule_root_quad); words = "root of the area of the quad"

@@ -5,6 +5,7 @@ module plydyn_solver_forces
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_element_average, only : average_points
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_plate, only : add_layer_forces
@@ -40,6 +41,13 @@ contains
       call deal(outer, 1, domain%outer)
       call deal(inner, domain%outer + 1, size(domain%chunks))
       !$omp parallel default(shared) private(c, i)
+      if (size(domain%averages) > 0) then
+         !$omp do schedule(dynamic)
+         do c = 1, size(domain%chunks)
+            call find_chunk_averages(domain, domain%chunks(c), history)
+         end do
+         !$omp end do
+      end if
       if (domain%outer > 0) then
          call take_chunks(domain, outer, step, displacement, velocity, history, force)
          !$omp barrier
@@ -85,6 +93,21 @@ contains
             & velocity, history, force)
       end do
    end subroutine take_chunks
+
+   !> Average what the points of one chunk and their neighbours had in the step before
+   pure subroutine find_chunk_averages(domain, chunk, history)
+      type(domain_type), intent(in) :: domain
+      type(chunk_type), intent(in) :: chunk
+      real(wp), intent(inout), contiguous :: history(:)
+
+      integer :: a
+
+      do a = 1, size(domain%averages)
+         if (domain%averages(a)%plate /= chunk%plate) cycle
+         call average_points(domain%averages(a), chunk%quads, &
+            & history(domain%averages(a)%first_history:))
+      end do
+   end subroutine find_chunk_averages
 
    !> Internal forces of one chunk, on columns of its own
    subroutine find_chunk_forces(domain, chunk, step, displacement, velocity, history, force)

@@ -2,6 +2,7 @@
 module plydyn_solver_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_domain_averages, only : refuse_ranks
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_divide_ranks, only : divide_ranks
    use plydyn_domain_domain, only : domain_type
@@ -46,6 +47,8 @@ contains
       !> What the model asks for and a run cannot be; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      call refuse_ranks(self%model%materials, comm%ranks, error)
+      if (allocated(error)) return
       allocate (self%whole)
       call build_domain(self%model, self%whole, error)
       if (allocated(error)) return

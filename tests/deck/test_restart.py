@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, bricks, impact, metal, said, unlike
+from broken import CYCLES, averaged, bricks, impact, metal, said, unlike
 from decks import Deck
 from elasticity import Array
 from runs import DIGITS, Results
@@ -25,6 +25,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "implicit thickness": lambda: impact(2, "springs", implicit=2),
     "failing interfaces": lambda: impact(1, "cohesive"),
     "failing plies": lambda: impact(1, "springs", failing=True),
+    "failing plies by averages": averaged,
     "metal": metal,
     "bricks of one point": lambda: bricks(1),
     "bricks of eight points": lambda: bricks(8),

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from broken import averaged
 from runs import SOLVER
 from spread import metal, springs, tied
 
@@ -36,7 +37,7 @@ def run(deck: Path, folder: Path, threads: int, words: list[str]) -> dict[str, b
     return results
 
 
-@pytest.mark.parametrize("make", [tied, springs, metal])
+@pytest.mark.parametrize("make", [tied, springs, metal, averaged])
 def test_same_bits_for_any_number_of_threads(make: object, tmp_path: Path) -> None:
     """Every file of histories, profiles and fields is the same, byte by byte."""
     deck = make().write(tmp_path / "deck.k")  # type: ignore[operator]

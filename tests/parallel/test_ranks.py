@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, bricks, impact, metal, unlike
+from broken import CYCLES, averaged, bricks, impact, metal, unlike
 from decks import Deck
 from ranks import launch, results
 from spread import springs, tied
@@ -105,6 +105,16 @@ def test_broken_deck_is_told_once(tmp_path: Path) -> None:
     alone, several = (launch(ranks, "run", tmp_path / "job.k") for ranks in (1, 3))
     assert alone.returncode == several.returncode == INPUT
     assert several.stderr.count(alone.stderr.strip()) == 1
+
+
+def test_averages_need_one_rank(tmp_path: Path) -> None:
+    """Plies whose damage is driven by neighbours are refused by file, line and field."""
+    path = averaged().write(tmp_path / "job.k")
+    line = 1 + path.read_text().splitlines().index("0.0,4.0,3.0")
+    done = launch(3, "run", path)
+    assert done.returncode == INPUT, done.stdout + done.stderr
+    assert f"job.k:{line}: *MAT_PLY_CODAM2 R1: " in done.stderr
+    assert "does not go with 3 ranks" in done.stderr
 
 
 def test_culprit_is_found_on_any_rank(tmp_path: Path) -> None:

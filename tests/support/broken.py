@@ -44,15 +44,19 @@ def impact(
     *,
     implicit: int = 0,
     failing: bool = False,
+    radii: tuple[float, float] = (0.0, 0.0),
 ) -> Deck:
-    """A ball on a cross-ply plate; it touches at once. What can fail does so soon."""
+    """A ball on a cross-ply plate; it touches at once. What can fail does so soon.
+
+    Radii let averages over neighbours drive the damage.
+    """
     mesh = regular(SIDE, SIDE, 6, 6, 9)
     deck = Deck("impact to be broken off", end)
     deck.add("CONTROL_LAYERWISE", (1, 0.05, implicit))
     deck.add("DAMPING_GLOBAL", (0, 100.0))
     deck.mesh(mesh)
     if failing:
-        weak_plies(deck)
+        weak_plies(deck, radii)
     else:
         deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES], 1)
     if joint == "springs":
@@ -66,16 +70,22 @@ def impact(
     return deck
 
 
-def weak_ply(deck: Deck) -> None:
+def averaged() -> Deck:
+    """The ball on plies whose damage is driven by averages over neighbours."""
+    return impact(1, "springs", failing=True, radii=(4.0, 3.0))
+
+
+def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
     """Material 1, the same ply with damage of fibres and matrix."""
     head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
     strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
-    deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness)
+    average = (0.0, *radii)
+    deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness, (0,), (0,), average)
 
 
-def weak_plies(deck: Deck) -> None:
+def weak_plies(deck: Deck, radii: tuple[float, float]) -> None:
     """The same plies, with damage of fibres and matrix."""
-    weak_ply(deck)
+    weak_ply(deck, radii)
     plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
     deck.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *plies)
     deck.add("SECTION_LAYERWISE", (1, 0, 1))

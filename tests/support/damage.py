@@ -22,6 +22,7 @@ class DamagedPly(Material):
     largest: float = 0.0  # damage; 0 for the default of the keyword
     curve: tuple[float, ...] = (0,)  # card of the shear curve
     switches: tuple[float, ...] = (0,)  # card of the switches
+    radii: tuple[float, float] = (0.0, 0.0)  # of the average, along and across the fibres
 
     def cards(self, number: int) -> list[tuple[float, ...]]:
         """Cards of the material with this number."""
@@ -34,6 +35,7 @@ class DamagedPly(Material):
             (*toughnesses, self.band, self.largest, self.shear_toughness),
             self.curve,
             self.switches,
+            (0.0, *self.radii),
         ]
 
 

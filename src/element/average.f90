@@ -1,0 +1,122 @@
+!> Averages, within a layer, of the strains that drive damage over the Gauss points around each.
+!>
+!> The points of an average lie in the same layer, at the same height in it, and in the same part.
+!> Weights fall from the middle of an ellipse to nothing on its border; they are found once, and add
+!> up to one. Neighbours are added in the order of the plate: the same bits in any run.
+module plydyn_element_average
+   use plydyn_base_precision, only : lanes, wp
+   implicit none
+   private
+
+   public :: average_points, row_of
+
+   !> The averages of the layers of a block that have a law
+   type, public :: average_type
+      !> Plate, batch and block of it
+      integer :: plate = 0, batch = 0, block = 0
+      !> First history of the batch in the state; history variables of a point, points of the
+      !> thickness, points of the plane of a quad, blocks of the batch
+      integer :: first_history = 0, histories = 0, levels = 0, plane = 0, blocks = 0
+      !> Strains that are averaged; the history variables of a point's own and of the averages are
+      !> those behind these
+      integer :: strains = 0, behind_own = 0, behind_mean = 0
+      !> Lanes that have the law
+      logical :: owns(lanes) = .false.
+      !> Place in the lists of the first neighbour of each point of the plane, those of a quad one
+      !> after the other; one more at the end
+      integer, allocatable :: first(:)
+      !> Neighbours: points of the plane, the point itself among them; their number is made a
+      !> multiple of `abreast`
+      integer, allocatable :: point(:)
+      !> Rows of the history before those of each, as `row_of` has them
+      integer, allocatable :: row(:)
+      !> Their shares in the average of each lane, (lanes, neighbours); 0 outside of its ellipse
+      real(wp), allocatable :: weight(:, :)
+   end type average_type
+
+   !> Neighbours that are added at a time
+   integer, parameter, public :: abreast = 4
+   !> Most strains of a law, and most points of the thickness
+   integer, parameter :: most_strains = 4, most_levels = 5
+
+contains
+
+   !> Average over the neighbours of the points of some quads
+   pure subroutine average_points(self, quads, history)
+      !> The averages
+      type(average_type), intent(in) :: self
+      !> First and last quad
+      integer, intent(in) :: quads(2)
+      !> History of the batch: a row for each variable of a point, points as in `add_layer_forces`
+      real(wp), intent(inout) :: history(lanes, *)
+
+      real(wp) :: mean(lanes, most_strains, most_levels)
+      integer :: i, n, row(abreast)
+
+      do i = 1 + self%plane*(quads(1) - 1), self%plane*quads(2)
+         mean(:, :, :) = 0.0_wp
+         do n = self%first(i), self%first(i + 1) - 1, abreast
+            row(:) = self%row(n:n + abreast - 1) + self%behind_own
+            call add_shares(self, self%weight(:, n:n + abreast - 1), row, history, mean)
+         end do
+         call keep_mean(self, row_of(self, i) + self%behind_mean, mean, history)
+      end do
+   end subroutine average_points
+
+   !> Row before those of a point of the plane, at the lowest point of the thickness
+   pure integer function row_of(self, point) result(row)
+      !> The averages
+      type(average_type), intent(in) :: self
+      !> The point
+      integer, intent(in) :: point
+
+      integer :: quad
+
+      quad = (point - 1)/self%plane
+      row = self%histories*self%levels*(point - 1 + self%plane*(self%block - 1 &
+         & + (self%blocks - 1)*quad))
+   end function row_of
+
+   !> Add the shares of some neighbours at all heights
+   pure subroutine add_shares(self, weight, row, history, mean)
+      type(average_type), intent(in) :: self
+      real(wp), intent(in) :: weight(lanes, abreast)
+      !> Rows before their own strains
+      integer, intent(in) :: row(abreast)
+      real(wp), intent(in) :: history(lanes, *)
+      real(wp), intent(inout) :: mean(lanes, most_strains, most_levels)
+
+      integer :: k, l, m, r(abreast)
+
+      do m = 1, self%levels
+         do k = 1, self%strains
+            r(:) = row + self%histories*(m - 1) + k
+            !$omp simd
+            do l = 1, lanes
+               mean(l, k, m) = mean(l, k, m) &
+                  & + (weight(l, 1)*history(l, r(1)) + weight(l, 2)*history(l, r(2))) &
+                  & + (weight(l, 3)*history(l, r(3)) + weight(l, 4)*history(l, r(4)))
+            end do
+         end do
+      end do
+   end subroutine add_shares
+
+   !> Keep the averages of a point at all heights
+   pure subroutine keep_mean(self, row, mean, history)
+      type(average_type), intent(in) :: self
+      !> Row before its averages
+      integer, intent(in) :: row
+      real(wp), intent(in) :: mean(lanes, most_strains, most_levels)
+      real(wp), intent(inout) :: history(lanes, *)
+
+      integer :: k, m, r
+
+      do m = 1, self%levels
+         do k = 1, self%strains
+            r = row + self%histories*(m - 1) + k
+            where (self%owns) history(:, r) = mean(:, k, m)
+         end do
+      end do
+   end subroutine keep_mean
+
+end module plydyn_element_average

@@ -1,0 +1,90 @@
+!> What a step does to a point of a ply that is damaged: its stress, and the energy it costs.
+module plydyn_law_ply_step
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_history, only : fibre_energy, matrix_energy, shear_energy
+   use plydyn_law_secant, only : secant_type
+   implicit none
+   private
+
+   public :: add_damaged, add_energies
+
+   !> What happens to a point in a step
+   type, public :: step_type
+      !> Work per volume of a ply without damage on the shear that stays
+      real(wp) :: work(lanes)
+      !> Stresses along and across the fibres of which the signs count; only where cracks close
+      real(wp) :: sense(lanes, 2)
+      !> What remained and what remains: R1 and R2 for normal stress, R1 and R2 for shear
+      real(wp) :: before(lanes, 4), after(lanes, 4)
+      !> How far beyond onset the modes are that have not begun: 0 or more where one begins
+      real(wp) :: excess(lanes, 2)
+      !> Mean of the driving forces over their values at the end, for fibres and for matrix
+      real(wp) :: share(lanes, 2)
+      !> Whether the shear that stays, or any damage, grows
+      logical :: grows
+   end type step_type
+
+contains
+
+   !> Stress of damaged lanes, from the normal stresses on what remains
+   pure subroutine add_damaged(secant, across, e, shear, now, s)
+      !> Stiffness; 1 where damage weakens G13 and G23, else 0
+      type(secant_type), intent(in) :: secant
+      real(wp), intent(in) :: across(lanes)
+      !> Strain, size of the shear stress 12 before damage
+      real(wp), intent(in) :: e(lanes, 6), shear(lanes)
+      !> What remains
+      type(step_type), intent(in) :: now
+      !> Normal stresses on what remains in, stress out
+      real(wp), intent(inout) :: s(lanes, 6)
+
+      integer :: l
+
+      associate (modulus => secant%shear, r => now%after)
+         !$omp simd
+         do l = 1, lanes
+            s(l, 1) = r(l, 1)*s(l, 1)
+            s(l, 2) = r(l, 2)*s(l, 2)
+            s(l, 4) = r(l, 3)*r(l, 4)*sign(shear(l), e(l, 4))
+            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r(l, 3)))*modulus(l, 2)*e(l, 5)
+            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r(l, 4)))*modulus(l, 3)*e(l, 6)
+         end do
+      end associate
+   end subroutine add_damaged
+
+   !> Energy that the loss of stiffness sets free at the strain of the step, and plastic work
+   pure subroutine add_energies(secant, across, e, elastic, now, s, h)
+      !> Stiffness; 1 where damage weakens G13 and G23, else 0
+      type(secant_type), intent(in) :: secant
+      real(wp), intent(in) :: across(lanes)
+      !> Strain, size of the elastic shear strain
+      real(wp), intent(in) :: e(lanes, 6), elastic(lanes)
+      !> What remained and remains
+      type(step_type), intent(in) :: now
+      !> Normal stresses 11 and 22 on what remains
+      real(wp), intent(in) :: s(lanes, 2)
+      !> History, of which the energies grow
+      real(wp), intent(inout) :: h(lanes, *)
+
+      real(wp) :: loss(4), mean(2), plane
+      integer :: l
+
+      associate (compliance => secant%compliance, g => secant%shear, before => now%before, &
+         & after => now%after, share => now%share)
+         !$omp simd private(loss, mean, plane)
+         do l = 1, lanes
+            loss(:) = before(l, :) - after(l, :)
+            mean(:) = 0.5_wp*(before(l, 3:4) + after(l, 3:4))
+            plane = g(l, 1)*elastic(l)**2
+            h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
+               & loss(1)*compliance(l, 1)*s(l, 1)**2 &
+               & + loss(3)*(mean(2)*plane + across(l)*g(l, 2)*e(l, 5)**2))
+            h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
+               & loss(2)*compliance(l, 2)*s(l, 2)**2 &
+               & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
+            h(l, shear_energy) = h(l, shear_energy) + now%work(l)*after(l, 3)*after(l, 4)
+         end do
+      end associate
+   end subroutine add_energies
+
+end module plydyn_law_ply_step
