@@ -3,16 +3,18 @@ module plydyn_domain_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_laws, only : new_laws
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
    use plydyn_element_plate, only : batch_stiffness
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_brick_masses, brick_density, new_bricks
+   public :: add_brick_masses, brick_density, new_bricks, set_batches
 
    !> Geometries that are looked through for one that is the same
    integer, parameter :: remembered = 8
@@ -21,12 +23,11 @@ module plydyn_domain_bricks
 
 contains
 
-   !> All bricks, those of a part with fibres in one direction together, in the order of the deck
-   function new_bricks(model, columns) result(all)
+   !> All bricks, still without places; those of a part with fibres in one direction together, in
+   !> the order of the deck
+   function new_bricks(model) result(all)
       !> The model
       type(model_type), intent(in) :: model
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
       type(bricks_type), allocatable :: all(:)
 
       integer, allocatable :: first(:)
@@ -35,7 +36,7 @@ contains
       call find_groups(model, group, first)
       allocate (all(size(first)))
       do k = 1, size(first)
-         all(k) = new_group(model, first(k), pack([(i, i=1, size(group))], group == k), columns)
+         all(k) = new_group(model, first(k), pack([(i, i=1, size(group))], group == k))
       end do
    end function new_bricks
 
@@ -66,16 +67,14 @@ contains
    end subroutine find_groups
 
    !> Bricks of one part with fibres in one direction
-   function new_group(model, first, members, columns) result(self)
+   function new_group(model, first, members) result(self)
       type(model_type), intent(in) :: model
       !> One of them, and all
       integer, intent(in) :: first, members(:)
-      type(columns_type), intent(in) :: columns
       type(bricks_type) :: self
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
       real(wp) :: stiffness(6, 6)
-      integer :: batches, e, l
 
       self%part = model%mesh%brick_part(first)
       self%angle = model%mesh%brick_angle(first)
@@ -83,7 +82,6 @@ contains
       self%brick = members
       stiffness(:, :) = model_stiffness(model, self%part, self%angle)
       self%stiffness(:) = batch_stiffness(stiffness)
-      batches = (size(members) + lanes - 1)/lanes
       associate (section => model%parts(self%part)%brick, &
          & material => model%parts(self%part)%plies(1)%material)
          self%points = section%points
@@ -96,17 +94,61 @@ contains
                & *stiffness_of_waves(stiffness))/4.0_wp
             self%histories = self%histories + 1
          end if
-         allocate (self%place(lanes, corners, batches))
-         do e = 1, lanes*batches
-            l = min(e, size(members))
-            self%place(1 + mod(e - 1, lanes), :, 1 + (e - 1)/lanes) &
-               & = columns%freedom(1, 1, 1, model%mesh%brick_node(:, members(l)))
-         end do
-         self%target = self%place
          if (section%control /= hourglass_stiffness) stiffness(:, :) = 0.0_wp
          call find_shapes(model, section%coefficient*stiffness, self)
       end associate
    end function new_group
+
+   !> Leave a rank some batches of bricks, and give them their places
+   pure subroutine set_batches(mesh, batches, numbering, columns, self)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> The batches
+      integer, intent(in) :: batches(:)
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> All bricks of a part in, those of the batches out; targets are the places
+      type(bricks_type), intent(inout) :: self
+
+      integer :: b, e, l
+      integer, allocatable :: some(:)
+
+      some = [((lanes*(batches(b) - 1) + l, l=1, lanes), b=1, size(batches))]
+      allocate (self%place(lanes, corners, size(batches)))
+      do b = 1, size(batches)
+         do l = 1, lanes
+            e = self%brick(min(some(lanes*(b - 1) + l), size(self%brick)))
+            self%place(l, :, b) = columns%freedom(1, 1, 1, numbering%node(mesh%brick_node(:, e)))
+         end do
+      end do
+      self%target = self%place
+      self%brick = self%brick(pack(some, some <= size(self%brick)))
+      self%shape = self%shape(batches)
+      call keep_shapes(self)
+   end subroutine set_batches
+
+   !> Forget the geometries that no batch has
+   pure subroutine keep_shapes(self)
+      type(bricks_type), intent(inout) :: self
+
+      type(brick_shape_type), allocatable :: kept(:)
+      integer :: k, number(size(self%shapes)), s
+
+      number(:) = 0
+      number(self%shape) = 1
+      allocate (kept(sum(number)))
+      k = 0
+      do s = 1, size(number)
+         if (number(s) == 0) cycle
+         k = k + 1
+         number(s) = k
+         kept(k) = self%shapes(s)
+      end do
+      self%shape(:) = number(self%shape)
+      call move_alloc(kept, self%shapes)
+   end subroutine keep_shapes
 
    !> Mass per volume of a part
    pure real(wp) function brick_density(model, p) result(density)
@@ -153,7 +195,7 @@ contains
       real(wp) :: position(3, corners, lanes)
       integer :: b, count, e, known, l, s
 
-      allocate (self%shapes(1), self%shape(size(self%place, 3)))
+      allocate (self%shapes(1), self%shape((size(self%brick) + lanes - 1)/lanes))
       known = 0
       do b = 1, size(self%shape)
          count = min(lanes, size(self%brick) - lanes*(b - 1))
@@ -180,25 +222,35 @@ contains
       self%shapes = self%shapes(:known)
    end subroutine find_shapes
 
-   !> Add the masses of bricks to those of the points
-   subroutine add_brick_masses(model, bricks, columns, mass)
+   !> Add the masses of bricks to those of the points that a rank has
+   pure subroutine add_brick_masses(model, part, bricks, numbering, columns, mass)
       !> The model
       type(model_type), intent(in) :: model
-      !> The bricks
-      type(bricks_type), intent(in) :: bricks
-      !> Where the points lie
+      !> Their part
+      integer, intent(in) :: part
+      !> All of them, those of other ranks too: they add to nodes where ranks meet
+      integer, intent(in) :: bricks(:)
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
+      !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
       real(wp), intent(inout) :: mass(:)
 
-      integer :: i, place(corners)
+      integer :: c, here(corners), i, place
+      real(wp) :: share(corners)
 
-      do i = 1, size(bricks%brick)
-         associate (node => model%mesh%brick_node(:, bricks%brick(i)))
-            place(:) = columns%mass_of(1, 1, node)
-            mass(place) = mass(place) + brick_density(model, bricks%part) &
-               & *brick_shares(model%mesh%position(:, node))
+      do i = 1, size(bricks)
+         associate (node => model%mesh%brick_node(:, bricks(i)))
+            here(:) = numbering%node(node)
+            if (all(here == 0)) cycle
+            share(:) = brick_density(model, part)*brick_shares(model%mesh%position(:, node))
          end associate
+         do c = 1, corners
+            if (here(c) == 0) cycle
+            place = columns%mass_of(1, 1, here(c))
+            mass(place) = mass(place) + share(c)
+         end do
       end do
    end subroutine add_brick_masses
 

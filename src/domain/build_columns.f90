@@ -4,7 +4,7 @@ module plydyn_domain_build_columns
    use plydyn_domain_column_inertia, only : column_inertia_type, number_rows, together
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_links, only : links_type
-   use plydyn_domain_node_classes, only : find_classes, node_areas
+   use plydyn_domain_node_classes, only : find_classes
    use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_element_thickness, only : layer_springs, level_table
    implicit none
@@ -27,29 +27,40 @@ module plydyn_domain_build_columns
    !> Directions
    integer, parameter :: directions = 3
 
+   !> Columns that differ by more than their areas, the same on all ranks
+   type :: classes_type
+      !> Mass per area of each row, (rows, classes)
+      real(wp), allocatable :: density(:, :)
+      !> Springs of each layer per area along x, y, z, (3, layers, classes)
+      real(wp), allocatable :: spring(:, :, :)
+      !> Class of each kind of responses, its direction, x standing for y, too
+      integer, allocatable :: class(:), direction(:)
+      !> Whether supports hold each freedom, (freedoms, kinds)
+      logical, allocatable :: held(:, :)
+   end type classes_type
+
 contains
 
-   !> Columns and their responses for the largest step of the domain
-   function new_column_inertia(domain, joint) result(self)
+   !> Columns and their responses for the largest step of the domain. All ranks must come here
+   function new_column_inertia(domain, number, area, joint) result(self)
       !> The domain; its masses, supports and step are known
       type(domain_type), intent(in) :: domain
+      !> What number each node has in the whole model
+      integer, intent(in) :: number(:)
+      !> Area of each node in each part, (nodes, parts)
+      real(wp), intent(in) :: area(:, :)
       !> Springs along x, y, z between each layer and the next, (3, layers - 1)
       real(wp), intent(in) :: joint(:, :)
       type(column_inertia_type) :: self
 
-      integer, allocatable :: first(:)
-      logical, allocatable :: held(:, :)
-      real(wp), allocatable :: density(:, :), spring(:, :, :)
+      type(classes_type) :: classes
 
       self%active = .true.
       call number_rows(self, domain%columns, domain%ties)
-      self%area = sum(node_areas(domain%plates, domain%position), 2)
-      density = densities(domain, self)
-      spring = node_springs(domain, self%area)
-      held = held_rows(domain, self)
-      call classify(density, spring, held, self, first)
-      call set_stretches(domain, spring, self)
-      call set_responses(domain, held, joint, density, spring, first, self)
+      self%area = sum(area, 2)
+      call classify(domain, number, node_springs(domain, area), self, classes)
+      call set_stretches(domain, classes, self)
+      call set_responses(domain, joint, classes, self)
    end function new_column_inertia
 
    !> Mass per area of each row, (rows, nodes)
@@ -69,14 +80,14 @@ contains
    !> (3, layers, nodes)
    pure function node_springs(domain, area) result(spring)
       type(domain_type), intent(in) :: domain
-      !> Area of each node in all parts
-      real(wp), intent(in) :: area(:)
-      real(wp) :: spring(directions, size(domain%layers%order), size(area))
+      !> Area of each node in each part
+      real(wp), intent(in) :: area(:, :)
+      real(wp), allocatable :: spring(:, :, :)
 
-      real(wp) :: own(size(area), size(domain%plates)), part(directions, size(domain%layers%order))
+      real(wp) :: part(directions, size(domain%layers%order)), total
       integer :: k, n, p
 
-      own(:, :) = node_areas(domain%plates, domain%position)
+      allocate (spring(directions, size(part, 2), size(area, 1)))
       spring(:, :, :) = 0.0_wp
       do p = 1, size(domain%plates)
          do k = 1, size(part, 2)
@@ -84,8 +95,9 @@ contains
                part(:, k) = layer_springs(domain%plates(p)%batches(home(1)), home(3), home(2))
             end associate
          end do
-         do n = 1, size(area)
-            spring(:, :, n) = spring(:, :, n) + own(n, p)/area(n)*part
+         do n = 1, size(area, 1)
+            total = sum(area(n, :))
+            spring(:, :, n) = spring(:, :, n) + area(n, p)/total*part
          end do
       end do
    end function node_springs
@@ -122,41 +134,52 @@ contains
 
    !> Classes of nodes by masses and springs; kinds of responses by class, normal or shear, and
    !> supports
-   pure subroutine classify(density, spring, held, self, first)
-      real(wp), intent(in) :: density(:, :), spring(:, :, :)
-      logical, intent(in) :: held(:, :)
+   subroutine classify(domain, number, spring, self, classes)
+      type(domain_type), intent(in) :: domain
+      !> What number each node has in the whole model
+      integer, intent(in) :: number(:)
+      !> Springs of the layers above each node
+      real(wp), intent(in) :: spring(:, :, :)
       type(column_inertia_type), intent(inout) :: self
-      !> First place of each kind among three for each node
-      integer, allocatable, intent(out) :: first(:)
+      type(classes_type), intent(out) :: classes
 
-      integer :: i, kind(size(held, 2)), n
-      real(wp), allocatable :: key(:, :)
+      integer :: i, kind(directions*size(self%area)), n
+      logical, allocatable :: held(:, :)
+      real(wp), allocatable :: density(:, :), first(:, :), key(:, :)
 
+      density = densities(domain, self)
       allocate (self%class(size(self%area)), key(size(density, 1) + size(spring(:, :, 1)), &
          & size(self%area)))
       do n = 1, size(self%area)
          key(:, n) = [density(:, n), spring(:, :, n)]
       end do
-      call find_classes(key, self%class, first)
+      call find_classes(domain%comm, number, key, self%class, first)
+      classes%density = first(:size(density, 1), :)
+      classes%spring = reshape(first(size(density, 1) + 1:, :), &
+         & [size(spring, 1), size(spring, 2), size(first, 2)])
       deallocate (key, first)
+      held = held_rows(domain, self)
       allocate (key(size(held, 1) + 2, size(held, 2)))
       do i = 1, size(held, 2)
-         key(:, i) = [real(self%class(node_of(i)), wp), &
-            & merge(1.0_wp, 0.0_wp, direction_of(i) == directions), &
-            & merge(1.0_wp, 0.0_wp, held(:, i))]
+         key(:, i) = [real([self%class(node_of(i)), merge(directions, 1, &
+            & direction_of(i) == directions)], wp), merge(1.0_wp, 0.0_wp, held(:, i))]
       end do
-      call find_classes(key, kind, first)
+      call find_classes(domain%comm, [(directions*(number(node_of(i)) - 1) + direction_of(i), &
+         & i=1, size(kind))], key, kind, first)
       self%kind = reshape(kind, [directions, size(self%area)])
+      classes%class = nint(first(1, :))
+      classes%direction = nint(first(2, :))
+      classes%held = first(3:, :) > 0.5_wp
    end subroutine classify
 
    !> Inertia inside the layers, for each class of nodes
-   pure subroutine set_stretches(domain, spring, self)
+   pure subroutine set_stretches(domain, classes, self)
       type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: spring(:, :, :)
+      type(classes_type), intent(in) :: classes
       type(column_inertia_type), intent(inout) :: self
 
       real(wp), allocatable :: table(:, :)
-      integer :: f, k, lane, p, s, t, n
+      integer :: c, f, k, lane, p, s, t
 
       allocate (self%stretches(size(domain%columns%families)))
       do f = 1, size(self%stretches)
@@ -165,14 +188,14 @@ contains
          associate (family => domain%columns%families(f), stretch => self%stretches(f))
             p = family%order*(family%order + 1)/2
             stretch%level = reshape([(([s, t], s=1, t - 1), t=2, family%order + 1)], [2, p])
-            allocate (stretch%inertia(lanes*family%blocks, p, directions, maxval(self%class)))
+            allocate (stretch%inertia(lanes*family%blocks, p, directions, size(classes%spring, 3)))
             stretch%inertia(:, :, :, :) = 0.0_wp
-            do k = 1, size(spring, 2)
+            do k = 1, size(classes%spring, 2)
                if (domain%columns%home(1, k) /= f) cycle
                lane = domain%columns%home(3, k) + lanes*(domain%columns%home(2, k) - 1)
-               do n = 1, size(self%class)
+               do c = 1, size(classes%spring, 3)
                   do p = 1, size(stretch%level, 2)
-                     stretch%inertia(lane, p, :, self%class(n)) = spring(:, k, n) &
+                     stretch%inertia(lane, p, :, c) = classes%spring(:, k, c) &
                         & *table(stretch%level(1, p), stretch%level(2, p))
                   end do
                end do
@@ -208,27 +231,24 @@ contains
    end function added_inertia
 
    !> Responses of all kinds
-   subroutine set_responses(domain, held, joint, density, spring, first, self)
+   subroutine set_responses(domain, joint, classes, self)
       type(domain_type), intent(in) :: domain
-      logical, intent(in) :: held(:, :)
-      real(wp), intent(in) :: joint(:, :), density(:, :), spring(:, :, :)
-      !> First place of each kind among three for each node
-      integer, intent(in) :: first(:)
+      real(wp), intent(in) :: joint(:, :)
+      type(classes_type), intent(in) :: classes
       type(column_inertia_type), intent(inout) :: self
 
       real(wp) :: full(size(self%row), size(self%row)), mass(size(self%row))
-      integer :: d, j, k, r
+      integer :: d, k, r
 
       allocate (self%response(lanes, together*((size(self%row) + together - 1)/together), &
-         & size(self%freedom)/lanes, size(first)))
+         & size(self%freedom)/lanes, size(classes%class)))
       self%response(:, :, :, :) = 0.0_wp
-      do k = 1, size(first)
-         j = node_of(first(k))
+      do k = 1, size(classes%class)
          do d = 1, size(mass)
-            mass(d) = sum(density(:, j), mask=self%freedom == d)
+            mass(d) = sum(classes%density(:, classes%class(k)), mask=self%freedom == d)
          end do
-         full(:, :) = response(mass, held(:, first(k)), added_inertia(domain, self, &
-            & direction_of(first(k)), joint, spring(:, :, j)))
+         full(:, :) = response(mass, classes%held(:, k), added_inertia(domain, self, &
+            & classes%direction(k), joint, classes%spring(:, :, classes%class(k))))
          do r = 1, size(self%freedom)
             if (self%freedom(r) == 0) cycle
             self%response(1 + mod(r - 1, lanes), :size(mass), 1 + (r - 1)/lanes, k) = &
@@ -265,9 +285,11 @@ contains
    end function response
 
    !> Added inertia between points that are both among some
-   pure function links_within(domain, joint, chosen) result(links)
+   pure function links_within(domain, area, joint, chosen) result(links)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Area of each node in each part, (nodes, parts)
+      real(wp), intent(in) :: area(:, :)
       !> Springs along x, y, z between each layer and the next
       real(wp), intent(in) :: joint(:, :)
       !> Whether each place in the arrays of motion is one of them
@@ -277,7 +299,7 @@ contains
       real(wp), allocatable :: added(:, :), spring(:, :, :)
       integer :: c, i, j, n, place(size(domain%thickness%row))
 
-      spring = node_springs(domain, domain%thickness%area)
+      spring = node_springs(domain, area)
       allocate (links%place(2, 0), links%inertia(0))
       do n = 1, domain%columns%nodes
          do c = 1, directions
@@ -298,9 +320,11 @@ contains
 
    !> Added inertia between held points and those of their columns that are free: a place in the
    !> list of held ones, and one in the arrays of motion
-   pure function held_links(domain, joint) result(links)
+   pure function held_links(domain, area, joint) result(links)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Area of each node in each part, (nodes, parts)
+      real(wp), intent(in) :: area(:, :)
       !> Springs along x, y, z between each layer and the next
       real(wp), intent(in) :: joint(:, :)
       type(links_type) :: links
@@ -308,7 +332,7 @@ contains
       real(wp), allocatable :: added(:, :), spring(:, :, :)
       integer :: d, i, j, number(domain%columns%freedoms), place(size(domain%thickness%row))
 
-      spring = node_springs(domain, domain%thickness%area)
+      spring = node_springs(domain, area)
       number(:) = 0
       number(domain%held) = [(d, d=1, size(domain%held))]
       allocate (links%place(2, 0), links%inertia(0))

@@ -2,18 +2,20 @@
 module plydyn_domain_build_inertia
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_domain_areas, only : node_areas
    use plydyn_domain_build_columns, only : held_links, links_within, new_column_inertia
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_domain_links, only : links_type
-   use plydyn_domain_node_classes, only : node_areas
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
-   use plydyn_model_control, only : implicit_interfaces, implicit_thickness, total_lagrangian
+   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
+      & total_lagrangian
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes
    implicit none
    private
 
-   public :: build_inertia, couple_surface, largest_step
+   public :: build_inertia, check_scheme, couple_surface, largest_step
 
 contains
 
@@ -30,44 +32,53 @@ contains
    end function largest_step
 
    !> All that the scheme of the deck adds
-   subroutine build_inertia(model, domain, error)
+   subroutine build_inertia(model, division, numbering, domain)
       !> The model
       type(model_type), intent(in) :: model
+      !> All quads
+      type(division_type), intent(in) :: division
+      !> Columns of the rank
+      type(numbering_type), intent(in) :: numbering
       !> The domain; its supports, joints and step are known
       type(domain_type), intent(inout) :: domain
-      !> Why the scheme does not go with the model
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: joint(3, size(domain%layers%joint))
+      real(wp), allocatable :: area(:, :)
 
       allocate (domain%moved_links%place(2, 0), domain%moved_links%inertia(0))
       allocate (domain%held_links%place(2, 0), domain%held_links%inertia(0))
-      associate (scheme => domain%control%scheme)
-         if (scheme /= implicit_interfaces .and. scheme /= implicit_thickness) return
-         call check_scheme(model, domain, error)
-         if (allocated(error)) return
+      if (domain%control%scheme /= all_explicit) then
          joint(:, :) = joint_stiffness(domain%interfaces, size(joint, 2), &
             & domain%control%kinematics == total_lagrangian)
-         domain%pairs = new_pair_inertia(domain%columns, domain%mass, &
-            & sum(node_areas(domain%plates, domain%position), 2), joint, domain%step)
-         if (scheme == implicit_interfaces) then
-            domain%moved_links = domain%pairs%links_between(domain%columns, is_moved(domain))
-         else
-            ! columns take the pairs with them
-            domain%pairs%active = .false.
-            domain%thickness = new_column_inertia(domain, joint)
-            domain%moved_links = links_within(domain, joint, is_moved(domain))
-            domain%held_links = held_links(domain, joint)
-         end if
+         area = node_areas(model%mesh, division, numbering)
+         domain%pairs = new_pair_inertia(domain%comm, numbering%here, domain%columns, domain%mass, &
+            & sum(area, 2), joint, domain%step)
+      end if
+      if (domain%control%scheme == implicit_interfaces) then
+         domain%moved_links = domain%pairs%links_between(domain%columns, is_moved(domain))
+      else if (domain%control%scheme == implicit_thickness) then
+         ! columns take the pairs with them
+         domain%pairs%active = .false.
+         domain%thickness = new_column_inertia(domain, numbering%here, area, joint)
+         domain%moved_links = links_within(domain, area, joint, is_moved(domain))
+         domain%held_links = held_links(domain, area, joint)
+      end if
+      associate (moved => domain%moved_links, held => domain%held_links)
+         moved%own = numbering%own(domain%columns%column_of(moved%place(1, :)))
+         held%own = numbering%own(domain%columns%column_of(held%place(2, :)))
       end associate
    end subroutine build_inertia
 
    !> What a scheme needs, and what it does not go with
    subroutine check_scheme(model, domain, error)
+      !> The model
       type(model_type), intent(in) :: model
+      !> The domain; its layers and interfaces are known
       type(domain_type), intent(in) :: domain
+      !> Why the scheme does not go with the model
       type(error_type), allocatable, intent(out) :: error
 
+      if (domain%control%scheme == all_explicit) return
       if (size(domain%bricks) > 0) then
          call fail(error, exit_input, "IMPL of *CONTROL_LAYERWISE does not go with bricks: leave " &
             & //"it at 0")
@@ -95,13 +106,15 @@ contains
    end function is_moved
 
    !> Inverse masses of the points of a face that take their columns with them
-   pure subroutine couple_surface(domain, face, surface)
+   pure subroutine couple_surface(domain, face, surface, inverse_mass)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Layer and thickness node of the face
       integer, intent(in) :: face(2)
       !> The surface
       type(surface_type), intent(inout) :: surface
+      !> Inverse mass of its points along x, y, z; changes where the rank has them
+      real(wp), intent(inout) :: inverse_mass(:, :)
 
       integer :: c, freedom, i
 
@@ -109,10 +122,12 @@ contains
       associate (columns => domain%thickness)
          freedom = columns%freedom(columns%row_of(domain%columns, face(1), face(2)))
          surface%follow = columns%followers(freedom)
-         do i = 1, size(surface%node)
+         do i = 1, size(surface%here)
             do c = 1, 3
-               surface%inverse_mass(c, i) = surface%inverse_mass(c, i) &
-                  & *columns%own_response(freedom, columns%kind(c, surface%node(i)))
+               associate (k => surface%here(i))
+                  inverse_mass(c, k) = inverse_mass(c, k) &
+                     & *columns%own_response(freedom, columns%kind(c, surface%node(k)))
+               end associate
             end do
          end do
       end associate

@@ -1,18 +1,15 @@
-!> Chunks of quads: what a thread takes at a time.
-!>
-!> Chunks lie close together, and are the same for any number of threads. The forces of a chunk go
-!> to columns that no other chunk adds to: those of its nodes, or, where an earlier chunk has the
-!> node, columns of its own behind them. Then every node of a border adds what lies in the columns
-!> of the later chunks to its own, in the order of the chunks: the same bits in any run.
+!> Chunks of quads: which quads lie together, and the columns that take their forces.
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_columns, only : front
+   use plydyn_domain_columns, only : columns_type, front
    use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_element_brick, only : bricks_type
+   use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: divide_quads, give_borders, new_chunks
+   public :: border_nodes, divide_quads, give_borders, quad_centres, set_targets
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -65,63 +62,60 @@ contains
       call divide(centre, order(left + 1:), is_last(left + 1:))
    end subroutine divide
 
-   !> All chunks of a domain, and the columns that take their forces
-   subroutine new_chunks(domain)
-      !> Plates and interfaces get their targets, the domain its chunks, and its columns their size
+   !> Mean position of the nodes of some quads, (2, quads)
+   pure function quad_centres(mesh, quad) result(centre)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> The quads, indices into it
+      integer, intent(in) :: quad(:)
+      real(wp) :: centre(2, size(quad))
+      integer :: e
+
+      do e = 1, size(quad)
+         associate (node => mesh%quad_node(:, quad(e)))
+            centre(:, e) = sum(mesh%position(1:2, node), 2)/real(size(node), wp)
+         end associate
+      end do
+   end function quad_centres
+
+   !> Column of the node of each column: itself, or that of its border where it lies behind
+   pure function border_nodes(columns, borders) result(node)
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> As in `domain_type`
+      integer, intent(in) :: borders(:, :)
+      integer, allocatable :: node(:)
+      integer :: b, c
+
+      allocate (node((columns%forces - front)/columns%height))
+      node(:columns%count) = [(c, c=1, columns%count)]
+      do b = 1, size(borders, 2)
+         node(borders(2, b):borders(3, b)) = borders(1, b)
+      end do
+   end function border_nodes
+
+   !> Let all quads and bricks add to the columns of their chunks
+   pure subroutine set_targets(domain)
+      !> The domain; its chunks have their columns, plates and bricks get their targets
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, first, k, p
+      integer :: c, k, target(domain%columns%count)
+      integer, allocatable :: node(:)
 
-      allocate (domain%chunks(sum([(size(domain%plates(p)%last), p=1, size(domain%plates))])))
-      c = 0
-      do p = 1, size(domain%plates)
-         first = 1
-         do k = 1, size(domain%plates(p)%last)
-            c = c + 1
-            domain%chunks(c)%plate = p
-            domain%chunks(c)%quads(:) = [first, domain%plates(p)%last(k)]
-            first = domain%plates(p)%last(k) + 1
-         end do
+      node = border_nodes(domain%columns, domain%borders)
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c))
+            target(node(chunk%column)) = chunk%column
+            if (size(domain%bricks) > 0) then
+               call aim_bricks(domain%columns%height, chunk, target, domain%bricks(chunk%plate))
+            else
+               call aim_quads(chunk, target, domain%plates(chunk%plate)%node, &
+                  & domain%plates(chunk%plate)%target)
+            end if
+         end associate
       end do
-      call set_targets(domain)
       do k = 1, size(domain%interfaces)
          domain%interfaces(k)%target(:, :) = domain%plates(domain%interfaces(k)%plate)%target
-      end do
-   end subroutine new_chunks
-
-   !> Give every node of every chunk a column: its own, or the next behind that it has
-   subroutine set_targets(domain)
-      type(domain_type), intent(inout) :: domain
-
-      integer :: chunks_at(domain%columns%nodes), next(domain%columns%nodes)
-      integer :: behind(domain%columns%nodes), c, columns, i
-
-      chunks_at(:) = 0
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%column = chunk_nodes(domain, domain%chunks(c))
-         chunks_at(domain%chunks(c)%column) = chunks_at(domain%chunks(c)%column) + 1
-      end do
-      columns = domain%columns%nodes
-      behind(:) = 0
-      allocate (domain%borders(3, count(chunks_at > 1)))
-      domain%borders(1, :) = pack([(i, i=1, size(chunks_at))], chunks_at > 1)
-      do i = 1, size(domain%borders, 2)
-         behind(domain%borders(1, i)) = columns + 1
-         domain%borders(2, i) = columns + 1
-         columns = columns + chunks_at(domain%borders(1, i)) - 1
-         domain%borders(3, i) = columns
-      end do
-      domain%columns%forces = front + domain%columns%height*columns
-      next(:) = [(i, i=1, size(next))]
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c), plate => domain%plates(domain%chunks(c)%plate))
-            do i = chunk%quads(1), chunk%quads(2)
-               plate%target(:, i) = next(plate%node(:, i))
-            end do
-            do i = 1, size(chunk%column)
-               call take(chunk%column(i), next, behind)
-            end do
-         end associate
       end do
    end subroutine set_targets
 
@@ -151,34 +145,39 @@ contains
       end do
    end subroutine give_borders
 
-   !> Put the column that is next at a node in place of the node, and turn to the one after it
-   pure subroutine take(column, next, behind)
-      integer, intent(inout) :: column, next(:)
-      integer, intent(in) :: behind(:)
-
-      integer :: node
-
-      node = column
-      column = next(node)
-      next(node) = merge(behind(node), column + 1, column == node)
-   end subroutine take
-
-   !> Nodes of a chunk, each once
-   pure function chunk_nodes(domain, chunk) result(nodes)
-      type(domain_type), intent(in) :: domain
+   !> Columns that take the forces of a chunk of quads
+   pure subroutine aim_quads(chunk, column, node, target)
       type(chunk_type), intent(in) :: chunk
-      integer, allocatable :: nodes(:)
+      !> That of each node
+      integer, intent(in) :: column(:)
+      !> Nodes of each quad
+      integer, intent(in) :: node(:, :)
+      integer, intent(inout) :: target(:, :)
+      integer :: e
 
-      logical, allocatable :: is_first(:)
-      integer, allocatable :: order(:)
+      do e = chunk%quads(1), chunk%quads(2)
+         target(:, e) = column(node(:, e))
+      end do
+   end subroutine aim_quads
 
-      associate (node => domain%plates(chunk%plate)%node(:, chunk%quads(1):chunk%quads(2)))
-         nodes = reshape(node, [size(node)])
-      end associate
-      order = sorted_order(nodes)
-      nodes(:) = nodes(order)
-      is_first = [.true., nodes(2:) /= nodes(:size(nodes) - 1)]
-      nodes = pack(nodes, is_first)
-   end function chunk_nodes
+   !> Places that take the forces of a chunk of bricks: the same ones in other columns
+   pure subroutine aim_bricks(height, chunk, column, bricks)
+      !> Length of a column
+      integer, intent(in) :: height
+      type(chunk_type), intent(in) :: chunk
+      integer, intent(in) :: column(:)
+      type(bricks_type), intent(inout) :: bricks
+
+      integer :: b, n
+
+      do b = chunk%quads(1), chunk%quads(2)
+         do n = 1, size(bricks%place, 2)
+            associate (place => bricks%place(:, n, b) - front - 1)
+               bricks%target(:, n, b) = front + 1 + mod(place, height) &
+                  & + height*(column(1 + place/height) - 1)
+            end associate
+         end do
+      end do
+   end subroutine aim_bricks
 
 end module plydyn_domain_chunks

@@ -9,7 +9,7 @@
 !> Bricks have no plane and no layers: each of their nodes is one point, and a column holds as
 !> many of them as there are lanes, side by side: (lanes, 3).
 !>
-!> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_chunks`).
+!> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_division`).
 !> The first chunk adds to the node's own column, the others to columns of their own behind all.
 module plydyn_domain_columns
    use plydyn_base_precision, only : lanes, wp
@@ -57,6 +57,7 @@ module plydyn_domain_columns
       !> Family, block and lane of each layer, (3, layers)
       integer, allocatable :: home(:, :)
    contains
+      procedure :: take
       procedure :: tie
       procedure :: start
       procedure :: mass_start
@@ -78,8 +79,6 @@ contains
 
       integer :: f, i, k, p
 
-      self%nodes = nodes
-      self%count = nodes
       self%height = 0
       allocate (self%home(3, size(order)))
       allocate (self%families(count([(any(order == p), p=1, maxval(order))])))
@@ -105,9 +104,7 @@ contains
             self%height = self%height + 3*lanes*family%blocks*(p + 1)
          end associate
       end do
-      self%freedoms = front + self%height*nodes
-      self%masses = front + self%height/3*nodes
-      self%forces = self%freedoms
+      call self%take(nodes, nodes, nodes)
    end function new_columns
 
    !> Arrange the nodes of bricks
@@ -116,9 +113,10 @@ contains
       integer, intent(in) :: nodes
       type(columns_type) :: self
 
-      self%nodes = nodes
+      integer :: count
+
+      count = (nodes + lanes - 1)/lanes
       self%abreast = lanes
-      self%count = (nodes + lanes - 1)/lanes
       self%height = 3*lanes
       self%home = reshape([1, 1, 1], [3, 1])
       allocate (self%families(1))
@@ -127,10 +125,21 @@ contains
       self%families(1)%first_mass = front + 1
       self%families(1)%layer = reshape([1, spread(0, 1, lanes - 1)], [lanes, 1])
       self%families(1)%tied_above = spread(0.0_wp, 1, lanes)
-      self%freedoms = front + self%height*self%count
-      self%masses = front + self%height/3*self%count
-      self%forces = self%freedoms
+      call self%take(nodes, count, count)
    end function new_solid_columns
+
+   !> Have other columns of the same height
+   pure subroutine take(self, nodes, count, all)
+      class(columns_type), intent(inout) :: self
+      !> Nodes, their columns, and these with those behind
+      integer, intent(in) :: nodes, count, all
+
+      self%nodes = nodes
+      self%count = count
+      self%freedoms = front + self%height*count
+      self%masses = front + self%height/3*count
+      self%forces = front + self%height*all
+   end subroutine take
 
    !> Tie the top of a layer to the bottom of the next; false if they are not side by side
    pure subroutine tie(self, layer, side_by_side)

@@ -2,15 +2,15 @@
 module plydyn_domain_divide_ranks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_share, only : column_owners
+   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_division, only : column_owners, division_type
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_partition, only : divide_graph
    implicit none
    private
 
-   public :: chunk_works, divide_ranks
+   public :: divide_ranks
 
    !> Work at a Gauss point of eight plies with linear strain, with large displacement, and with a
    !> law, and at one of eight interfaces: nanoseconds as tests/bench measures them
@@ -21,25 +21,27 @@ contains
 
    !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet. Of more
    !> ranks than chunks the last ones have nothing to do
-   subroutine divide_ranks(domain, ranks, rank_of_chunk)
-      !> The whole model
+   subroutine divide_ranks(domain, division, ranks, rank_of_chunk)
+      !> The domain; its layers and interfaces are known
       type(domain_type), intent(in) :: domain
+      !> Its chunks
+      type(division_type), intent(in) :: division
       !> How many ranks there are
       integer, intent(in) :: ranks
       !> Rank of each chunk
       integer, allocatable, intent(out) :: rank_of_chunk(:)
 
-      integer :: first(size(domain%chunks) + 1)
+      integer :: first(size(division%chunks) + 1)
       integer, allocatable :: nodes(:), other(:)
 
-      call find_neighbours(domain, first, other, nodes)
-      rank_of_chunk = divide_graph(first, other, chunk_works(domain), nodes, &
-         & min(ranks, size(domain%chunks)))
+      call find_neighbours(division, first, other, nodes)
+      rank_of_chunk = divide_graph(first, other, chunk_works(domain, division%chunks), nodes, &
+         & min(ranks, size(division%chunks)))
    end subroutine divide_ranks
 
    !> Chunks that meet, and in how many nodes
-   subroutine find_neighbours(domain, first, other, nodes)
-      type(domain_type), intent(in) :: domain
+   subroutine find_neighbours(division, first, other, nodes)
+      type(division_type), intent(in) :: division
       !> As in `divide_graph`
       integer, intent(out) :: first(:)
       integer, allocatable, intent(out) :: other(:), nodes(:)
@@ -47,10 +49,10 @@ contains
       integer, allocatable :: begin(:), met(:), run(:)
       integer :: c, k
 
-      call list_meetings(domain, begin, met)
+      call list_meetings(division, begin, met)
       allocate (other(0), nodes(0))
       first(1) = 0
-      do c = 1, size(domain%chunks)
+      do c = 1, size(division%chunks)
          associate (here => met(begin(c):begin(c + 1) - 1))
             here(:) = here(sorted_order(here))
             ! where a run of the same chunk ends
@@ -64,21 +66,21 @@ contains
    end subroutine find_neighbours
 
    !> The other chunks that each chunk meets, once for each node
-   subroutine list_meetings(domain, begin, met)
-      type(domain_type), intent(in) :: domain
+   subroutine list_meetings(division, begin, met)
+      type(division_type), intent(in) :: division
       !> Where the list of each chunk begins, and the end behind the last
       integer, allocatable, intent(out) :: begin(:)
       !> The lists
       integer, allocatable, intent(out) :: met(:)
 
-      integer :: b, c, i, k, next(size(domain%chunks))
+      integer :: b, c, i, k, next(size(division%chunks))
       integer, allocatable :: here(:), owner(:)
 
-      owner = column_owners(domain, [(c, c=1, size(domain%chunks))])
-      allocate (begin(size(domain%chunks) + 1))
+      owner = column_owners(division, [(c, c=1, size(division%chunks))])
+      allocate (begin(size(division%chunks) + 1))
       next(:) = 0
-      do b = 1, size(domain%borders, 2)
-         here = owner(columns_of(domain%borders(:, b)))
+      do b = 1, size(division%borders, 2)
+         here = owner(columns_of(division%borders(:, b)))
          next(here) = next(here) + size(here) - 1
       end do
       begin(1) = 1
@@ -87,8 +89,8 @@ contains
       end do
       allocate (met(begin(size(begin)) - 1))
       next(:) = begin(:size(next))
-      do b = 1, size(domain%borders, 2)
-         here = owner(columns_of(domain%borders(:, b)))
+      do b = 1, size(division%borders, 2)
+         here = owner(columns_of(division%borders(:, b)))
          do i = 1, size(here)
             do k = 1, size(here)
                if (i == k) cycle
@@ -110,16 +112,18 @@ contains
    end function columns_of
 
    !> Work of each chunk in a step, nanoseconds
-   pure function chunk_works(domain) result(work)
-      !> The domain
+   pure function chunk_works(domain, chunks) result(work)
+      !> The domain; its layers and interfaces are known
       type(domain_type), intent(in) :: domain
-      integer :: work(size(domain%chunks))
+      !> The chunks
+      type(chunk_type), intent(in) :: chunks(:)
+      integer :: work(size(chunks))
 
       real(wp) :: quad
       integer :: c, k
 
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c))
+      do c = 1, size(chunks)
+         associate (chunk => chunks(c))
             quad = real(lanes, wp)
             if (size(domain%plates) > 0) then
                quad = plate_work(domain%plates(chunk%plate), &

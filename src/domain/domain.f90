@@ -38,6 +38,9 @@ module plydyn_domain_domain
       integer, allocatable :: freedom(:), mass(:)
       !> Whether this rank counts each of them
       logical, allocatable :: own(:)
+      !> What number each has among those that all ranks have, and how many these are
+      integer, allocatable :: number(:)
+      integer :: all = 0
       !> As in `motion_type`
       integer :: quantity = 0, curve = 0
       real(wp) :: scale = 1.0_wp, birth = 0.0_wp, death = huge(1.0_wp)
@@ -87,7 +90,7 @@ module plydyn_domain_domain
    end type step_limit_type
 
    !> Quads, or batches of bricks, of a part that one thread takes at a time; see
-   !> `plydyn_domain_chunks`
+   !> `plydyn_domain_division`
    type, public :: chunk_type
       !> The part's plate or bricks
       integer :: plate = 0
@@ -140,6 +143,8 @@ module plydyn_domain_domain
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
       !> face move as one); zero where there is no point
       real(wp), allocatable :: mass(:), inverse_mass(:)
+      !> Mass of the whole model
+      real(wp) :: total_mass = 0.0_wp
       !> Lower layers of the faces that move as one
       integer, allocatable :: ties(:)
       !> Those of them whose layers are of different families: points below and above,

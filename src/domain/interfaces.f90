@@ -3,8 +3,7 @@ module plydyn_domain_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_zones, only : new_zone, zone_type
-   use plydyn_element_interface, only : face_type, interface_type, set_plane
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_interface, only : face_type, interface_type
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & new_springs
    use plydyn_model_model, only : model_type
@@ -15,13 +14,14 @@ module plydyn_domain_interfaces
 
 contains
 
-   !> All interfaces of a part. Those between layers side by side in a block stay in the lanes of
-   !> their lower layers; those between layers of different families fill batches of their own
-   pure function new_interfaces(model, plate, columns, joint) result(batches)
+   !> All interfaces of a part, still without quads. Those between layers side by side in a block
+   !> stay in the lanes of their lower layers; those between layers of different families fill
+   !> batches of their own
+   pure function new_interfaces(model, p, columns, joint) result(batches)
       !> The model
       type(model_type), intent(in) :: model
-      !> The plate
-      type(plate_type), intent(in) :: plate
+      !> Index of the part
+      integer, intent(in) :: p
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Index of the interface material between each layer and the next; 0 or less for none
@@ -37,21 +37,21 @@ contains
             do b = 1, columns%families(f)%blocks
                here(:) = [(joint(k) == m .and. all(columns%home(1:2, k) == [f, b]) &
                   & .and. columns%home(1, k + 1) == f, k=1, size(joint))]
-               call add_batch(model, plate, columns, here, m, batches)
+               call add_batch(model, p, columns, here, m, batches)
             end do
          end do
          here(:) = [(joint(k) == m .and. columns%home(1, k) /= columns%home(1, k + 1), &
             & k=1, size(joint))]
          do while (any(here))
-            call add_batch(model, plate, columns, here, m, batches)
+            call add_batch(model, p, columns, here, m, batches)
          end do
       end do
    end function new_interfaces
 
    !> A batch of some interfaces of one material
-   pure subroutine add_batch(model, plate, columns, here, material, batches)
+   pure subroutine add_batch(model, p, columns, here, material, batches)
       type(model_type), intent(in) :: model
-      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: p
       type(columns_type), intent(in) :: columns
       !> Which interfaces; those that found a lane are taken out
       logical, intent(inout) :: here(:)
@@ -66,9 +66,9 @@ contains
       k = maxloc(merge(1, 0, here), 1)
       batch%law = interface_law(model, material)
       batch%adjacent = columns%home(1, k) == columns%home(1, k + 1)
-      batch%quad = plate%quad
-      call set_plane(batch, plate%node, model%mesh%position, &
-         & model%interface_materials(material)%nodal)
+      batch%plate = p
+      batch%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
+      batch%nodal = model%interface_materials(material)%nodal
       lane = 0
       do k = 1, size(here)
          if (.not. here(k)) cycle

@@ -4,6 +4,7 @@ module plydyn_domain_loads
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : load_type
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_domain_supports, only : face_point
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
@@ -24,9 +25,11 @@ module plydyn_domain_loads
 contains
 
    !> Forces at nodes: on a face, or shared by the column in proportion to its masses
-   pure function new_point_load(load, layers, columns, mass) result(self)
+   pure function new_point_load(load, numbering, layers, columns, mass) result(self)
       !> As the deck says
       type(point_load_type), intent(in) :: load
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -36,23 +39,24 @@ contains
       type(load_type) :: self
 
       real(wp), allocatable :: share(:)
+      integer, allocatable :: nodes(:)
       integer :: i, k, point(2), t
 
       self%curve = load%curve
+      nodes = numbering%only(load%nodes)
       if (load%face /= all_planes) then
          point(:) = face_point(layers, load%face)
-         self%freedom = columns%freedom(point(1), point(2), load%direction, load%nodes)
-         self%force = spread(load%scale, 1, size(load%nodes))
+         self%freedom = columns%freedom(point(1), point(2), load%direction, nodes)
+         self%force = spread(load%scale, 1, size(nodes))
          return
       end if
       allocate (self%freedom(0), self%force(0))
-      do i = 1, size(load%nodes)
+      do i = 1, size(nodes)
          allocate (share(0))
          do k = 1, size(layers%order)
             do t = 1, layers%order(k) + 1
-               self%freedom = [self%freedom, &
-                  & columns%freedom(k, t, load%direction, load%nodes(i))]
-               share = [share, mass(columns%mass_of(k, t, load%nodes(i)))]
+               self%freedom = [self%freedom, columns%freedom(k, t, load%direction, nodes(i))]
+               share = [share, mass(columns%mass_of(k, t, nodes(i)))]
             end do
          end do
          self%force = [self%force, load%scale*share/sum(share)]
@@ -61,11 +65,13 @@ contains
    end function new_point_load
 
    !> Force along every quad side that lies in the line, each once
-   pure function new_line_load(load, mesh, layers, columns) result(self)
+   pure function new_line_load(load, mesh, numbering, layers, columns) result(self)
       !> As the deck says
       type(line_load_type), intent(in) :: load
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -93,9 +99,10 @@ contains
       end do
       point(:) = face_point(layers, load%face)
       self%curve = load%curve
-      self%freedom = columns%freedom(point(1), point(2), load%direction, &
-         & pack([(i, i=1, size(force))], in_line))
-      self%force = load%scale*pack(force, in_line)
+      line = pack([(i, i=1, size(force))], in_line)
+      line = pack(line, numbering%node(line) > 0)
+      self%freedom = columns%freedom(point(1), point(2), load%direction, numbering%node(line))
+      self%force = load%scale*force(line)
    end function new_line_load
 
    !> Integral of each shape function over a line of 2 or 3 nodes
@@ -119,11 +126,13 @@ contains
    end function line_shares
 
    !> Pressure on a face as consistent forces at its points
-   pure function new_pressure_load(load, mesh, layers, columns) result(self)
+   pure function new_pressure_load(load, mesh, numbering, layers, columns) result(self)
       !> As the deck says
       type(pressure_type), intent(in) :: load
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -131,6 +140,7 @@ contains
       type(load_type) :: self
 
       real(wp) :: force(size(mesh%node_id))
+      integer, allocatable :: loaded(:)
       integer :: e, i, point(2), side
 
       side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
@@ -142,44 +152,48 @@ contains
       end do
       point(:) = face_point(layers, load%face)
       self%curve = load%curve
-      self%freedom = columns%freedom(point(1), point(2), 3, &
-         & pack([(i, i=1, size(force))], abs(force) > 0.0_wp))
-      self%force = load%scale*pack(force, abs(force) > 0.0_wp)
+      loaded = pack([(i, i=1, size(force))], abs(force) > 0.0_wp)
+      loaded = pack(loaded, numbering%node(loaded) > 0)
+      self%freedom = columns%freedom(point(1), point(2), 3, numbering%node(loaded))
+      self%force = load%scale*force(loaded)
       if (load%face == top_face) self%force = -self%force
    end function new_pressure_load
 
    !> Pressure on a face of a brick as consistent forces at its nodes
-   pure function new_segment_load(load, mesh, columns) result(self)
+   pure function new_segment_load(load, mesh, numbering, columns) result(self)
       !> As the deck says
       type(segment_load_type), intent(in) :: load
       !> The nodes
       type(mesh_type), intent(in) :: mesh
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       type(load_type) :: self
 
-      real(wp) :: gauss(2), slope(2, 4), tangent(3, 2), value(4)
+      real(wp) :: force(4, 3), gauss(2), slope(2, 4), tangent(3, 2), value(4)
       integer :: c, i, j, node(4)
 
       node(:) = load%node(tensor_order(2))
       gauss(:) = gauss_points(2)
-      self%curve = load%curve
-      allocate (self%freedom(0), self%force(0))
-      do c = 1, 3
-         self%freedom = [self%freedom, columns%freedom(1, 1, c, node)]
-      end do
-      self%force = spread(0.0_wp, 1, size(self%freedom))
+      force(:, :) = 0.0_wp
       do j = 1, 2
          do i = 1, 2
             call plane_table(2, gauss(i), gauss(j), value, slope)
             tangent(:, :) = matmul(mesh%position(:, node), transpose(slope))
             do c = 1, 3
                associate (a => 1 + mod(c, 3), b => 1 + mod(c + 1, 3))
-                  self%force(4*c - 3:4*c) = self%force(4*c - 3:4*c) - load%scale*value &
+                  force(:, c) = force(:, c) - load%scale*value &
                      & *(tangent(a, 1)*tangent(b, 2) - tangent(b, 1)*tangent(a, 2))
                end associate
             end do
          end do
+      end do
+      self%curve = load%curve
+      allocate (self%freedom(0), self%force(0))
+      do c = 1, 3
+         self%freedom = [self%freedom, columns%freedom(1, 1, c, numbering%only(node))]
+         self%force = [self%force, pack(force(:, c), numbering%node(node) > 0)]
       end do
    end function new_segment_load
 
@@ -230,9 +244,11 @@ contains
    end function new_body_load
 
    !> Put the forces of a load in the order of the columns
-   pure subroutine order_load(load, columns)
-      !> The load; learns the last force of each column
+   pure subroutine order_load(load, numbering, columns)
+      !> The load; learns the last force of each column, and whether the rank counts it
       type(load_type), intent(inout) :: load
+      !> Columns of the rank
+      type(numbering_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
 
@@ -246,6 +262,7 @@ contains
       column(:) = column(order)
       load%last = pack([(i, i=1, size(column))], [column(2:) /= column(:size(column) - 1), &
          & spread(.true., 1, min(1, size(column)))])
+      load%own = numbering%own(column(load%last))
    end subroutine order_load
 
 end module plydyn_domain_loads

@@ -1,12 +1,11 @@
 !> Lumped masses: the mass of each layer shared among its points.
 module plydyn_domain_masses
-   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_base_text, only : text
    use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_element_plate, only : plate_type
-   use plydyn_element_quad, only : quad_node_area
-   use plydyn_model_layers, only : layers_type
+   use plydyn_element_quad, only : quad_node_area, tensor_order
+   use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -42,38 +41,37 @@ contains
       end do
    end function surface_density
 
-   !> Add the masses of a part to those of the points
-   subroutine add_masses(model, p, plate, layers, columns, mass, error)
+   !> Add the masses of a part to those of the points that a rank has
+   subroutine add_masses(model, p, plate, quads, numbering, columns, mass)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
       integer, intent(in) :: p
-      !> Its plate
-      type(plate_type), intent(in) :: plate
       !> Its layers
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
+      type(plate_type), intent(in) :: plate
+      !> All quads of the part, those of other ranks too: they add to nodes where ranks meet
+      integer, intent(in) :: quads(:)
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
+      !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
       real(wp), intent(inout) :: mass(:)
-      !> A quad so distorted that a node gets no mass
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: area(plate%side**2)
       real(wp), allocatable :: density(:, :)
-      integer :: e, f, i
+      integer :: e, f, here(plate%side**2), i, node(plate%side**2)
 
       do f = 1, size(plate%batches)
-         density = surface_density(model, p, layers, columns%families(f)%layer)
-         do e = 1, size(plate%quad)
-            area(:) = quad_node_area(plate%side, model%mesh%position(1:2, plate%node(:, e)))
-            if (any(area <= 0.0_wp)) then
-               call fail(error, exit_input, "quad "//text(model%mesh%quad_id(plate%quad(e))) &
-                  & //" is too distorted: the Jacobian at one of its nodes is not positive")
-               return
-            end if
+         density = surface_density(model, p, new_layers(model%parts(p)), &
+            & columns%families(f)%layer)
+         do e = 1, size(quads)
+            node(:) = model%mesh%quad_node(tensor_order(plate%side), quads(e))
+            here(:) = numbering%node(node)
+            if (all(here == 0)) cycle
+            area(:) = quad_node_area(plate%side, model%mesh%position(1:2, node))
             do i = 1, size(area)
-               call add_column(plate%node(i, e), area(i))
+               if (here(i) > 0) call add_column(here(i), area(i))
             end do
          end do
       end do

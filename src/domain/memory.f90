@@ -24,8 +24,8 @@ contains
       integer :: c, i
 
       associate (columns => domain%columns)
-         reals = real(motions*columns%freedoms, wp) + columns%forces + 2.0_wp*columns%masses &
-            & + size(domain%position)
+         reals = real(motions*columns%freedoms, wp) + columns%forces &
+            & + size(domain%mass) + size(domain%inverse_mass) + size(domain%position)
       end associate
       integers = real(size(domain%node_id) + size(domain%borders) + size(domain%held), wp) &
          & + size(domain%far_ties)

@@ -1,7 +1,6 @@
 !> Columns of the whole model as one rank numbers them.
 module plydyn_domain_numbering
-   use plydyn_domain_columns, only : columns_type, front
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_division, only : division_type
    implicit none
    private
 
@@ -14,76 +13,56 @@ module plydyn_domain_numbering
       !> The columns that it has, not those behind, and whether it counts each
       integer, allocatable :: here(:)
       logical, allocatable :: own(:)
-      !> Length of a column in the arrays of motion, and nodes in it
-      integer, private :: height = 0, abreast = 1
+      !> The columns of forces, those behind too
+      integer :: columns = 0
+      !> Nodes in a column
+      integer, private :: abreast = 1
    contains
-      procedure :: has
-      procedure :: counts
       procedure :: node
-      procedure :: place
-      procedure :: mass_place
+      procedure :: nodes
+      procedure :: only
    end type numbering_type
 
 contains
 
    !> Number the columns that the chunks of a rank touch, and behind them all that meet there
-   pure function new_numbering(whole, owner, rank) result(self)
+   pure function new_numbering(division, abreast, owner, rank) result(self)
       !> The whole model
-      type(domain_type), intent(in) :: whole
+      type(division_type), intent(in) :: division
+      !> Nodes in a column
+      integer, intent(in) :: abreast
       !> Rank that adds to each column, those behind too; see `column_owners`
       integer, intent(in) :: owner(:)
       !> The rank
       integer, intent(in) :: rank
       type(numbering_type) :: self
 
-      integer :: b, c, last, i
+      integer :: b, c, i
 
-      self%height = whole%columns%height
-      self%abreast = whole%columns%abreast
+      self%abreast = abreast
       allocate (self%column(size(owner)))
       self%column(:) = 0
       where (owner == rank) self%column(:) = 1
-      do b = 1, size(whole%borders, 2)
-         associate (node => whole%borders(1, b), behind => whole%borders(2:3, b))
+      do b = 1, size(division%borders, 2)
+         associate (node => division%borders(1, b), behind => division%borders(2:3, b))
             if (any(self%column(behind(1):behind(2)) > 0)) self%column(node) = 1
          end associate
       end do
-      associate (nodes => whole%columns%count)
+      associate (nodes => division%nodes)
          self%here = pack([(c, c=1, nodes)], self%column(:nodes) > 0)
       end associate
       self%column(:) = 0
       self%column(self%here) = [(i, i=1, size(self%here))]
       self%own = owner(self%here) == rank
-      last = size(self%here)
-      do b = 1, size(whole%borders, 2)
-         if (self%column(whole%borders(1, b)) == 0) cycle
-         do c = whole%borders(2, b), whole%borders(3, b)
-            last = last + 1
-            self%column(c) = last
+      self%columns = size(self%here)
+      do b = 1, size(division%borders, 2)
+         if (self%column(division%borders(1, b)) == 0) cycle
+         do c = division%borders(2, b), division%borders(3, b)
+            self%columns = self%columns + 1
+            self%column(c) = self%columns
          end do
       end do
    end function new_numbering
-
-   !> Whether the rank has a place in the arrays of motion
-   elemental logical function has(self, place)
-      class(numbering_type), intent(in) :: self
-      !> The place in those of the whole model
-      integer, intent(in) :: place
-
-      has = self%column((place - front - 1)/self%height + 1) > 0
-   end function has
-
-   !> Whether the rank has a place in the arrays of motion and counts it
-   elemental logical function counts(self, place)
-      class(numbering_type), intent(in) :: self
-      !> The place in those of the whole model
-      integer, intent(in) :: place
-
-      counts = .false.
-      associate (column => self%column((place - front - 1)/self%height + 1))
-         if (column > 0) counts = self%own(column)
-      end associate
-   end function counts
 
    !> The rank's number of a node, 0 where it does not have it
    elemental integer function node(self, whole_node)
@@ -97,32 +76,27 @@ contains
       end associate
    end function node
 
-   !> A place in the rank's arrays of motion
-   elemental integer function place(self, whole_place)
+   !> Those of some nodes that the rank has, as it numbers them
+   pure function only(self, whole_nodes) result(nodes)
       class(numbering_type), intent(in) :: self
-      !> The place in those of the whole model
-      integer, intent(in) :: whole_place
+      !> Nodes of the whole model
+      integer, intent(in) :: whole_nodes(:)
+      integer, allocatable :: nodes(:)
 
-      place = moved(self, whole_place, self%height)
-   end function place
+      nodes = self%node(whole_nodes)
+      nodes = pack(nodes, nodes > 0)
+   end function only
 
-   !> A place in the rank's arrays of masses
-   elemental integer function mass_place(self, whole_place)
+   !> The nodes of the rank as the whole model numbers them; past the last one of that again it
+   pure function nodes(self, whole_nodes) result(list)
       class(numbering_type), intent(in) :: self
-      !> The place in those of the whole model
-      integer, intent(in) :: whole_place
+      !> How many the whole model has
+      integer, intent(in) :: whole_nodes
+      integer :: list(self%abreast*size(self%here))
+      integer :: c, i
 
-      mass_place = moved(self, whole_place, self%height/3)
-   end function mass_place
-
-   !> A place in another column
-   elemental integer function moved(self, place, height)
-      type(numbering_type), intent(in) :: self
-      integer, intent(in) :: place, height
-
-      associate (column => (place - front - 1)/height + 1)
-         moved = place + height*(self%column(column) - column)
-      end associate
-   end function moved
+      list(:) = [((min(self%abreast*(self%here(c) - 1) + i, whole_nodes), i=1, self%abreast), &
+         & c=1, size(self%here))]
+   end function nodes
 
 end module plydyn_domain_numbering

@@ -9,6 +9,7 @@ module plydyn_domain_pair_inertia
    use plydyn_domain_links, only : links_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_element_interface, only : interface_type
+   use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
@@ -74,8 +75,12 @@ contains
       end do
    end function joint_stiffness
 
-   !> Inertia of all pairs for one step
-   pure function new_pair_inertia(columns, mass, area, stiffness, step) result(self)
+   !> Inertia of all pairs for one step. All ranks must come here
+   function new_pair_inertia(comm, number, columns, mass, area, stiffness, step) result(self)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> What number each node has in the whole model
+      integer, intent(in) :: number(:)
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
@@ -88,8 +93,7 @@ contains
       real(wp), intent(in) :: step
       type(pair_inertia_type) :: self
 
-      integer, allocatable :: first(:)
-      real(wp), allocatable :: density(:, :)
+      real(wp), allocatable :: density(:, :), first(:, :)
       integer :: f, j, n
 
       self%active = .true.
@@ -101,13 +105,13 @@ contains
          density(2::2, n) = mass(columns%mass_of(self%joint + 1, 1, n))/area(n)
       end do
       self%area = area
-      call find_classes(density, self%class, first)
+      call find_classes(comm, number, density, self%class, first)
       allocate (self%tables(size(columns%families)))
       do f = 1, size(columns%families)
-         call allocate_table(lanes*columns%families(f)%blocks, size(first), self%tables(f))
+         call allocate_table(lanes*columns%families(f)%blocks, size(first, 2), self%tables(f))
       end do
       self%inertia = implicit_share*step**2*stiffness(:, self%joint)
-      call place_pairs(self, columns, density(:, first))
+      call place_pairs(self, columns, first)
    end function new_pair_inertia
 
    !> A table without pairs
@@ -176,9 +180,10 @@ contains
       type(columns_type), intent(in) :: columns
       !> The lower layer
       integer, intent(in) :: layer
-      integer :: place(2, 3, columns%nodes)
+      integer, allocatable :: place(:, :, :)
       integer :: c, n
 
+      allocate (place(2, 3, columns%nodes))
       do n = 1, columns%nodes
          do c = 1, 3
             place(:, c, n) = [columns%freedom(layer, columns%levels(layer), c, n), &

@@ -3,11 +3,11 @@ module plydyn_domain_plates
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_domain_chunks, only : divide_quads
    use plydyn_domain_columns, only : columns_type, family_type
    use plydyn_domain_laws, only : new_laws
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
-   use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
+   use plydyn_element_quad, only : plane_table, quad_metric, quad_node_area, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
@@ -19,42 +19,54 @@ module plydyn_domain_plates
    implicit none
    private
 
-   public :: new_plate
+   public :: check_quads, new_plate, set_quads
 
 contains
 
-   !> The quads and layers of one part
-   subroutine new_plate(model, p, columns, plate, error)
+   !> Refuse quads that are folded or have a node without mass
+   subroutine check_quads(mesh, quads, error)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> The quads, indices into it
+      integer, intent(in) :: quads(:)
+      !> Names the first quad that is
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: metric(5, size(mesh%quad_node, 1))
+      integer :: e, side
+
+      side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
+      do e = 1, size(quads)
+         associate (corner => mesh%position(1:2, mesh%quad_node(tensor_order(side), quads(e))))
+            metric(:, :) = quad_metric(side, corner)
+            if (any(metric(5, :) <= 0.0_wp)) then
+               call fail(error, exit_input, "quad "//text(mesh%quad_id(quads(e))) &
+                  & //" is folded: its Jacobian is not positive at every Gauss point")
+               return
+            end if
+            if (any(quad_node_area(side, corner) <= 0.0_wp)) then
+               call fail(error, exit_input, "quad "//text(mesh%quad_id(quads(e))) &
+                  & //" is too distorted: the Jacobian at one of its nodes is not positive")
+               return
+            end if
+         end associate
+      end do
+   end subroutine check_quads
+
+   !> The layers of one part, still without quads
+   function new_plate(model, p, columns) result(plate)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
       integer, intent(in) :: p
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The plate
-      type(plate_type), intent(out) :: plate
-      !> A quad that is folded
-      type(error_type), allocatable, intent(out) :: error
+      type(plate_type) :: plate
 
       type(layers_type) :: layers
-      integer, allocatable :: order(:)
-      integer :: e, f, i, plane
+      integer :: f
 
-      plane = size(model%mesh%quad_node, 1)
-      plate%side = nint(sqrt(real(plane, wp)))
-      plate%quad = pack([(i, i=1, size(model%mesh%quad_id))], model%mesh%quad_part == p)
-      call divide_quads(centres(model%mesh, plate%quad), order, plate%last)
-      plate%quad(:) = plate%quad(order)
-      allocate (plate%node(plane, size(plate%quad)), plate%metric(5, plane, size(plate%quad)))
-      do e = 1, size(plate%quad)
-         plate%node(:, e) = model%mesh%quad_node(tensor_order(plate%side), plate%quad(e))
-         plate%metric(:, :, e) = quad_metric(plate%side, model%mesh%position(1:2, plate%node(:, e)))
-         if (all(plate%metric(5, :, e) > 0.0_wp)) cycle
-         call fail(error, exit_input, "quad "//text(model%mesh%quad_id(plate%quad(e))) &
-            & //" is folded: its Jacobian is not positive at every Gauss point")
-         return
-      end do
-      plate%target = plate%node
+      plate%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
       call tabulate(plate)
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
@@ -63,21 +75,30 @@ contains
          plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))
          plate%batches(f)%height = columns%height
       end do
-   end subroutine new_plate
+   end function new_plate
 
-   !> Mean position of the nodes of some quads, (2, quads)
-   pure function centres(mesh, quad) result(centre)
+   !> Give a plate its quads
+   pure subroutine set_quads(mesh, quads, numbering, plate)
+      !> The mesh
       type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: quad(:)
-      real(wp) :: centre(2, size(quad))
-      integer :: e
+      !> The quads, indices into it
+      integer, intent(in) :: quads(:)
+      !> Numbers of their nodes
+      type(numbering_type), intent(in) :: numbering
+      !> The plate; its targets are the nodes
+      type(plate_type), intent(inout) :: plate
 
-      do e = 1, size(quad)
-         associate (node => mesh%quad_node(:, quad(e)))
-            centre(:, e) = sum(mesh%position(1:2, node), 2)/real(size(node), wp)
-         end associate
+      integer :: e, node(plate%side**2)
+
+      plate%quad = quads
+      allocate (plate%node(size(node), size(quads)), plate%metric(5, size(node), size(quads)))
+      do e = 1, size(quads)
+         node(:) = mesh%quad_node(tensor_order(plate%side), quads(e))
+         plate%node(:, e) = numbering%node(node)
+         plate%metric(:, :, e) = quad_metric(plate%side, mesh%position(1:2, node))
       end do
-   end function centres
+      plate%target = plate%node
+   end subroutine set_quads
 
    !> Shape functions at the Gauss points
    pure subroutine tabulate(plate)

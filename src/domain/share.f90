@@ -1,137 +1,119 @@
-!> The share of a rank: the domain of its chunks, cut out of that of the whole model.
+!> The share of a rank: its columns and chunks, and what it exchanges with other ranks.
 !>
 !> A rank has the columns of all nodes that its chunks touch. A node where ranks meet is moved by
 !> all of them alike: each gets the force columns of the others, and adds all in the order of the
-!> chunks of the whole model (`plydyn_domain_chunks`). It is counted by the rank of its first chunk.
+!> chunks of the whole model (`plydyn_domain_division`). The rank of its first chunk counts it.
 module plydyn_domain_share
-   use plydyn_base_precision, only : wp
-   use plydyn_domain_chunks, only : give_borders
-   use plydyn_domain_columns, only : columns_type, front
+   use plydyn_domain_chunks, only : border_nodes, give_borders
+   use plydyn_domain_columns, only : front
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_numbering, only : new_numbering, numbering_type
-   use plydyn_domain_share_elements, only : take_bricks, take_interfaces, take_plates
-   use plydyn_domain_share_points, only : take_inertia, take_loads, take_supports, &
-      & take_surfaces, take_velocities
-   use plydyn_parallel_comm, only : comm_type
+   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_parallel_halo, only : new_halo
    implicit none
    private
 
-   public :: column_owners, own_all, take_share
+   public :: join_ranks, renumber_chunks, take_chunks, take_columns
 
    !> What of the whole model a rank has
    type, public :: share_type
+      !> Columns and histories of the whole model
+      integer :: columns = 0, histories = front
       !> Its columns as the whole model numbers them, and whether it counts each
       integer, allocatable :: column(:)
       logical, allocatable :: own(:)
       !> Its histories: first place here and in the whole model, and length, (3, pieces)
       integer, allocatable :: history(:, :)
-      !> Its supports as places in the list of those of the whole model, and whether it counts each
-      integer, allocatable :: support(:)
-      logical, allocatable :: own_support(:)
    end type share_type
 
 contains
 
-   !> Let one rank count all
-   pure subroutine own_all(domain)
-      !> The domain, built
+   !> Columns of a rank, their nodes, and the borders between chunks
+   pure subroutine take_columns(mesh, division, numbering, domain, share)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> The whole model
+      type(division_type), intent(in) :: division
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Has columns as long as those of the whole model; gets those of the rank
       type(domain_type), intent(inout) :: domain
-      integer :: c, i
+      !> Gets the columns
+      type(share_type), intent(inout) :: share
 
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c))
-            chunk%own = pack(chunk%column, chunk%column <= domain%columns%count)
-            allocate (chunk%guests(0))
-         end associate
-      end do
-      call give_borders(domain)
-      domain%order = [(c, c=1, size(domain%chunks))]
-      do i = 1, size(domain%loads)
-         domain%loads(i)%own = spread(.true., 1, size(domain%loads(i)%last))
-      end do
-      do i = 1, size(domain%motions)
-         domain%motions(i)%own = spread(.true., 1, size(domain%motions(i)%freedom))
-      end do
-      do i = 1, size(domain%surfaces)
-         associate (surface => domain%surfaces(i))
-            surface%here = [(c, c=1, size(surface%node))]
-            surface%own = spread(.true., 1, size(surface%node))
-            surface%counts = [size(surface%node)]
-            surface%of_ranks = surface%here
-         end associate
-      end do
-      domain%moved_links%own = spread(.true., 1, size(domain%moved_links%inertia))
-      domain%held_links%own = spread(.true., 1, size(domain%held_links%inertia))
-   end subroutine own_all
+      integer, allocatable :: node(:)
+      integer :: b, k
 
-   !> Rank that adds to each column of forces; -1 where no chunk does
-   pure function column_owners(whole, rank_of_chunk) result(owner)
-      !> The whole model
-      type(domain_type), intent(in) :: whole
-      !> Rank of each chunk
-      integer, intent(in) :: rank_of_chunk(:)
-      integer, allocatable :: owner(:)
-      integer :: c
-
-      allocate (owner((whole%columns%forces - front)/whole%columns%height))
-      owner(:) = -1
-      do c = 1, size(whole%chunks)
-         owner(whole%chunks(c)%column) = rank_of_chunk(c)
-      end do
-   end function column_owners
-
-   !> The domain of a rank
-   subroutine take_share(whole, rank_of_chunk, comm, domain, share)
-      !> The whole model
-      type(domain_type), intent(in) :: whole
-      !> Rank of each chunk
-      integer, intent(in) :: rank_of_chunk(:)
-      !> The ranks
-      type(comm_type), intent(in) :: comm
-      !> Its domain
-      type(domain_type), intent(out) :: domain
-      !> What it has of the whole
-      type(share_type), intent(out) :: share
-
-      type(numbering_type) :: numbering
-      integer, allocatable :: owner(:)
-      integer :: c, i
-
-      owner = column_owners(whole, rank_of_chunk)
-      numbering = new_numbering(whole, owner, comm%rank)
-      domain = whole
-      domain%comm = comm
-      call take_columns(whole, numbering, domain)
-      call take_chunks(whole, rank_of_chunk == comm%rank, domain)
-      allocate (share%history(3, 0))
-      domain%histories = front
-      call take_plates(whole, numbering, domain, share%history)
-      call take_interfaces(whole, numbering, domain, share%history)
-      call take_bricks(whole, numbering, domain, share%history)
-      call renumber_chunks(whole, numbering, domain)
-      call take_supports(whole, numbering, domain, share%support, share%own_support)
-      call take_loads(whole, numbering, domain)
-      call take_velocities(whole, numbering, domain)
-      call take_surfaces(whole, numbering, owner, comm%ranks, domain)
-      call take_inertia(whole, numbering, domain)
+      share%columns = division%nodes
       share%column = numbering%here
       share%own = numbering%own
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%own = pack(domain%chunks(c)%column, &
-            & domain%chunks(c)%column <= size(share%column))
+      node = numbering%nodes(size(mesh%node_id))
+      node = node(:min(size(node), size(mesh%node_id)))
+      call domain%columns%take(size(node), size(share%column), numbering%columns)
+      domain%node_id = mesh%node_id(node)
+      domain%position = mesh%position(:, node)
+      domain%borders = division%borders(:, pack([(b, b=1, size(division%borders, 2))], &
+         & numbering%column(division%borders(1, :)) > 0))
+      do b = 1, size(domain%borders, 2)
+         do k = 1, size(domain%borders, 1)
+            domain%borders(k, b) = numbering%column(domain%borders(k, b))
+         end do
       end do
-      call place_guests(domain, pack([(i, i=1, size(share%own))], .not. share%own))
+   end subroutine take_columns
+
+   !> Chunks of a rank, as the whole model has them. (`pack` of gfortran 12 leaves the copies the
+   !> lists of the originals)
+   pure subroutine take_chunks(division, taken, domain)
+      !> The whole model
+      type(division_type), intent(in) :: division
+      !> Which of its chunks
+      logical, intent(in) :: taken(:)
+      !> Gets them
+      type(domain_type), intent(inout) :: domain
+
+      integer :: c, k
+
+      allocate (domain%chunks(count(taken)))
+      k = 0
+      do c = 1, size(taken)
+         if (.not. taken(c)) cycle
+         k = k + 1
+         domain%chunks(k) = division%chunks(c)
+      end do
+   end subroutine take_chunks
+
+   !> Let the chunks of a rank say where its quads and columns are
+   pure subroutine renumber_chunks(numbering, domain)
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Has chunks of the whole model
+      type(domain_type), intent(inout) :: domain
+
+      integer :: c, i, last(max(size(domain%plates), size(domain%bricks)))
+
+      last(:) = 0
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c), end => last(domain%chunks(c)%plate))
+            chunk%quads(:) = end + 1 + [0, chunk%quads(2) - chunk%quads(1)]
+            end = chunk%quads(2)
+            chunk%column(:) = numbering%column(chunk%column)
+            chunk%own = pack(chunk%column, chunk%column <= domain%columns%count)
+         end associate
+      end do
+      call place_guests(domain, pack([(i, i=1, size(numbering%own))], .not. numbering%own))
       call give_borders(domain)
-      call join_ranks(whole, numbering, owner, domain)
-   end subroutine take_share
+   end subroutine renumber_chunks
 
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
-   subroutine join_ranks(whole, numbering, owner, domain)
-      type(domain_type), intent(in) :: whole
+   subroutine join_ranks(division, numbering, owner, domain)
+      !> The whole model
+      type(division_type), intent(in) :: division
+      !> The rank's numbers of columns
       type(numbering_type), intent(in) :: numbering
       !> Rank that adds to each column
       integer, intent(in) :: owner(:)
+      !> The domain of the rank; its chunks have their columns
       type(domain_type), intent(inout) :: domain
 
       integer, allocatable :: received(:, :), sent(:, :)
@@ -139,10 +121,10 @@ contains
       integer :: b, c
 
       allocate (received(2, 0), sent(2, 0))
-      do b = 1, size(whole%borders, 2)
-         if (numbering%column(whole%borders(1, b)) == 0) cycle
-         call join_border([whole%borders(1, b), (c, c=whole%borders(2, b), whole%borders(3, b))], &
-            & owner, domain%comm%rank, sent, received)
+      do b = 1, size(division%borders, 2)
+         if (numbering%column(division%borders(1, b)) == 0) cycle
+         call join_border([division%borders(1, b), (c, c=division%borders(2, b), &
+            & division%borders(3, b))], owner, domain%comm%rank, sent, received)
       end do
       is_sent(:) = .false.
       is_sent(numbering%column(sent(2, :))) = .true.
@@ -183,112 +165,22 @@ contains
       end do
    end subroutine join_border
 
-   !> Some chunks, as they are. (`pack` of gfortran 12 leaves the copies the lists of the originals)
-   pure subroutine take_chunks(whole, taken, domain)
-      type(domain_type), intent(in) :: whole
-      logical, intent(in) :: taken(:)
-      type(domain_type), intent(inout) :: domain
-      integer :: c, k
-
-      deallocate (domain%chunks)
-      allocate (domain%chunks(count(taken)))
-      k = 0
-      do c = 1, size(taken)
-         if (.not. taken(c)) cycle
-         k = k + 1
-         domain%chunks(k) = whole%chunks(c)
-      end do
-   end subroutine take_chunks
-
-   !> Columns, their nodes and masses, and the borders between chunks
-   subroutine take_columns(whole, numbering, domain)
-      type(domain_type), intent(in) :: whole
-      type(numbering_type), intent(in) :: numbering
-      type(domain_type), intent(inout) :: domain
-
-      integer, allocatable :: node(:)
-      integer :: b, c, i, n
-
-      associate (columns => domain%columns, here => numbering%here, &
-         & abreast => whole%columns%abreast)
-         columns%count = size(here)
-         node = [((min(abreast*(here(c) - 1) + i, whole%columns%nodes), i=1, abreast), &
-            & c=1, size(here))]
-         columns%nodes = size(node)
-         columns%freedoms = front + columns%height*columns%count
-         columns%masses = front + columns%height/3*columns%count
-         columns%forces = front + columns%height*maxval(numbering%column)
-         domain%node_id = whole%node_id(node)
-         domain%position = whole%position(:, node)
-         domain%mass = whole_masses(columns, here, whole%mass)
-         domain%inverse_mass = whole_masses(columns, here, whole%inverse_mass)
-      end associate
-      domain%borders = whole%borders(:, pack([(b, b=1, size(whole%borders, 2))], &
-         & numbering%column(whole%borders(1, :)) > 0))
-      do b = 1, size(domain%borders, 2)
-         do n = 1, size(domain%borders, 1)
-            domain%borders(n, b) = numbering%column(domain%borders(n, b))
-         end do
-      end do
-      domain%ties = whole%ties
-      domain%far_ties = whole%far_ties(:, pack([(i, i=1, size(whole%far_ties, 2))], &
-         & numbering%has(whole%far_ties(1, :))))
-      domain%far_ties(:, :) = numbering%place(domain%far_ties)
-   end subroutine take_columns
-
-   !> Masses of some columns
-   pure function whole_masses(columns, here, mass) result(masses)
-      type(columns_type), intent(in) :: columns
-      integer, intent(in) :: here(:)
-      real(wp), intent(in) :: mass(:)
-      real(wp) :: masses(columns%masses)
-      integer :: i
-
-      masses(:front) = 0.0_wp
-      associate (height => columns%height/3)
-         do i = 1, size(here)
-            masses(front + height*(i - 1) + 1:front + height*i) = &
-               & mass(front + height*(here(i) - 1) + 1:front + height*here(i))
-         end do
-      end associate
-   end function whole_masses
-
-   !> Let the chunks of a rank say where its quads and columns are
-   pure subroutine renumber_chunks(whole, numbering, domain)
-      type(domain_type), intent(in) :: whole
-      type(numbering_type), intent(in) :: numbering
-      type(domain_type), intent(inout) :: domain
-
-      integer :: c, last(max(size(whole%plates), size(whole%bricks)))
-
-      last(:) = 0
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c), end => last(domain%chunks(c)%plate))
-            chunk%quads(:) = end + 1 + [0, chunk%quads(2) - chunk%quads(1)]
-            end = chunk%quads(2)
-            chunk%column(:) = numbering%column(chunk%column)
-         end associate
-      end do
-   end subroutine renumber_chunks
-
    !> Let every guest move with the first chunk that adds to it
    pure subroutine place_guests(domain, guests)
       type(domain_type), intent(inout) :: domain
       !> Columns that another rank counts
       integer, intent(in) :: guests(:)
 
-      integer :: b, c, chunk_of(maxval([0, guests])), i, node_of(domain%columns%count + 1: &
-         & (domain%columns%forces - front)/domain%columns%height)
+      integer :: c, chunk_of(maxval([0, guests])), i
+      integer, allocatable :: node(:)
 
-      do b = 1, size(domain%borders, 2)
-         node_of(domain%borders(2, b):domain%borders(3, b)) = domain%borders(1, b)
-      end do
+      node = border_nodes(domain%columns, domain%borders)
       chunk_of(:) = 0
       do c = size(domain%chunks), 1, -1
          associate (column => domain%chunks(c)%column)
             do i = 1, size(column)
                if (column(i) <= domain%columns%count) cycle
-               if (node_of(column(i)) <= size(chunk_of)) chunk_of(node_of(column(i))) = c
+               if (node(column(i)) <= size(chunk_of)) chunk_of(node(column(i))) = c
             end do
          end associate
       end do

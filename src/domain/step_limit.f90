@@ -1,14 +1,16 @@
 !> The stable step of the whole domain, and who sets it.
 module plydyn_domain_step_limit
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type, step_limit_type
    use plydyn_domain_masses, only : surface_density
    use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_element_plate, only : plate_type
-   use plydyn_element_quad, only : quad_node_area
+   use plydyn_element_quad, only : quad_metric, quad_node_area, tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_layers, only : layers_type, new_layers
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -19,11 +21,13 @@ contains
 
    !> Largest eigenvalue of the layers, plus that of the interfaces between them: their sum bounds
    !> the largest of the whole
-   function find_step_limit(model, domain) result(limit)
+   function find_step_limit(model, domain, division) result(limit)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain, built but for its limit
+      !> The domain; its layers and interfaces are known
       type(domain_type), intent(in) :: domain
+      !> All quads
+      type(division_type), intent(in) :: division
       type(step_limit_type) :: limit
 
       real(wp), allocatable :: rate(:)
@@ -33,8 +37,8 @@ contains
       allocate (rate(size(model%mesh%quad_id)), ply(size(model%mesh%quad_id)))
       rate(:) = 0.0_wp
       ply(:) = 0
-      call add_layer_rates(model, domain, rate, ply)
-      call add_interface_rates(model, domain, limit%interface_rate, limit%interface_rest)
+      call add_layer_rates(model, domain, division, rate, ply)
+      call add_interface_rates(model, domain, division, limit%interface_rate, limit%interface_rest)
       worst = maxloc(rate, 1)
       limit%ply_rate = rate(worst)
       limit%step = 2.0_wp/sqrt(limit%ply_rate + limit%interface_rest)
@@ -52,19 +56,18 @@ contains
       !> Index in the mesh
       integer, intent(in) :: quad
 
-      integer :: e, f, p
+      integer :: f, p
       real(wp), allocatable :: lambda(:, :, :)
 
       rate = 0.0_wp
       p = model%mesh%quad_part(quad)
       associate (plate => domain%plates(p))
-         e = findloc(plate%quad, quad, 1)
          do f = 1, size(plate%batches)
             associate (layer_of => domain%columns%families(f)%layer)
                allocate (lambda(size(layer_of, 1), size(layer_of, 2), 1))
                call largest_eigenvalues(plate%batches(f), surface_density(model, p, &
                   & new_layers(model%parts(p)), layer_of), plate%side, &
-                  & reshape(domain%position(1:2, plate%node(:, e)), [2, plate%side**2, 1]), &
+                  & corners(model%mesh, plate%side, [quad]), &
                   & 4.0_wp*implicit_share, lambda)
                rate = max(rate, maxval(lambda))
             end associate
@@ -73,43 +76,51 @@ contains
       end associate
    end function plane_rate
 
+   !> Positions of the nodes of some quads in tensor order, (2, nodes, quads)
+   pure function corners(mesh, side, quads) result(corner)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: side, quads(:)
+      real(wp) :: corner(2, side**2, size(quads))
+      integer :: e
+
+      do e = 1, size(quads)
+         corner(:, :, e) = mesh%position(1:2, mesh%quad_node(tensor_order(side), quads(e)))
+      end do
+   end function corners
+
    !> Largest eigenvalue of each quad and the ply that has it
-   subroutine add_layer_rates(model, domain, rate, ply)
+   subroutine add_layer_rates(model, domain, division, rate, ply)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      type(division_type), intent(in) :: division
       real(wp), intent(inout) :: rate(:)
       integer, intent(inout) :: ply(:)
 
       type(layers_type) :: layers
       real(wp), allocatable :: corner(:, :, :), lambda(:, :, :)
-      integer :: e, f, layer, p, place(2), quads
+      integer :: e, f, layer, p, place(2)
 
       do p = 1, size(domain%plates)
          layers = new_layers(model%parts(p))
-         associate (plate => domain%plates(p))
-            quads = size(plate%quad)
-            allocate (corner(2, plate%side**2, quads))
-            do e = 1, quads
-               corner(:, :, e) = domain%position(1:2, plate%node(:, e))
-            end do
+         associate (plate => domain%plates(p), quads => division%parts(p)%element)
+            corner = corners(model%mesh, plate%side, quads)
             do f = 1, size(plate%batches)
                associate (layer_of => domain%columns%families(f)%layer)
-                  allocate (lambda(size(layer_of, 1), size(layer_of, 2), quads))
+                  allocate (lambda(size(layer_of, 1), size(layer_of, 2), size(quads)))
                   call largest_eigenvalues(plate%batches(f), &
                      & surface_density(model, p, layers, layer_of), plate%side, corner, &
                      & merge(4.0_wp*implicit_share, 0.0_wp, &
                      & domain%control%scheme == implicit_thickness), lambda)
-                  do e = 1, quads
+                  do e = 1, size(quads)
                      place(:) = maxloc(lambda(:, :, e))
                      layer = layer_of(place(1), place(2))
-                     if (lambda(place(1), place(2), e) <= rate(plate%quad(e))) cycle
-                     rate(plate%quad(e)) = lambda(place(1), place(2), e)
-                     ply(plate%quad(e)) = model%parts(p)%plies(layers%ply(layer))%id
+                     if (lambda(place(1), place(2), e) <= rate(quads(e))) cycle
+                     rate(quads(e)) = lambda(place(1), place(2), e)
+                     ply(quads(e)) = model%parts(p)%plies(layers%ply(layer))%id
                   end do
                end associate
                deallocate (lambda)
             end do
-            deallocate (corner)
          end associate
       end do
    end subroutine add_layer_rates
@@ -119,9 +130,10 @@ contains
    !> Where interfaces are implicit the inertia that they add at the nodes outweighs all or most of
    !> that: with K the springs at the points and K' those at the nodes, dt**2 K/4 is no more than
    !> beta dt**2 K' as long as the eigenvalue of K against K' is no more than 4 beta
-   subroutine add_interface_rates(model, domain, rate, rest)
+   subroutine add_interface_rates(model, domain, division, rate, rest)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      type(division_type), intent(in) :: division
       !> Of all springs, and of those that are not implicit
       real(wp), intent(out) :: rate, rest
 
@@ -135,8 +147,9 @@ contains
       ! points at the nodes have their areas
       largest = merge(1.0_wp, 0.0_wp, any(domain%interfaces%nodal))
       do p = 1, size(domain%plates)
-         do e = 1, size(domain%plates(p)%quad)
-            largest = max(largest, quad_factor(domain, domain%plates(p), e))
+         do e = 1, size(division%parts(p)%element)
+            largest = max(largest, quad_factor(domain%plates(p), &
+               & corners(model%mesh, domain%plates(p)%side, division%parts(p)%element(e:e))))
          end do
       end do
       do p = 1, size(model%parts)
@@ -173,20 +186,22 @@ contains
    end function face_density
 
    !> Bound on the eigenvalues of the areas of the Gauss points against those of the nodes
-   real(wp) function quad_factor(domain, plate, e) result(factor)
-      type(domain_type), intent(in) :: domain
+   real(wp) function quad_factor(plate, corner) result(factor)
       type(plate_type), intent(in) :: plate
-      integer, intent(in) :: e
+      !> Positions of its nodes, (2, nodes, 1)
+      real(wp), intent(in) :: corner(:, :, :)
 
       real(wp) :: area(plate%side**2), matrix(plate%side**2, plate%side**2)
+      real(wp) :: metric(5, plate%side**2)
       integer :: i, q
 
-      area(:) = quad_node_area(plate%side, domain%position(1:2, plate%node(:, e)))
+      area(:) = quad_node_area(plate%side, corner(:, :, 1))
+      metric(:, :) = quad_metric(plate%side, corner(:, :, 1))
       matrix(:, :) = 0.0_wp
       do q = 1, size(area)
          do i = 1, size(area)
             matrix(:, i) = matrix(:, i) &
-               & + plate%metric(5, q, e)*plate%shape(q, :)*plate%shape(q, i)/sqrt(area*area(i))
+               & + metric(5, q)*plate%shape(q, :)*plate%shape(q, i)/sqrt(area*area(i))
          end do
       end do
       factor = certified_bound(matrix, power_iteration(matrix))

@@ -3,6 +3,7 @@ module plydyn_domain_supports
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : prescribed_type
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_support, only : bottom_face, hold_type, motion_type, one_plane, top_face
    implicit none
@@ -50,9 +51,11 @@ contains
    end function points_of
 
    !> Places in the arrays of motion that do not move, each once, in rising order
-   pure function held_freedoms(holds, layers, columns) result(held)
+   pure function held_freedoms(holds, numbering, layers, columns) result(held)
       !> Supports
       type(hold_type), intent(in) :: holds(:)
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -60,17 +63,18 @@ contains
       integer, allocatable :: held(:)
 
       logical, allocatable :: is_held(:)
-      integer, allocatable :: points(:, :)
+      integer, allocatable :: nodes(:), points(:, :)
       integer :: c, h, i, k
 
       allocate (is_held(columns%freedoms))
       is_held(:) = .false.
       do h = 1, size(holds)
          points = points_of(layers, holds(h)%face, holds(h)%height)
+         nodes = numbering%only(holds(h)%nodes)
          do c = 1, 3
             if (.not. holds(h)%direction(c)) cycle
             do k = 1, size(points, 2)
-               is_held(columns%freedom(points(1, k), points(2, k), c, holds(h)%nodes)) = .true.
+               is_held(columns%freedom(points(1, k), points(2, k), c, nodes)) = .true.
             end do
          end do
       end do
@@ -78,17 +82,19 @@ contains
    end function held_freedoms
 
    !> A prescribed motion on its points
-   pure function new_prescribed(motion, layers, columns) result(self)
+   pure function new_prescribed(motion, numbering, layers, columns) result(self)
       !> As the deck says
       type(motion_type), intent(in) :: motion
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       type(prescribed_type) :: self
 
-      integer :: k
-      integer, allocatable :: points(:, :)
+      integer :: i, k
+      integer, allocatable :: here(:), nodes(:), points(:, :)
 
       self%quantity = motion%quantity
       self%curve = motion%curve
@@ -96,12 +102,17 @@ contains
       self%birth = motion%birth
       self%death = motion%death
       points = points_of(layers, motion%face, 0.0_wp)
-      allocate (self%freedom(0), self%mass(0))
+      nodes = numbering%node(motion%nodes)
+      here = pack([(i, i=1, size(nodes))], nodes > 0)
+      allocate (self%freedom(0), self%mass(0), self%number(0))
       do k = 1, size(points, 2)
          self%freedom = [self%freedom, &
-            & columns%freedom(points(1, k), points(2, k), motion%direction, motion%nodes)]
-         self%mass = [self%mass, columns%mass_of(points(1, k), points(2, k), motion%nodes)]
+            & columns%freedom(points(1, k), points(2, k), motion%direction, nodes(here))]
+         self%mass = [self%mass, columns%mass_of(points(1, k), points(2, k), nodes(here))]
+         self%number = [self%number, (k - 1)*size(nodes) + here]
       end do
+      self%all = size(points, 2)*size(nodes)
+      self%own = numbering%own(columns%column_of(self%freedom))
    end function new_prescribed
 
 end module plydyn_domain_supports

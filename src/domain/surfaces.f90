@@ -1,61 +1,48 @@
-!> Faces of the plate that impactors may touch.
+!> Faces of the plate that impactors may touch: whole on every rank, since contact is not divided.
 module plydyn_domain_surfaces
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
+   use plydyn_domain_numbering, only : numbering_type
    use plydyn_domain_supports, only : face_point
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_outer_faces, only : faces_of_part
+   use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
-   public :: new_brick_surface, new_surface
+   public :: collect_points, new_brick_surface, new_surface, place_points
 
 contains
 
-   !> The face of a contact
-   pure function new_surface(contact, mesh, layers, columns, inverse_mass, held) result(self)
+   !> The face of a contact, as the whole model numbers its nodes
+   pure function new_surface(contact, mesh, layers) result(self)
       !> As the deck says
       type(contact_type), intent(in) :: contact
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> Inverse mass of each point
-      real(wp), intent(in) :: inverse_mass(:)
-      !> Whether each place in the arrays of motion is held
-      logical, intent(in) :: held(:)
       type(surface_type) :: self
 
       logical :: in_part(size(mesh%node_id))
-      integer :: c, e, i, node, number(size(mesh%node_id)), point(2)
+      integer :: e, i, number(size(mesh%node_id)), point(2)
+      integer, allocatable :: node(:)
 
       in_part(:) = .false.
       do e = 1, size(mesh%quad_id)
          if (mesh%quad_part(e) == contact%part) in_part(mesh%quad_node(:, e)) = .true.
       end do
       point(:) = face_point(layers, contact%face)
-      allocate (self%freedom(3, count(in_part)), self%position(3, count(in_part)))
-      allocate (self%inverse_mass(3, count(in_part)))
-      self%node = pack([(i, i=1, size(in_part))], in_part)
+      node = pack([(i, i=1, size(in_part))], in_part)
+      self%node = node
       number(:) = 0
-      i = 0
-      do node = 1, size(in_part)
-         if (.not. in_part(node)) cycle
-         i = i + 1
-         number(node) = i
-         self%position(:, i) = mesh%position(:, node)
-         self%position(3, i) = self%position(3, i) + layers%height(point(1), point(2))
-         do c = 1, 3
-            self%freedom(c, i) = columns%freedom(point(1), point(2), c, node)
-            self%inverse_mass(c, i) = inverse_mass(columns%mass_of(point(1), point(2), node))
-            if (held(self%freedom(c, i))) self%inverse_mass(c, i) = 0.0_wp
-         end do
-      end do
+      number(node) = [(i, i=1, size(node))]
+      self%position = mesh%position(:, node)
+      self%position(3, :) = self%position(3, :) + layers%height(point(1), point(2))
       allocate (self%facet(size(mesh%quad_node, 1), count(mesh%quad_part == contact%part)))
       i = 0
       do e = 1, size(mesh%quad_id)
@@ -66,20 +53,14 @@ contains
    end function new_surface
 
    !> The outer faces of bricks that a contact is on
-   pure function new_brick_surface(contact, mesh, columns, inverse_mass, held) result(self)
+   pure function new_brick_surface(contact, mesh) result(self)
       !> As the deck says
       type(contact_type), intent(in) :: contact
       !> Nodes and bricks
       type(mesh_type), intent(in) :: mesh
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> Inverse mass of each point
-      real(wp), intent(in) :: inverse_mass(:)
-      !> Whether each place in the arrays of motion is held
-      logical, intent(in) :: held(:)
       type(surface_type) :: self
 
-      integer :: c, f, i, number(size(mesh%node_id))
+      integer :: f, i, number(size(mesh%node_id))
       integer, allocatable :: faces(:, :), node(:)
       logical :: met(size(mesh%node_id))
 
@@ -93,16 +74,60 @@ contains
       number(:) = 0
       number(node) = [(i, i=1, size(node))]
       self%position = mesh%position(:, node)
-      allocate (self%freedom(3, size(node)), self%inverse_mass(3, size(node)))
-      do c = 1, 3
-         self%freedom(c, :) = columns%freedom(1, 1, c, node)
-         self%inverse_mass(c, :) = merge(0.0_wp, inverse_mass(columns%mass_of(1, 1, node)), &
-            & held(self%freedom(c, :)))
-      end do
       allocate (self%facet(4, size(faces, 2)))
       do f = 1, size(faces, 2)
          self%facet(:, f) = number(faces(:, f))
       end do
    end function new_brick_surface
+
+   !> Find the points of a face that a rank has in the arrays of motion
+   pure subroutine place_points(point, numbering, owner, ranks, columns, self)
+      !> Layer and thickness node of the face
+      integer, intent(in) :: point(2)
+      !> Numbers of the nodes that the rank has
+      type(numbering_type), intent(in) :: numbering
+      !> Rank that counts each column, and how many ranks there are
+      integer, intent(in) :: owner(:), ranks
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The face with its nodes as the whole model numbers them, and then as the rank does
+      type(surface_type), intent(inout) :: self
+
+      integer :: c, i, r
+      integer, allocatable :: of_point(:)
+
+      of_point = owner(1 + (self%node - 1)/columns%abreast)
+      self%counts = [(count(of_point == r), r=0, ranks - 1)]
+      self%of_ranks = sorted_order(of_point)
+      self%node(:) = numbering%node(self%node)
+      self%here = pack([(i, i=1, size(self%node))], self%node > 0)
+      self%own = spread(.false., 1, size(self%node))
+      self%own(self%here) = numbering%own(1 + (self%node(self%here) - 1)/columns%abreast)
+      allocate (self%freedom(3, size(self%node)))
+      self%freedom(:, :) = 0
+      do c = 1, 3
+         self%freedom(c, self%here) = columns%freedom(point(1), point(2), c, self%node(self%here))
+      end do
+   end subroutine place_points
+
+   !> Let every rank know something of all points of a face
+   subroutine collect_points(comm, self, values)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> The face
+      type(surface_type), intent(in) :: self
+      !> Known at the points that the rank has in, at all points out, (numbers, points)
+      real(wp), intent(inout) :: values(:, :)
+
+      real(wp), allocatable :: all(:), part(:)
+      integer :: i
+      integer, allocatable :: own(:)
+
+      own = pack([(i, i=1, size(self%own))], self%own)
+      part = reshape(values(:, own), [size(values, 1)*size(own)])
+      allocate (all(size(values)))
+      call comm%collect(part, size(values, 1)*self%counts, all)
+      values(:, self%of_ranks) = reshape(all, shape(values))
+   end subroutine collect_points
 
 end module plydyn_domain_surfaces

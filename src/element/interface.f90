@@ -68,27 +68,26 @@ module plydyn_element_interface
 contains
 
    !> Give interfaces their quads
-   pure subroutine set_plane(self, node, position, nodal)
-      !> The interfaces
+   pure subroutine set_plane(self, quad, node, position)
+      !> The interfaces; their sides and points are known
       type(interface_type), intent(inout) :: self
+      !> Index of each quad in the mesh
+      integer, intent(in) :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, intent(in) :: node(:, :)
       !> Positions of all nodes, (3, nodes)
       real(wp), intent(in) :: position(:, :)
-      !> Points at the nodes instead of the Gauss points
-      logical, intent(in) :: nodal
 
       integer :: e
 
-      self%side = nint(sqrt(real(size(node, 1), wp)))
-      self%nodal = nodal
       self%reach = 1.0_wp
-      if (.not. nodal) self%reach = maxval(gauss_points(self%side))
+      if (.not. self%nodal) self%reach = maxval(gauss_points(self%side))
+      self%quad = quad
       self%node = node
       self%target = node
       allocate (self%metric(5, size(node, 1), size(node, 2)))
       do e = 1, size(node, 2)
-         if (nodal) then
+         if (self%nodal) then
             self%metric(:, :, e) = quad_node_metric(self%side, position(1:2, node(:, e)))
          else
             self%metric(:, :, e) = quad_metric(self%side, position(1:2, node(:, e)))

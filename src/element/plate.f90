@@ -53,8 +53,6 @@ module plydyn_element_plate
       integer :: side = 0
       !> Index of each quad in the mesh
       integer, allocatable :: quad(:)
-      !> Last quad of each chunk of them
-      integer, allocatable :: last(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, allocatable :: node(:, :)
       !> Columns that take the forces of each quad: those of its nodes, or others behind them

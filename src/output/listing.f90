@@ -212,7 +212,7 @@ contains
       else
          write (unit, "(a)") "kinematics                    linear strain"
       end if
-      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", sum(domain%mass), &
+      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%total_mass, &
          & trim(model%control%units%mass)
       do i = 1, size(model%impactors)
          write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", model%impactors(i)%id, &

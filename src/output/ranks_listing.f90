@@ -8,10 +8,10 @@ module plydyn_output_ranks_listing
    public :: write_ranks
 
    !> What each rank has, in the order of the table's columns
-   integer, parameter, public :: rank_numbers = 5
+   integer, parameter, public :: rank_numbers = 7
 
-   !> Bytes in a kilobyte
-   real(wp), parameter :: kilobyte = 1.0e3_wp
+   !> Bytes in a kilobyte and in a megabyte
+   real(wp), parameter :: kilobyte = 1.0e3_wp, megabyte = 1.0e6_wp
 
 contains
 
@@ -19,15 +19,17 @@ contains
    subroutine write_ranks(unit, ranks)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> Chunks, nodes, nodes that another rank counts, ranks that it meets, and bytes that it sends
-      !> them in a step, (`rank_numbers`, ranks)
+      !> Chunks, nodes, nodes that another rank counts, ranks that it meets, bytes that it sends
+      !> them in a step, and bytes of mesh and motion and of histories, (`rank_numbers`, ranks)
       real(wp), intent(in) :: ranks(:, :)
       integer :: r
 
       call write_section(unit, "Ranks")
-      write (unit, "(a)") "rank   chunks    nodes  shared  meets  sends in a step [kB]"
+      write (unit, "(a)") "rank   chunks    nodes  shared  meets  sends in a step [kB]" &
+         & //"  mesh, motion [MB]  histories [MB]"
       do r = 1, size(ranks, 2)
-         write (unit, "(i4,i9,i9,i8,i7,f21.3)") r - 1, nint(ranks(:4, r)), ranks(5, r)/kilobyte
+         write (unit, "(i4,i9,i9,i8,i7,f22.3,f19.3,f16.3)") r - 1, nint(ranks(:4, r)), &
+            & ranks(5, r)/kilobyte, ranks(6:7, r)/megabyte
       end do
       if (any(ranks(1, :) < 1.0_wp)) then
          write (unit, "(a,i0,a)") "more ranks than chunks: ", count(ranks(1, :) < 1.0_wp), &

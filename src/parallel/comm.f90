@@ -5,8 +5,8 @@ module plydyn_parallel_comm
    use, intrinsic :: iso_fortran_env, only : int64
    use mpi_f08, only : mpi_allgatherv, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_character, &
       & mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_double_precision, mpi_finalize, &
-      & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_land, mpi_logical, mpi_sum, &
-      & mpi_thread_funneled
+      & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_land, mpi_logical, mpi_max, &
+      & mpi_sum, mpi_thread_funneled
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    implicit none
@@ -28,6 +28,7 @@ module plydyn_parallel_comm
       procedure :: add_up
       procedure :: agree
       procedure :: collect
+      procedure :: find_greatest
       procedure :: tell_integers
       procedure :: tell_reals
       procedure :: tell_text
@@ -136,6 +137,17 @@ contains
       call mpi_allgatherv(part, counts(self%rank), mpi_double_precision, whole, counts, first, &
          & mpi_double_precision, mpi_comm_world)
    end subroutine collect
+
+   !> Let all ranks have the greatest of each number
+   subroutine find_greatest(self, values)
+      class(comm_type), intent(in) :: self
+      !> This rank's numbers in, the greatest of all ranks out
+      real(wp), intent(inout), contiguous :: values(:)
+
+      if (self%ranks == 1) return
+      call mpi_allreduce(mpi_in_place, values, size(values), mpi_double_precision, mpi_max, &
+         & mpi_comm_world)
+   end subroutine find_greatest
 
    !> Let all ranks know whole numbers of the root
    subroutine tell_integers(self, values)

@@ -7,7 +7,6 @@ module plydyn_solver_assembly
    use plydyn_domain_share, only : share_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_parallel_pieces, only : new_pieces, pieces_type
-   use plydyn_solver_supports, only : support_points
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -44,42 +43,86 @@ module plydyn_solver_assembly
 
 contains
 
-   !> Prepare for a domain
-   function new_assembly(domain, whole, share) result(self)
+   !> Prepare for a domain. All ranks must come here
+   function new_assembly(domain, share) result(self)
       !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> The whole model
-      type(domain_type), intent(in) :: whole
-      !> What this rank has of it
+      !> What this rank has of the whole model
       type(share_type), intent(in) :: share
       type(assembly_type) :: self
 
       integer :: held, i
-      integer, allocatable :: support(:, :)
+      integer, allocatable :: number(:), support(:, :)
+      logical, allocatable :: own(:)
 
       self%comm = domain%comm
-      self%freedoms = whole%columns%freedoms
-      self%histories = whole%histories
-      self%supports = support_points(whole)
-      self%moved = self%supports - size(whole%held)
+      self%freedoms = front + domain%columns%height*share%columns
+      self%histories = share%histories
       associate (comm => self%comm, all => column_pieces(domain%columns%height, share%column))
          self%had = new_pieces(comm, all)
          self%counted = new_pieces(comm, chosen(all, share%own))
       end associate
       self%history = new_pieces(self%comm, share%history)
-      allocate (support(3, size(share%support)))
-      support(1, :) = [(i, i=1, size(share%support))]
-      support(2, :) = share%support
+      call number_supports(domain, share, number, own, held)
+      self%moved = sum(domain%motions%all)
+      self%supports = held + self%moved
+      allocate (support(3, size(number)))
+      support(1, :) = [(i, i=1, size(number))]
+      support(2, :) = number
       support(3, :) = 1
       self%support_had = new_pieces(self%comm, support)
-      self%support_counted = new_pieces(self%comm, chosen(support, share%own_support))
-      held = size(domain%held)
-      support(1, :) = support(1, :) - held
-      support(2, :) = support(2, :) - size(whole%held)
-      self%moved_had = new_pieces(self%comm, support(:, held + 1:))
-      self%moved_counted = new_pieces(self%comm, chosen(support(:, held + 1:), &
-         & share%own_support(held + 1:)))
+      self%support_counted = new_pieces(self%comm, chosen(support, own))
+      associate (here => size(domain%held))
+         support(1, :) = support(1, :) - here
+         support(2, :) = support(2, :) - held
+         self%moved_had = new_pieces(self%comm, support(:, here + 1:))
+         self%moved_counted = new_pieces(self%comm, chosen(support(:, here + 1:), own(here + 1:)))
+      end associate
    end function new_assembly
+
+   !> Places of supports in the list of the whole model: held points column by column, then those of
+   !> each motion
+   subroutine number_supports(domain, share, number, own, held)
+      type(domain_type), intent(in) :: domain
+      type(share_type), intent(in) :: share
+      !> Place of each
+      integer, allocatable, intent(out) :: number(:)
+      !> Whether it is counted here
+      logical, allocatable, intent(out) :: own(:)
+      !> Held points of the whole model
+      integer, intent(out) :: held
+
+      integer :: before(share%columns + 1), c, column(size(domain%held)), i, m
+      real(wp) :: points(share%columns)
+
+      column(:) = domain%columns%column_of(domain%held)
+      points(:) = 0.0_wp
+      do i = 1, size(column)
+         associate (there => share%column(column(i)))
+            points(there) = points(there) + 1.0_wp
+         end associate
+      end do
+      call domain%comm%find_greatest(points)
+      before(1) = 0
+      do c = 1, size(points)
+         before(c + 1) = before(c) + nint(points(c))
+      end do
+      held = before(size(before))
+      allocate (number(size(column)))
+      do i = 1, size(column)
+         associate (next => before(share%column(column(i))))
+            next = next + 1
+            number(i) = next
+         end associate
+      end do
+      own = share%own(column)
+      i = held
+      do m = 1, size(domain%motions)
+         number = [number, i + domain%motions(m)%number]
+         own = [own, domain%motions(m)%own]
+         i = i + domain%motions(m)%all
+      end do
+   end subroutine number_supports
 
    !> Pieces of the arrays of motion, a column each
    pure function column_pieces(height, column) result(piece)

@@ -3,10 +3,15 @@ module plydyn_solver_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_averages, only : refuse_ranks
-   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_bands, only : check_bands
+   use plydyn_domain_build, only : begin_domain, build_outline, build_share
+   use plydyn_domain_build_elements, only : whole_mass
    use plydyn_domain_divide_ranks, only : divide_ranks
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_share, only : share_type, take_share
+   use plydyn_domain_memory, only : history_bytes, mesh_bytes
+   use plydyn_domain_share, only : share_type
+   use plydyn_model_control, only : all_explicit
    use plydyn_model_model, only : model_type
    use plydyn_output_profile, only : check_profiles
    use plydyn_output_ranks_listing, only : rank_numbers
@@ -28,7 +33,8 @@ module plydyn_solver_setup
       type(domain_type), allocatable :: domain
       type(contacts_type) :: contacts
       type(state_type) :: state
-      !> The whole model, on the root of several ranks
+      !> Elements and supports of the whole model, on the root of several ranks; see
+      !> `build_outline`
       type(domain_type), allocatable :: whole
       !> How the parts of several ranks come together
       type(assembly_type) :: assembly
@@ -47,47 +53,80 @@ contains
       !> What the model asks for and a run cannot be; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      type(division_type) :: division
+      integer, allocatable :: rank_of_chunk(:)
+      type(share_type) :: share
+
       call refuse_ranks(self%model%materials, comm%ranks, error)
       if (allocated(error)) return
-      allocate (self%whole)
-      call build_domain(self%model, self%whole, error)
+      allocate (self%domain)
+      call begin_domain(self%model, self%domain, division, error)
       if (allocated(error)) return
-      call check_profiles(self%model%request%profiles, self%whole, error)
-      if (allocated(error)) return
-      if (comm%ranks == 1) then
-         call move_alloc(self%whole, self%domain)
-         allocate (self%ranks(rank_numbers, 0))
-      else
-         call share_out(comm, self)
+      if (comm%ranks > 1 .and. comm%is_root()) then
+         self%whole = self%domain
+         call build_outline(self%model, division, self%whole)
       end if
+      self%domain%comm = comm
+      call divide_ranks(self%domain, division, comm%ranks, rank_of_chunk)
+      call comm%tell(rank_of_chunk)
+      call build_share(self%model, division, rank_of_chunk, self%domain, share, error)
+      if (allocated(error)) return
+      self%domain%total_mass = whole_mass(self%domain, share%own)
+      if (comm%is_root()) call check_whole(self, error)
+      call comm%tell(error)
+      if (allocated(error)) return
+      call count_ranks(comm, self%domain, share, self%ranks)
+      if (comm%ranks > 1) self%assembly = new_assembly(self%domain, share)
       call new_contacts(self%domain, self%contacts, error)
       if (allocated(error)) return
       self%state = new_state(self%model, self%domain)
    end subroutine set_up
 
-   !> Give every rank its share
-   subroutine share_out(comm, self)
-      type(comm_type), intent(in) :: comm
+   !> What only the whole model can tell, on the root
+   subroutine check_whole(self, error)
       type(run_type), intent(inout) :: self
+      type(error_type), allocatable, intent(out) :: error
 
-      integer, allocatable :: rank_of_chunk(:)
+      if (allocated(self%whole)) then
+         ! what the listing says of masses and added inertia
+         self%whole%total_mass = self%domain%total_mass
+         if (self%domain%control%scheme /= all_explicit) then
+            self%whole%pairs%inertia = self%domain%pairs%inertia
+         end if
+         self%whole%thickness%active = self%domain%thickness%active
+         if (self%domain%thickness%active) then
+            self%whole%thickness%stretches = self%domain%thickness%stretches
+         end if
+         call check_bands(self%model, self%whole, error)
+         if (allocated(error)) return
+         call check_profiles(self%model%request%profiles, self%whole, error)
+      else
+         call check_bands(self%model, self%domain, error)
+         if (allocated(error)) return
+         call check_profiles(self%model%request%profiles, self%domain, error)
+      end if
+   end subroutine check_whole
+
+   !> What each rank has; nothing with one rank
+   subroutine count_ranks(comm, domain, share, ranks)
+      type(comm_type), intent(in) :: comm
+      type(domain_type), intent(in) :: domain
+      type(share_type), intent(in) :: share
+      !> See `write_ranks`
+      real(wp), allocatable, intent(out) :: ranks(:, :)
+
       real(wp) :: all(rank_numbers*comm%ranks), own(rank_numbers)
-      type(share_type) :: share
       integer :: r
 
-      call divide_ranks(self%whole, comm%ranks, rank_of_chunk)
-      call comm%tell(rank_of_chunk)
-      allocate (self%domain)
-      call take_share(self%whole, rank_of_chunk, comm, self%domain, share)
-      self%assembly = new_assembly(self%domain, self%whole, share)
-      if (.not. comm%is_root()) deallocate (self%whole)
-      associate (domain => self%domain)
-         own(:) = [real(size(domain%chunks), wp), real(size(share%own), wp), &
-            & real(count(.not. share%own), wp), real(domain%halo%neighbours(), wp), &
-            & real(domain%halo%bytes, wp)]
-      end associate
+      if (comm%ranks == 1) then
+         allocate (ranks(rank_numbers, 0))
+         return
+      end if
+      own(:) = [real(size(domain%chunks), wp), real(size(share%own), wp), &
+         & real(count(.not. share%own), wp), real(domain%halo%neighbours(), wp), &
+         & real(domain%halo%bytes, wp), mesh_bytes(domain), history_bytes(domain)]
       call comm%collect(own, [(rank_numbers, r=1, comm%ranks)], all)
-      self%ranks = reshape(all, [rank_numbers, comm%ranks])
-   end subroutine share_out
+      ranks = reshape(all, [rank_numbers, comm%ranks])
+   end subroutine count_ranks
 
 end module plydyn_solver_setup

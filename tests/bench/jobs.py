@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -104,6 +104,23 @@ def run(solver: Path, deck: Path, threads: int, launcher: Words = ()) -> tuple[s
     if process.returncode:
         raise RuntimeError(f"{deck}: {said}")
     return deck.with_suffix(".out").read_text(), usage.ru_maxrss * KILOBYTE / MEGABYTE
+
+
+def memory(
+    solver: Path, deck: Path, launcher: Words, environment: Mapping[str, str]
+) -> tuple[list[float], list[float]]:
+    """Most memory of each rank and that in the loop, MB, both from the largest down."""
+    watch = [sys.executable, ROOT / "tests/bench/memory.py"]
+    told = subprocess.run(
+        [*launcher, *watch, solver, "run", deck, "-o", deck.parent, "ncpu=1"],
+        capture_output=True,
+        text=True,
+        check=True,
+        env=environment,
+    ).stderr
+    lines = [line.split()[1:] for line in told.splitlines() if line.startswith("memory ")]
+    most, loop = (sorted((float(line[k]) for line in lines), reverse=True) for k in (0, 1))
+    return most, loop
 
 
 def number(listing: str, pattern: str) -> float:

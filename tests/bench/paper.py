@@ -49,6 +49,18 @@ class Division:
 
 
 @dataclass(frozen=True)
+class Bytes:
+    """Memory of ranks other than the root, for each degree of freedom of the model."""
+
+    alike: float  # whatever a rank has of it
+    shared: float  # of all ranks together
+
+    def of_rank(self, ranks: int) -> float:
+        """That of one of so many."""
+        return self.alike + self.shared / ranks
+
+
+@dataclass(frozen=True)
 class Costs:
     """Times on one rank, s, and memory, bytes."""
 
@@ -56,7 +68,7 @@ class Costs:
     chunk: float  # a chunk in a step
     point: float  # contact, for each point of the face
     freedoms: float  # degrees of freedom of a chunk
-    start: float  # memory for each degree of freedom while the run is prepared
+    memory: Bytes
 
 
 @dataclass(frozen=True)
@@ -77,13 +89,8 @@ class Step:
 
 def read_division(listing: str) -> Division:
     """The table of ranks in a listing."""
-    table = listing.split("\nRanks\n")[1]
-    rows = [
-        [float(word) for word in line.split()]
-        for line in table.splitlines()
-        if re.fullmatch(r"\s*\d+(\s+[\d.]+){5}", line)
-    ]
-    _, chunks, nodes, shared, meets, sends = zip(*rows, strict=True)
+    rows = table_of_ranks(listing)
+    _, chunks, nodes, shared, meets, sends, _, _ = zip(*rows, strict=True)
     return Division(
         chunks=int(sum(chunks)),
         ranks=len(rows),
@@ -94,6 +101,29 @@ def read_division(listing: str) -> Division:
         sends=KILO * max(sends),
         sends_in_all=KILO * sum(sends),
     )
+
+
+def counted_memory(listing: str) -> list[float]:
+    """Mesh, motion and histories of each rank, MB, as the listing counts them."""
+    if "\nRanks\n" not in listing:
+        return [sum(float(mb) for mb in re.findall(r"memory of \D+([\d.]+) MB", listing))]
+    return [sum(row[-2:]) for row in table_of_ranks(listing)]
+
+
+def split_memory(most: dict[int, float], freedoms: float) -> Bytes:
+    """What ranks have alike and what they share out, from memory over the number of ranks."""
+    few, many = min(most), max(most)
+    shared = (most[few] - most[many]) / (1.0 / few - 1.0 / many)
+    return Bytes((most[few] - shared / few) / freedoms, shared / freedoms)
+
+
+def table_of_ranks(listing: str) -> list[list[float]]:
+    """Numbers of the table of ranks in a listing, a row for each of them."""
+    return [
+        [float(word) for word in line.split()]
+        for line in listing.split("\nRanks\n")[1].splitlines()
+        if re.fullmatch(r"\s*\d+(\s+[\d.]+){7}", line)
+    ]
 
 
 def imagine(chunks: int, ranks: int, known: list[Division]) -> Division:

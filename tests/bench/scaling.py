@@ -11,7 +11,6 @@ build/release and the preprocessor. No test: nothing is compared with anything.
 from __future__ import annotations
 
 import argparse
-import math
 import os
 import shlex
 import subprocess
@@ -104,8 +103,8 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
     ]
 
 
-def costs_of(folder: Path, quads: int, memory: float) -> paper.Costs:
-    """Times of a chunk and of contact on one rank; memory is that of a degree of freedom."""
+def costs_of(folder: Path, quads: int, memory: paper.Bytes) -> paper.Costs:
+    """Times of a chunk and of contact on one rank."""
     chunks = TIMED**2 // quads
     flies, hit = (
         jobs.step_time(SOLVER, jobs.panel_deck(TIMED, folder, spheres), TIMED_STEPS, 1)[0]
@@ -116,7 +115,7 @@ def costs_of(folder: Path, quads: int, memory: float) -> paper.Costs:
         chunk=flies / chunks,
         point=max(0.0, hit - flies) / SPHERES / (2 * TIMED + 1) ** 2,
         freedoms=freedoms_of(TIMED, folder) / chunks,
-        start=memory,
+        memory=memory,
     )
 
 
@@ -127,28 +126,21 @@ def freedoms_of(quads: int, folder: Path) -> int:
     return int(jobs.number(listing, r"degrees of freedom\s+(\d+)"))
 
 
-def memory(folder: Path, options: argparse.Namespace) -> tuple[list[list[str]], float]:
-    """Memory of ranks on a large panel; bytes of a degree of freedom that each has at the start."""
+def memory(folder: Path, options: argparse.Namespace) -> tuple[list[list[str]], paper.Bytes]:
+    """Memory of ranks on a large panel, and what follows for ranks other than the root."""
     deck = jobs.stopped(jobs.panel_deck(HEAVY, folder), HEAVY_STEPS)
-    rows, least = [], math.inf
+    rows, each = [], {}
     for ranks in options.memory_ranks:
-        told = subprocess.run(
-            [
-                *launcher_of(options.launcher, ranks),
-                *(sys.executable, ROOT / "tests/bench/memory.py"),
-                *(SOLVER, "run", deck, "-o", folder, "ncpu=1"),
-            ],
-            capture_output=True,
-            text=True,
-            check=True,
-            env=patient(),
-        ).stderr
-        pairs = [line.split()[1:] for line in told.splitlines() if line.startswith("memory ")]
-        peak, loop = (sorted((float(pair[k]) for pair in pairs), reverse=True) for k in (0, 1))
-        least = min(least, *peak)
-        others = [f"{values[1]:.0f}" if ranks > 1 else "–" for values in (peak, loop)]
-        rows.append([f"{ranks}", f"{peak[0]:.0f}", others[0], f"{loop[0]:.0f}", others[1]])
-    return rows, least / MEGA / freedoms_of(HEAVY, folder)
+        most, loop = jobs.memory(SOLVER, deck, launcher_of(options.launcher, ranks), patient())
+        counted = paper.counted_memory(deck.with_suffix(".out").read_text())
+        if ranks > 1:
+            each[ranks] = most[1]
+        cells = (*most[:2], *loop[:2]) if ranks > 1 else (most[0], None, loop[0], None)
+        rows.append(
+            [f"{ranks}"]
+            + ["–" if x is None else f"{x:.0f}" for x in (*cells, max(counted), sum(counted))]
+        )
+    return rows, paper.split_memory(each, MEGA * freedoms_of(HEAVY, folder))
 
 
 def strong_rows(
@@ -199,18 +191,18 @@ def weak_rows(
                 f"{100 * alone / step.total:.0f} %",
                 f"{MICRO * hit.total:.0f}",
                 f"{100 * alone_hit / hit.total:.0f} %",
-                f"{GIGA * costs.start * freedoms:.2f}",
+                f"{GIGA * costs.memory.of_rank(ranks) * freedoms:.2f}",
                 f"{1.0e3 * state:.1f}",
             ]
         )
     return rows
 
 
-def on_paper(folder: Path, options: argparse.Namespace, start: float) -> list[str]:
+def on_paper(folder: Path, options: argparse.Namespace, memory: tuple[float, float]) -> list[str]:
     """Tables of what was divided, and of what follows."""
     known = divide(folder, options)
     quads = round(DIVIDED[0][0] ** 2 / known[0].chunks)
-    costs = costs_of(folder, quads, start)
+    costs = costs_of(folder, quads, memory)
     network = paper.Network(options.latency, options.bandwidth)
     chunks = LARGE**2 // quads
     said = (
@@ -243,7 +235,7 @@ def on_paper(folder: Path, options: argparse.Namespace, start: float) -> list[st
         table(
             [
                 *("ranks", "million DOF", "step [us]", "efficiency", "step hit [us]"),
-                *("efficiency hit", "each rank at the start [GB]", "motion to the root [ms]"),
+                *("efficiency hit", "a rank but the root [GB]", "motion to the root [ms]"),
             ],
             weak_rows(costs, known, network),
         ),
@@ -257,15 +249,21 @@ def tables(options: argparse.Namespace) -> str:
         panel = f"panel, {TIMED} x {TIMED} quads"
         rows = measured("192 Q9/LE2", jobs.recipe_deck(RECIPE, folder), RECIPE_STEPS, options)
         rows += measured(panel, jobs.panel_deck(TIMED, folder), TIMED_STEPS, options)
-        taken, start = memory(folder, options)
+        taken, bytes_each = memory(folder, options)
         parts = [
             machine(),
             "#### Measured, one thread each",
             table(["model", "ranks", "us per step", "speed-up", "efficiency"], rows),
             f"Memory of a rank [MB], {HEAVY} x {HEAVY} quads, "
             f"{freedoms_of(HEAVY, folder):,} degrees of freedom:",
-            table(["ranks", "most, root", "most, others", "in the loop, root", "others"], taken),
-            *on_paper(folder, options, start),
+            table(
+                [
+                    *("ranks", "most, root", "most, others", "in the loop, root", "others"),
+                    *("counted, most of a rank", "counted, all"),
+                ],
+                taken,
+            ),
+            *on_paper(folder, options, bytes_each),
         ]
     return "\n\n".join(parts)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -10,8 +11,10 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, averaged, bricks, impact, metal, unlike
-from decks import Deck
+from broken import CYCLES, averaged, bricks, impact, metal, unlike, weak_plies
+from decks import Deck, Ply
+from elasticity import CARBON
+from meshes import regular
 from ranks import launch, results
 from spread import springs, tied
 
@@ -53,6 +56,46 @@ def test_same_bits_for_any_number_of_ranks(case: str, tmp_path: Path) -> None:
     assert {"job.vtkhdf", "job.energy.csv", "job.supports.csv", "job.runrsf"} <= set(alone)
     for ranks in (2, 3, 4, 7):
         assert run(path, tmp_path / str(ranks), ranks) == alone, f"{ranks} ranks"
+
+
+def strip(failing: bool) -> Deck:
+    """A strip of 256 quads by 4, which ranks cut across; plies without histories or with them."""
+    mesh = regular(256.0, 4.0, 256, 4, 9)
+    deck = Deck("strip", CYCLES)
+    deck.control()
+    deck.mesh(mesh)
+    if failing:
+        weak_plies(deck)
+    else:
+        deck.laminate([Ply(CARBON, 0.25, angle) for angle in (0.0, 90.0)], 2)
+    deck.hold(mesh.where(x=0.0), "xyz")
+    return deck
+
+
+def memory(deck: Path, ranks: int) -> tuple[float, float]:
+    """Memory of mesh, motion and histories that the rank with most of it has, and of all, MB."""
+    listing = launch(ranks, "check", deck).stdout
+    if ranks == 1:
+        counted = sum(float(mb) for mb in re.findall(r"memory of \D+([\d.]+) MB", listing))
+        return counted, counted
+    table = listing.split("\nRanks\n")[1].splitlines()[3 : 3 + ranks]
+    each = [sum(float(word) for word in line.split()[-2:]) for line in table]
+    return max(each), sum(each)
+
+
+@pytest.mark.parametrize("failing", [False, True])
+def test_memory_is_shared_out(failing: bool, tmp_path: Path) -> None:
+    """No rank has much more than its part of what one has alone: nodes where ranks meet, no more.
+
+    A rank has 16 chunks or more, which METIS may miss by one; it has both rows of nodes at its
+    ends, and there columns for the forces of both sides: all in all less than 15 %.
+    """
+    deck = strip(failing).write(tmp_path / "job.k")
+    whole, _ = memory(deck, 1)
+    for ranks in (2, 4, 8):
+        most, total = memory(deck, ranks)
+        assert most < 1.15 * whole / ranks
+        assert total < 1.15 * whole
 
 
 @pytest.mark.parametrize("case", ["springs", "failing interfaces"])

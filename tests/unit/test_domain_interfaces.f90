@@ -57,6 +57,8 @@ contains
          allocate (displacement(domain%columns%freedoms), force(domain%columns%freedoms))
          allocate (history(domain%histories))
          force(:) = 0.0_wp
+         ! lanes without a layer are read, too
+         displacement(:) = 0.0_wp
          do layer = 1, size(order)
             do c = 1, 3
                do n = 1, order(layer) + 1

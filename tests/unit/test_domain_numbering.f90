@@ -1,60 +1,60 @@
 !> Columns as one rank of several numbers them.
 program test_domain_numbering
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build, only : build_domain
-   use plydyn_domain_columns, only : front
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_division, only : column_owners, divide_plane, division_type
    use plydyn_domain_numbering, only : new_numbering, numbering_type
-   use sample, only : rectangle_mesh, rectangle_model
+   use plydyn_model_mesh, only : mesh_type
+   use sample, only : rectangle_mesh
    use testing, only : begin, check, finish
    implicit none
 
    integer, parameter :: ranks = 3
-   type(domain_type) :: whole
-   type(error_type), allocatable :: error
+   type(division_type) :: whole
+   type(mesh_type) :: mesh
    integer, allocatable :: owner(:), rank_of_chunk(:)
+   integer :: c
 
    call begin("new_numbering")
-   call build_domain(rectangle_model(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), &
-      & [0.0_wp, 90.0_wp], 0.25_wp, [2, 2]), whole, error)
-   call check(.not. allocated(error), "the domain is built")
-   call make_owners()
+   mesh = rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp)
+   whole = divide_plane(mesh, 1)
+   ! chunks dealt out in turn, so that ranks meet wherever chunks do
+   rank_of_chunk = [(mod(c, ranks), c=1, size(whole%chunks))]
+   owner = column_owners(whole, rank_of_chunk)
+   call test_owners()
    call test_columns()
    call test_borders()
-   call test_places()
+   call test_nodes()
    call finish()
 
 contains
 
-   !> Chunks dealt out in turn, so that ranks meet wherever chunks do
-   subroutine make_owners()
+   !> A column belongs to the rank of the chunk that adds to it
+   subroutine test_owners()
+      integer, allocatable :: tens(:)
       integer :: c
 
-      rank_of_chunk = [(mod(c, ranks), c=1, size(whole%chunks))]
-      allocate (owner((whole%columns%forces - front)/whole%columns%height))
-      owner(:) = -1
+      tens = column_owners(whole, [(10*c, c=1, size(whole%chunks))])
       do c = 1, size(whole%chunks)
-         owner(whole%chunks(c)%column) = rank_of_chunk(c)
+         call check(count(tens == 10*c), size(whole%chunks(c)%column), "as many as it has")
+         call check(all(tens(whole%chunks(c)%column) == 10*c), "the columns of the chunk")
       end do
-      call check(all(owner >= 0), "every column has an owner")
-   end subroutine make_owners
+   end subroutine test_owners
 
    !> A rank has the nodes of its quads and no others, and one rank counts each
    subroutine test_columns()
       type(numbering_type) :: numbering
-      integer :: c, counted(whole%columns%count), i, rank
-      logical :: is_touched(whole%columns%count)
+      integer :: c, counted(whole%nodes), i, rank
+      logical :: is_touched(whole%nodes)
 
       counted(:) = 0
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, owner, rank)
+         numbering = new_numbering(whole, 1, owner, rank)
          is_touched(:) = .false.
          do c = 1, size(whole%chunks)
             if (rank_of_chunk(c) /= rank) cycle
             associate (quads => whole%chunks(c)%quads)
                do i = quads(1), quads(2)
-                  is_touched(whole%plates(1)%node(:, i)) = .true.
+                  is_touched(mesh%quad_node(:, whole%parts(1)%element(i))) = .true.
                end do
             end associate
          end do
@@ -76,7 +76,7 @@ contains
       integer, allocatable :: taken(:)
 
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, owner, rank)
+         numbering = new_numbering(whole, 1, owner, rank)
          behind = 0
          do b = 1, size(whole%borders, 2)
             associate (column => numbering%column, border => whole%borders(:, b))
@@ -91,41 +91,33 @@ contains
          end do
          taken = pack(numbering%column, numbering%column > 0)
          call check(size(taken), size(numbering%here) + behind, "nodes and what is behind them")
+         call check(size(taken), numbering%columns, "are all there are")
          call check(all([(any(taken == i), i=1, size(taken))]), "without gaps")
       end do
    end subroutine test_borders
 
-   !> Places of the whole model and of a rank name the same points
-   subroutine test_places()
+   !> Nodes of the whole model and of a rank are the same ones, side by side in a column or not
+   subroutine test_nodes()
+      integer, parameter :: nodes = 21, abreast = 8
+      type(division_type) :: solid
       type(numbering_type) :: numbering
-      integer :: c, direction, k, rank
-      logical, allocatable :: is_taken(:)
+      integer :: i, rank
 
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, owner, rank)
-         associate (height => whole%columns%height, here => numbering%here)
-            allocate (is_taken(front + height*size(here)))
-            is_taken(:) = .false.
-            do k = front + 1, whole%columns%freedoms
-               c = (k - front - 1)/height + 1
-               call check(numbering%has(k) .eqv. any(here == c), "has the places of its nodes")
-               call check(numbering%counts(k) .eqv. owner(c) == rank, "counts those that it owns")
-               if (numbering%has(k)) is_taken(numbering%place(k)) = .true.
-            end do
-            call check(all(is_taken(front + 1:)), "every place is that of a point")
-            deallocate (is_taken)
-            do c = 1, size(here)
-               call check(numbering%node(here(c)), c, "nodes are numbered as their columns")
-               do direction = 0, 2
-                  k = front + height*(here(c) - 1) + direction*height/3 + 1
-                  call check(numbering%place(k), front + height*(c - 1) + direction*height/3 + 1, &
-                     & "a point keeps its place in the column")
-               end do
-               k = front + height/3*(here(c) - 1) + 1
-               call check(numbering%mass_place(k), front + height/3*(c - 1) + 1, "so has its mass")
-            end do
-         end associate
+         numbering = new_numbering(whole, 1, owner, rank)
+         call check(all(numbering%node(numbering%here) == [(i, i=1, size(numbering%here))]), &
+            & "above a plane nodes are numbered as their columns")
+         call check(all(numbering%only([(i, i=1, whole%nodes)]) &
+            & == [(i, i=1, size(numbering%here))]), "nodes elsewhere are left out")
       end do
-   end subroutine test_places
+      solid%nodes = 3
+      solid%columns = 3
+      allocate (solid%borders(3, 0))
+      numbering = new_numbering(solid, abreast, [0, 1, 0], 0)
+      call check(all(numbering%node([1, 8, 9, 16, 17, 21]) == [1, 8, 0, 0, 9, 13]), &
+         & "the second column is another rank's")
+      call check(all(numbering%nodes(nodes) == [(i, i=1, 8), (i, i=17, 21), 21, 21, 21]), &
+         & "the last node fills the last column")
+   end subroutine test_nodes
 
 end program test_domain_numbering

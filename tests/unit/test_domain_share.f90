@@ -2,12 +2,14 @@
 program test_domain_share
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_build, only : begin_domain, build_domain, build_outline, build_share
    use plydyn_domain_columns, only : front
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_share, only : column_owners, share_type, take_share
+   use plydyn_domain_memory, only : history_bytes, mesh_bytes
+   use plydyn_domain_share, only : share_type
    use plydyn_model_mesh, only : mesh_type
-   use plydyn_parallel_comm, only : comm_type
+   use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -15,38 +17,24 @@ program test_domain_share
    !> From one island to the same point of the other, mm
    real(wp), parameter :: apart = 20.0_wp
 
-   call test_owners()
    call test_one_rank()
    call test_islands()
+   call test_memory()
    call finish()
 
 contains
 
-   !> A column belongs to the rank of the chunk that adds to it
-   subroutine test_owners()
-      type(domain_type) :: whole
-      integer, allocatable :: owner(:)
-      integer :: c
-
-      call begin("column_owners")
-      call build(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), whole)
-      owner = column_owners(whole, [(10*c, c=1, size(whole%chunks))])
-      do c = 1, size(whole%chunks)
-         call check(count(owner == 10*c), size(whole%chunks(c)%column), "as many as it has")
-         call check(all(owner(whole%chunks(c)%column) == 10*c), "the columns of the chunk")
-      end do
-   end subroutine test_owners
-
    !> The share of a rank that has all chunks is the whole
    subroutine test_one_rank()
-      type(comm_type) :: comm
+      type(division_type) :: division
       type(domain_type) :: domain, whole
       type(share_type) :: share
       integer :: i
 
-      call begin("take_share, all")
+      call begin("build_share, all")
       call build(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), whole)
-      call take_share(whole, spread(0, 1, size(whole%chunks)), comm, domain, share)
+      call share_of(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), [(0, i=1, 1000)], 0, &
+         & division, domain, share)
       call check(all(share%column == [(i, i=1, whole%columns%count)]), "all columns")
       call check(all(share%own), "all of them counted")
       call check(all(abs(domain%mass - whole%mass) <= 0.0_wp), "with their masses")
@@ -57,23 +45,21 @@ contains
 
    !> Two plates apart from each other: each rank gets one of them, and nothing is exchanged
    subroutine test_islands()
-      type(comm_type) :: comm
+      type(division_type) :: division
       type(domain_type) :: domain, whole
       type(share_type) :: share
       integer, allocatable :: island(:)
       integer :: c, counted, rank
       real(wp) :: mass
 
-      call begin("take_share, islands")
-      call build(islands(), whole)
-      island = [(merge(0, 1, whole%position(1, whole%plates(1)%node(1, &
-         & whole%chunks(c)%quads(1))) < apart), c=1, size(whole%chunks))]
-      comm%ranks = 2
+      call begin("build_share, islands")
+      call build(islands(2), whole)
+      island = [(int(whole%position(1, whole%plates(1)%node(1, whole%chunks(c)%quads(1)))/apart), &
+         & c=1, size(whole%chunks))]
       counted = 0
       mass = 0.0_wp
       do rank = 0, 1
-         comm%rank = rank
-         call take_share(whole, island, comm, domain, share)
+         call share_of(islands(2), island, rank, division, domain, share)
          call check(size(domain%chunks), count(island == rank), "the chunks of an island")
          call check(domain%columns%count, whole%columns%count/2, "half of the nodes")
          call check_nodes(whole, domain, share)
@@ -86,6 +72,37 @@ contains
       call check(counted, whole%columns%count, "every node is counted once")
       call check(mass, sum(whole%mass), 1.0e-14_wp*sum(whole%mass), "no mass is lost")
    end subroutine test_islands
+
+   !> What a rank has takes its part of the memory, and no more; what the root has of the whole
+   !> model besides has neither masses nor loads
+   subroutine test_memory()
+      integer, parameter :: ranks(3) = [2, 4, 8]
+      type(division_type) :: division
+      type(domain_type) :: domain, outline, whole
+      type(share_type) :: share
+      type(error_type), allocatable :: error
+      integer, allocatable :: island(:)
+      integer :: c, i, rank
+      real(wp) :: part
+
+      call begin("build_share, memory")
+      call build(islands(8), whole)
+      island = [(int(whole%position(1, whole%plates(1)%node(1, whole%chunks(c)%quads(1)))/apart), &
+         & c=1, size(whole%chunks))]
+      do i = 1, size(ranks)
+         part = (mesh_bytes(whole) + history_bytes(whole))/ranks(i)
+         do rank = 0, ranks(i) - 1
+            call share_of(islands(8), island*ranks(i)/8, rank, division, domain, share)
+            ! places in front of the columns are there on every rank
+            call check(mesh_bytes(domain) + history_bytes(domain), part, 8.0_wp*8*front, &
+               & "a rank has its part")
+         end do
+      end do
+      call begin_domain(model_of(islands(8)), outline, division, error)
+      call build_outline(model_of(islands(8)), division, outline)
+      call check(size(outline%mass) + size(outline%inverse_mass), 0, "an outline has no masses")
+      call check(all(outline%plates(1)%node == whole%plates(1)%node), "but all quads")
+   end subroutine test_memory
 
    !> Nodes have their numbers, places and masses
    subroutine check_nodes(whole, domain, share)
@@ -123,32 +140,64 @@ contains
       end associate
    end subroutine check_quads
 
-   !> Two squares of 4 by 4 quads, far from each other
-   function islands() result(mesh)
+   !> Squares of 4 by 4 quads, far from each other
+   function islands(count) result(mesh)
+      integer, intent(in) :: count
       type(mesh_type) :: mesh
+
+      integer :: i
       type(mesh_type) :: one
 
       one = rectangle_mesh(3, 4, 4, 4.0_wp, 4.0_wp, 0.0_wp)
       mesh = one
-      associate (nodes => size(one%node_id))
-         mesh%node_id = [one%node_id, one%node_id + 10*nodes]
-         mesh%position = reshape([one%position, one%position], [3, 2*nodes])
-         mesh%position(1, nodes + 1:) = mesh%position(1, nodes + 1:) + apart
-         mesh%quad_node = reshape([one%quad_node, one%quad_node + nodes], &
-            & [size(one%quad_node, 1), 2*size(one%quad_node, 2)])
+      associate (nodes => size(one%node_id), quads => size(one%quad_id), &
+         & plane => size(one%quad_node, 1))
+         mesh%node_id = [(i, i=1, count*nodes)]
+         mesh%quad_id = [(i, i=1, count*quads)]
+         mesh%quad_part = spread(1, 1, count*quads)
+         mesh%position = reshape([(one%position, i=1, count)], [3, count*nodes])
+         mesh%quad_node = reshape([(one%quad_node + nodes*(i - 1), i=1, count)], &
+            & [plane, count*quads])
+         do i = 1, count
+            mesh%position(1, nodes*(i - 1) + 1:nodes*i) = one%position(1, :) + (i - 0.5_wp)*apart
+         end do
       end associate
-      mesh%quad_id = [one%quad_id, one%quad_id + size(one%quad_id)]
-      mesh%quad_part = [one%quad_part, one%quad_part]
    end function islands
 
    !> A laminate of two plies
+   function model_of(mesh) result(model)
+      type(mesh_type), intent(in) :: mesh
+      type(model_type) :: model
+
+      model = rectangle_model(mesh, [0.0_wp, 90.0_wp], 0.25_wp, [2, 2])
+   end function model_of
+
+   !> All of it
    subroutine build(mesh, whole)
       type(mesh_type), intent(in) :: mesh
       type(domain_type), intent(out) :: whole
       type(error_type), allocatable :: error
 
-      call build_domain(rectangle_model(mesh, [0.0_wp, 90.0_wp], 0.25_wp, [2, 2]), whole, error)
+      call build_domain(model_of(mesh), whole, error)
       call check(.not. allocated(error), "the domain is built")
    end subroutine build
+
+   !> What one of several ranks has of it
+   subroutine share_of(mesh, rank_of_chunk, rank, division, domain, share)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: rank_of_chunk(:), rank
+      type(division_type), intent(out) :: division
+      type(domain_type), intent(out) :: domain
+      type(share_type), intent(out) :: share
+      type(error_type), allocatable :: error
+
+      call begin_domain(model_of(mesh), domain, division, error)
+      call check(.not. allocated(error), "the domain is begun")
+      domain%comm%rank = rank
+      domain%comm%ranks = 1 + maxval(rank_of_chunk)
+      call build_share(model_of(mesh), division, rank_of_chunk(:size(division%chunks)), domain, &
+         & share, error)
+      call check(.not. allocated(error), "and built")
+   end subroutine share_of
 
 end program test_domain_share

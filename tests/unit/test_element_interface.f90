@@ -61,7 +61,9 @@ contains
       self%above%stride(:) = lanes*levels
       self%below%step(:) = 3*lanes*levels
       self%above%step(:) = 3*lanes*levels
-      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%side = side
+      self%nodal = nodal
+      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
       self%law = new_cohesive(constants)
    end subroutine make
 
@@ -281,7 +283,9 @@ contains
       call make(table_6(), self, mesh)
       mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.0_wp)
       deallocate (self%metric)
-      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%side = side
+      self%nodal = nodal
+      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
       self%law = new_springs([1000.0_wp, 400.0_wp])
       displacement = moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.0_wp], unit)
       do n = 1, size(mesh%node_id)

@@ -54,7 +54,9 @@ contains
       self%above%stride(:) = lanes*levels
       self%below%step(:) = 3*lanes*levels
       self%above%step(:) = 3*lanes*levels
-      call set_plane(self, mesh%quad_node(tensor_order(side), :), mesh%position, nodal)
+      self%side = side
+      self%nodal = nodal
+      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
       self%law = new_springs([1000.0_wp, 400.0_wp])
    end subroutine make
 

@@ -1,0 +1,231 @@
+!> Quads, bricks and interfaces of the chunks of a domain, their histories, and masses of points.
+module plydyn_domain_build_elements
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_bricks, only : add_brick_masses, set_batches
+   use plydyn_domain_columns, only : front
+   use plydyn_domain_division, only : division_type
+   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_masses, only : add_masses
+   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_plates, only : set_quads
+   use plydyn_domain_share, only : share_type
+   use plydyn_element_interface, only : set_plane
+   use plydyn_element_plate, only : quad_histories
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: build_elements, build_masses, whole_mass
+
+contains
+
+   !> Elements of the domain's chunks, and where their histories lie
+   subroutine build_elements(mesh, division, numbering, domain, share)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> All elements
+      type(division_type), intent(in) :: division
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Has its chunks, still as the whole model has them
+      type(domain_type), intent(inout) :: domain
+      !> Gets the pieces of history
+      type(share_type), intent(inout) :: share
+
+      integer, allocatable :: own(:)
+      integer :: k, p
+
+      domain%histories = front
+      allocate (share%history(3, 0))
+      do p = 1, size(division%parts)
+         own = places_of(domain%chunks, p)
+         associate (element => division%parts(p)%element)
+            if (size(domain%bricks) > 0) then
+               call set_batches(mesh, own, numbering, domain%columns, domain%bricks(p))
+            else
+               call set_quads(mesh, element(own), numbering, domain%plates(p))
+            end if
+            call place_part(own, size(element), p, domain, share)
+         end associate
+      end do
+      do k = 1, size(domain%interfaces)
+         associate (batch => domain%interfaces(k))
+            associate (plate => domain%plates(batch%plate))
+               call set_plane(batch, plate%quad, plate%node, domain%position)
+            end associate
+            call place_histories(places_of(domain%chunks, batch%plate), &
+               & lanes*batch%law%histories*batch%side**2, &
+               & size(division%parts(batch%plate)%element), batch%first_history, domain%histories, &
+               & share)
+         end associate
+      end do
+   end subroutine build_elements
+
+   !> Places of the elements of a part in some chunks
+   pure function places_of(chunks, part) result(places)
+      type(chunk_type), intent(in) :: chunks(:)
+      integer, intent(in) :: part
+      integer, allocatable :: places(:)
+
+      integer :: c, e, n
+
+      n = 0
+      do c = 1, size(chunks)
+         if (chunks(c)%plate == part) n = n + chunks(c)%quads(2) - chunks(c)%quads(1) + 1
+      end do
+      allocate (places(n))
+      n = 0
+      do c = 1, size(chunks)
+         if (chunks(c)%plate /= part) cycle
+         do e = chunks(c)%quads(1), chunks(c)%quads(2)
+            n = n + 1
+            places(n) = e
+         end do
+      end do
+   end function places_of
+
+   !> Let the histories of a part follow those before it
+   pure subroutine place_part(own, all, p, domain, share)
+      !> Places of the elements in the list of the part, and how long that is
+      integer, intent(in) :: own(:), all
+      !> The part
+      integer, intent(in) :: p
+      type(domain_type), intent(inout) :: domain
+      type(share_type), intent(inout) :: share
+      integer :: b
+
+      if (size(domain%bricks) > 0) then
+         associate (bricks => domain%bricks(p))
+            call place_histories(own, lanes*bricks%histories*bricks%points, all, &
+               & bricks%first_history, domain%histories, share)
+         end associate
+         return
+      end if
+      do b = 1, size(domain%plates(p)%batches)
+         associate (batch => domain%plates(p)%batches(b))
+            call place_histories(own, quad_histories(batch, domain%plates(p)%side), all, &
+               & batch%first_history, domain%histories, share)
+         end associate
+      end do
+   end subroutine place_part
+
+   !> Let the histories of some elements follow those before them, here and in the whole model
+   pure subroutine place_histories(own, length, all, first, histories, share)
+      !> Places of the elements among all of their kind
+      integer, intent(in) :: own(:)
+      !> Histories of an element, and how many elements the whole model has
+      integer, intent(in) :: length, all
+      !> Where these begin
+      integer, intent(out) :: first
+      !> How many histories there are before, and with them
+      integer, intent(inout) :: histories
+      !> Gets the pieces
+      type(share_type), intent(inout) :: share
+
+      integer, allocatable :: pieces(:, :)
+      integer :: before, e, n, there
+      logical :: follows
+
+      first = histories + 1
+      if (length == 0) return
+      before = size(share%history, 2)
+      n = before
+      allocate (pieces(3, n + size(own)))
+      pieces(:, :n) = share%history
+      do e = 1, size(own)
+         there = share%histories + 1 + length*(own(e) - 1)
+         follows = .false.
+         if (n > before) follows = pieces(2, n) + pieces(3, n) == there
+         if (follows) then
+            pieces(3, n) = pieces(3, n) + length
+         else
+            n = n + 1
+            pieces(:, n) = [histories + 1, there, length]
+         end if
+         histories = histories + length
+      end do
+      share%history = pieces(:, :n)
+      share%histories = share%histories + length*all
+   end subroutine place_histories
+
+   !> Masses of the points that the rank has
+   subroutine build_masses(model, division, numbering, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> All elements: those of other ranks, too, add to nodes where ranks meet
+      type(division_type), intent(in) :: division
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Has its layers or all bricks, and its columns
+      type(domain_type), intent(inout) :: domain
+
+      integer :: k, p
+
+      allocate (domain%mass(domain%columns%masses))
+      domain%mass(:) = 0.0_wp
+      do p = 1, size(domain%plates)
+         call add_masses(model, p, domain%plates(p), division%parts(p)%element, numbering, &
+            & domain%columns, domain%mass)
+      end do
+      do p = 1, size(domain%bricks)
+         call add_brick_masses(model, domain%bricks(p)%part, domain%bricks(p)%brick, numbering, &
+            & domain%columns, domain%mass)
+      end do
+      allocate (domain%inverse_mass(size(domain%mass)), domain%far_ties(2, 0))
+      where (domain%mass > 0.0_wp)
+         domain%inverse_mass(:) = 1.0_wp/domain%mass
+      else where
+         domain%inverse_mass(:) = 0.0_wp
+      end where
+      do k = 1, size(domain%ties)
+         call tie_layers(domain, domain%ties(k))
+      end do
+   end subroutine build_masses
+
+   !> Let the top of a layer and the bottom of the next move as one: both get the inverse of the sum
+   !> of their masses
+   subroutine tie_layers(domain, layer)
+      type(domain_type), intent(inout) :: domain
+      integer, intent(in) :: layer
+
+      integer :: above, below, c, n
+
+      associate (columns => domain%columns)
+         do n = 1, columns%nodes
+            below = columns%mass_of(layer, columns%levels(layer), n)
+            above = columns%mass_of(layer + 1, 1, n)
+            domain%inverse_mass([below, above]) = 1.0_wp/(domain%mass(below) + domain%mass(above))
+         end do
+         if (columns%home(1, layer) == columns%home(1, layer + 1)) return
+         domain%far_ties = reshape([domain%far_ties, &
+            & ([([columns%freedom(layer, columns%levels(layer), c, n), &
+            & columns%freedom(layer + 1, 1, c, n)], c=1, 3)], n=1, columns%nodes)], &
+            & [2, size(domain%far_ties, 2) + 3*columns%nodes])
+      end associate
+   end subroutine tie_layers
+
+   !> Mass of the whole model, each point counted once. All ranks must come here
+   real(wp) function whole_mass(domain, own) result(mass)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Whether this rank counts each column
+      logical, intent(in) :: own(:)
+
+      type(exact_sums_type) :: sums
+      integer :: c, i, points
+
+      sums = new_exact_sums(1)
+      points = domain%columns%height/3
+      do c = 1, size(own)
+         if (.not. own(c)) cycle
+         do i = front + points*(c - 1) + 1, front + points*c
+            call sums%add(1, domain%mass(i))
+         end do
+      end do
+      call domain%comm%add_up(sums%limb)
+      mass = sums%value(1)
+   end function whole_mass
+
+end module plydyn_domain_build_elements

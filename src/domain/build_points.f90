@@ -1,0 +1,148 @@
+!> Supports, loads, velocities and faces on the points that a rank has.
+module plydyn_domain_build_points
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build_inertia, only : couple_surface
+   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
+      & new_pressure_load, new_segment_load, order_load
+   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_supports, only : face_point, held_freedoms, new_prescribed
+   use plydyn_domain_surfaces, only : collect_points, new_brick_surface, new_surface, place_points
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: build_loads, build_supports, build_surfaces, count_loads
+
+contains
+
+   !> Held places, prescribed motions, and velocities at time zero
+   subroutine build_supports(model, numbering, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Gets them
+      type(domain_type), intent(inout) :: domain
+      integer :: i
+
+      domain%held = held_freedoms(model%holds, numbering, domain%layers, domain%columns)
+      allocate (domain%motions(size(model%motions)))
+      do i = 1, size(model%motions)
+         domain%motions(i) = new_prescribed(model%motions(i), numbering, domain%layers, &
+            & domain%columns)
+      end do
+      domain%initial_velocities = model%initial_velocities
+      do i = 1, size(model%initial_velocities)
+         domain%initial_velocities(i)%nodes = numbering%only(model%initial_velocities(i)%nodes)
+      end do
+   end subroutine build_supports
+
+   !> How many loads a model has
+   pure integer function count_loads(model) result(loads)
+      !> The model
+      type(model_type), intent(in) :: model
+
+      loads = size(model%point_loads) + size(model%line_loads) + size(model%pressures) &
+         & + size(model%segment_loads) + size(model%body_loads)
+   end function count_loads
+
+   !> Forces on points
+   subroutine build_loads(model, numbering, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Has its masses; gets loads
+      type(domain_type), intent(inout) :: domain
+      integer :: i, k
+
+      allocate (domain%loads(count_loads(model)))
+      k = 0
+      associate (layers => domain%layers, columns => domain%columns, loads => domain%loads)
+         do i = 1, size(model%point_loads)
+            k = k + 1
+            loads(k) = new_point_load(model%point_loads(i), numbering, layers, columns, domain%mass)
+         end do
+         do i = 1, size(model%line_loads)
+            k = k + 1
+            loads(k) = new_line_load(model%line_loads(i), model%mesh, numbering, layers, columns)
+         end do
+         do i = 1, size(model%pressures)
+            k = k + 1
+            loads(k) = new_pressure_load(model%pressures(i), model%mesh, numbering, layers, columns)
+         end do
+         do i = 1, size(model%segment_loads)
+            k = k + 1
+            loads(k) = new_segment_load(model%segment_loads(i), model%mesh, numbering, columns)
+         end do
+         do i = 1, size(model%body_loads)
+            k = k + 1
+            loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%mass)
+         end do
+         do k = 1, size(loads)
+            call order_load(loads(k), numbering, columns)
+         end do
+      end associate
+   end subroutine build_loads
+
+   !> Faces that impactors may touch. All ranks must come here
+   subroutine build_surfaces(model, numbering, owner, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(numbering_type), intent(in) :: numbering
+      !> Rank that counts each column
+      integer, intent(in) :: owner(:)
+      !> Has its masses, supports and inertia; gets faces
+      type(domain_type), intent(inout) :: domain
+
+      integer :: i, point(2)
+
+      allocate (domain%surfaces(size(model%contacts)))
+      do i = 1, size(model%contacts)
+         point(:) = 1
+         if (size(domain%bricks) > 0) then
+            domain%surfaces(i) = new_brick_surface(model%contacts(i), model%mesh)
+         else
+            point(:) = face_point(domain%layers, model%contacts(i)%face)
+            domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
+         end if
+         call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, &
+            & domain%surfaces(i))
+         call set_resistance(domain, point, domain%surfaces(i))
+      end do
+   end subroutine build_surfaces
+
+   !> Inverse masses of all points of a face, and what moves them
+   subroutine set_resistance(domain, point, surface)
+      type(domain_type), intent(in) :: domain
+      !> Layer and thickness node of the face
+      integer, intent(in) :: point(2)
+      type(surface_type), intent(inout) :: surface
+
+      real(wp) :: values(6, size(surface%node))
+      logical :: held(domain%columns%freedoms)
+      integer :: c, i, mover(domain%columns%freedoms)
+
+      held(:) = .false.
+      held(domain%held) = .true.
+      mover(:) = 0
+      do i = 1, size(domain%motions)
+         mover(domain%motions(i)%freedom) = i
+      end do
+      values(:, :) = 0.0_wp
+      associate (here => surface%here)
+         do c = 1, 3
+            values(c, here) = merge(0.0_wp, domain%inverse_mass(domain%columns%mass_of(point(1), &
+               & point(2), surface%node(here))), held(surface%freedom(c, here)))
+            values(3 + c, here) = real(mover(surface%freedom(c, here)), wp)
+         end do
+      end associate
+      call couple_surface(domain, point, surface, values(:3, :))
+      call collect_points(domain%comm, surface, values)
+      surface%inverse_mass = values(:3, :)
+      surface%mover = nint(values(4:, :))
+   end subroutine set_resistance
+
+end module plydyn_domain_build_points

@@ -1,0 +1,193 @@
+!> Chunks of quads or bricks: what a thread takes at a time, and what ranks share out.
+!>
+!> Chunks are found from the mesh alone, by all ranks alike: they are the same for any number of
+!> ranks and threads. The forces of a chunk go to columns that no other chunk adds to: those of its
+!> nodes, or, where an earlier chunk has the node, columns of its own behind them. Then every node
+!> of a border adds what lies in the columns of the later chunks to its own, in the order of the
+!> chunks: the same bits in any run.
+module plydyn_domain_division
+   use plydyn_base_precision, only : lanes
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_domain_chunks, only : divide_quads, quad_centres
+   use plydyn_domain_domain, only : chunk_type
+   use plydyn_element_brick, only : bricks_type
+   use plydyn_model_mesh, only : mesh_type
+   implicit none
+   private
+
+   public :: column_owners, divide_bricks, divide_plane
+
+   !> Most batches of bricks in a chunk
+   integer, parameter :: most_batches = 256
+
+   !> Elements of a part in the order of their chunks: quads, or batches of bricks
+   type, public :: elements_type
+      !> Index of each quad in the mesh; of bricks the number of the batch in its part
+      integer, allocatable :: element(:)
+      !> Last one of each chunk
+      integer, allocatable :: last(:)
+   end type elements_type
+
+   !> The whole model in chunks. Columns are numbered as one rank alone would number them
+   type, public :: division_type
+      !> Elements of each part
+      type(elements_type), allocatable :: parts(:)
+      !> All chunks; `quads` are places in the list of the part's elements
+      type(chunk_type), allocatable :: chunks(:)
+      !> Columns of nodes, and these with those behind them
+      integer :: nodes = 0, columns = 0
+      !> Columns where chunks meet, as in `domain_type`
+      integer, allocatable :: borders(:, :)
+   end type division_type
+
+contains
+
+   !> Chunks of the quads of a mesh, part by part
+   pure function divide_plane(mesh, parts) result(self)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> How many parts there are
+      integer, intent(in) :: parts
+      type(division_type) :: self
+
+      integer, allocatable :: order(:), quad(:)
+      integer :: c, i, p
+
+      allocate (self%parts(parts))
+      do p = 1, parts
+         quad = pack([(i, i=1, size(mesh%quad_id))], mesh%quad_part == p)
+         call divide_quads(quad_centres(mesh, quad), order, self%parts(p)%last)
+         self%parts(p)%element = quad(order)
+      end do
+      self%nodes = size(mesh%node_id)
+      call list_chunks(self)
+      do c = 1, size(self%chunks)
+         associate (chunk => self%chunks(c))
+            associate (all => mesh%quad_node(:, self%parts(chunk%plate)%element( &
+               & chunk%quads(1):chunk%quads(2))))
+               chunk%column = each_once(reshape(all, [size(all)]))
+            end associate
+         end associate
+      end do
+      call set_columns(self)
+   end function divide_plane
+
+   !> Chunks of bricks, in the order of the deck
+   pure function divide_bricks(mesh, bricks) result(self)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> Bricks of each part
+      type(bricks_type), intent(in) :: bricks(:)
+      type(division_type) :: self
+
+      integer :: b, batches, c, p
+
+      allocate (self%parts(size(bricks)))
+      do p = 1, size(bricks)
+         batches = (size(bricks(p)%brick) + lanes - 1)/lanes
+         self%parts(p)%element = [(b, b=1, batches)]
+         self%parts(p)%last = [(min(b + most_batches - 1, batches), b=1, batches, most_batches)]
+      end do
+      self%nodes = (size(mesh%node_id) + lanes - 1)/lanes
+      call list_chunks(self)
+      do c = 1, size(self%chunks)
+         associate (chunk => self%chunks(c), brick => bricks(self%chunks(c)%plate)%brick)
+            associate (all => mesh%brick_node(:, brick(lanes*(chunk%quads(1) - 1) + 1: &
+               & min(lanes*chunk%quads(2), size(brick)))))
+               chunk%column = each_once(1 + (reshape(all, [size(all)]) - 1)/lanes)
+            end associate
+         end associate
+      end do
+      call set_columns(self)
+   end function divide_bricks
+
+   !> All chunks, without columns
+   pure subroutine list_chunks(self)
+      type(division_type), intent(inout) :: self
+
+      integer :: c, first, k, p
+
+      allocate (self%chunks(sum([(size(self%parts(p)%last), p=1, size(self%parts))])))
+      c = 0
+      do p = 1, size(self%parts)
+         first = 1
+         do k = 1, size(self%parts(p)%last)
+            c = c + 1
+            self%chunks(c)%plate = p
+            self%chunks(c)%quads(:) = [first, self%parts(p)%last(k)]
+            first = self%parts(p)%last(k) + 1
+         end do
+      end do
+   end subroutine list_chunks
+
+   !> Give every node of every chunk a column: its own, or the next behind that it has
+   pure subroutine set_columns(self)
+      !> Its chunks have the columns of their nodes
+      type(division_type), intent(inout) :: self
+
+      integer, allocatable :: behind(:), chunks_at(:), next(:)
+      integer :: c, i
+
+      allocate (chunks_at(self%nodes), behind(self%nodes))
+      chunks_at(:) = 0
+      do c = 1, size(self%chunks)
+         associate (column => self%chunks(c)%column)
+            chunks_at(column) = chunks_at(column) + 1
+         end associate
+      end do
+      self%columns = self%nodes
+      behind(:) = 0
+      allocate (self%borders(3, count(chunks_at > 1)))
+      self%borders(1, :) = pack([(i, i=1, size(chunks_at))], chunks_at > 1)
+      do i = 1, size(self%borders, 2)
+         behind(self%borders(1, i)) = self%columns + 1
+         self%borders(2, i) = self%columns + 1
+         self%columns = self%columns + chunks_at(self%borders(1, i)) - 1
+         self%borders(3, i) = self%columns
+      end do
+      next = [(i, i=1, self%nodes)]
+      do c = 1, size(self%chunks)
+         do i = 1, size(self%chunks(c)%column)
+            call take(self%chunks(c)%column(i), next, behind)
+         end do
+      end do
+   end subroutine set_columns
+
+   !> Put the column that is next at a node in place of the node, and turn to the one after it
+   pure subroutine take(column, next, behind)
+      integer, intent(inout) :: column, next(:)
+      integer, intent(in) :: behind(:)
+
+      integer :: node
+
+      node = column
+      column = next(node)
+      next(node) = merge(behind(node), column + 1, column == node)
+   end subroutine take
+
+   !> Numbers in rising order, each once
+   pure function each_once(list) result(numbers)
+      integer, intent(in) :: list(:)
+      integer, allocatable :: numbers(:)
+
+      numbers = list(sorted_order(list))
+      numbers = pack(numbers, [.true., numbers(2:) /= numbers(:size(numbers) - 1)])
+   end function each_once
+
+   !> Rank that adds to each column of forces; the first one has nodes without elements
+   pure function column_owners(self, rank_of_chunk) result(owner)
+      !> The whole model
+      class(division_type), intent(in) :: self
+      !> Rank of each chunk
+      integer, intent(in) :: rank_of_chunk(:)
+      integer, allocatable :: owner(:)
+      integer :: c
+
+      allocate (owner(self%columns))
+      owner(:) = 0
+      do c = 1, size(self%chunks)
+         owner(self%chunks(c)%column) = rank_of_chunk(c)
+      end do
+   end function column_owners
+
+end module plydyn_domain_division
