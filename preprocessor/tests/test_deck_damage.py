@@ -34,8 +34,16 @@ def test_a_ply_that_is_damaged_says_all_that_it_is(
         ["91.6", "79.9", "0.22", "1.1", "0.0", "0.999999", "0.79"],
         ["1", "0", "0.05", "0.0", "0.0"],
         ["1", "0", "1.05", "0", "0", "1", "0.0", "0"],
-        ["0.4"],
+        ["0.4", "0.0", "0.0"],
     ]
+
+
+def test_a_ply_can_average_over_its_neighbours(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    ply = replace(ply, average_along=3.0, average_across=2.0)
+    cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
+    assert cards[7].split() == ["0.0", "3.0", "2.0"]
 
 
 def test_a_ply_can_take_its_shear_from_a_curve(

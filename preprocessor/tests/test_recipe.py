@@ -98,6 +98,10 @@ def test_the_example_is_a_study_that_can_be_written(tmp_path: Path) -> None:
 def test_damage_without_what_it_needs_is_refused(ply: pre.PlyCodam2, bond: pre.Cohesive) -> None:
     with pytest.raises(pre.RecipeError, match="ST: needed for"):
         replace(ply, matrix_compression="hashin")
+    with pytest.raises(pre.RecipeError, match="average_across: above zero"):
+        replace(ply, average_along=2.0)
+    with pytest.raises(pre.RecipeError, match="closure: false with averages"):
+        replace(ply, average_along=2.0, average_across=2.0, closure=True)
     with pytest.raises(pre.RecipeError, match="shear_curve: the name of a curve"):
         replace(ply, shear="curve")
     with pytest.raises(pre.RecipeError, match=r"GIC: 0\.0 must be above zero"):

@@ -27,7 +27,7 @@ contains
       type(model_type), intent(in) :: model
       !> Has its plates, gets its averages
       type(domain_type), intent(inout) :: domain
-      !> Names a quad around which the ellipse is too small for the mesh
+      !> Names a ply whose ellipse is too small for the mesh
       type(error_type), allocatable, intent(out) :: error
 
       integer :: a, b, k, p
@@ -197,8 +197,8 @@ contains
       bell = max(1.0_wp - sum((away/radius)**2), 0.0_wp)**2
    end function bell
 
-   !> Refuse an ellipse smaller than the own cell of a Gauss point in its middle: it would reach no
-   !> other point along the fibres, or none across them
+   !> Refuse an ellipse smaller than the cells of all Gauss points: nowhere would it reach another
+   !> point along the fibres, or nowhere across them
    subroutine check_reach(model, domain, average, law, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
@@ -206,49 +206,53 @@ contains
       class(law_type), intent(in) :: law
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: length(2)
+      real(wp) :: least(2), length(2)
       integer :: e, l, q
 
       associate (plate => domain%plates(average%plate))
-         do e = 1, size(plate%node, 2)
-            do q = 1, size(plate%node, 1)
-               do l = 1, lanes
-                  if (.not. average%owns(l)) cycle
+         do l = 1, lanes
+            if (.not. average%owns(l)) cycle
+            least(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
+               & average%block), 1, 1)
+            do e = 1, size(plate%node, 2)
+               do q = 1, size(plate%node, 1)
                   length(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
                      & average%block), q, e)
-                  if (all(law%radius(l, :) >= length)) cycle
-                  call refuse(model, domain, average, l, &
-                     & [e, merge(1, 2, law%radius(l, 1) < length(1))], error)
-                  return
+                  if (maxval(length/law%radius(l, :)) < maxval(least/law%radius(l, :))) then
+                     least(:) = length
+                  end if
                end do
             end do
+            if (all(law%radius(l, :) >= least)) cycle
+            call refuse(model, domain, average, l, maxloc(least/law%radius(l, :), 1), &
+               & maxval(least/law%radius(l, :)), error)
+            return
          end do
       end associate
    end subroutine check_reach
 
-   !> Say where an ellipse is too small
-   subroutine refuse(model, domain, average, lane, place, error)
+   !> Say what radius is too small
+   subroutine refuse(model, domain, average, lane, which, factor, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(average_type), intent(in) :: average
       integer, intent(in) :: lane
-      !> Quad of the plate, and which of the radii
-      integer, intent(in) :: place(2)
+      !> Which of the radii, and how much larger the least cell is
+      integer, intent(in) :: which
+      real(wp), intent(in) :: factor
       type(error_type), allocatable, intent(out) :: error
 
       integer :: ply
 
-      associate (plate => domain%plates(average%plate))
-         ply = domain%layers%ply(plate%batches(average%batch)%layer(lane, average%block))
-         associate (material => model%materials(model%parts(average%plate)%plies(ply)%material))
-            call fail(error, exit_input, "error: "//material%radius_place//": *" &
-               & //material%keyword//" R"//text(place(2))//": in quad " &
-               & //text(model%mesh%quad_id(plate%quad(place(1))))//", ply "//text(ply) &
-               & //" from the bottom, an ellipse of R"//text(place(2))//" = " &
-               & //text(material%radius(place(2)))//" is smaller than the cell of one " &
-               & //"Gauss point: make it a quad wide, or the quads smaller, or leave both radii " &
-               & //"blank")
-         end associate
+      ply = domain%layers%ply(domain%plates(average%plate)%batches(average%batch)%layer(lane, &
+         & average%block))
+      associate (material => model%materials(model%parts(average%plate)%plies(ply)%material))
+         call fail(error, exit_input, "error: "//material%radius_place//": *" &
+            & //material%keyword//" R"//text(which)//": in ply "//text(ply) &
+            & //" from the bottom, an ellipse of R"//text(which)//" = " &
+            & //text(material%radius(which))//" is nowhere as large as the cell of a Gauss " &
+            & //"point, "//text(factor*material%radius(which))//": make it a quad wide, or the " &
+            & //"quads smaller, or leave both radii blank")
       end associate
    end subroutine refuse
 

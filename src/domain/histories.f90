@@ -89,7 +89,8 @@ contains
          length(l, 1) = band_length(law%band_rule(l), jacobian, turn(l, :), weight, share, area)
          length(l, 2) = band_length(law%band_rule(l), jacobian, [-turn(l, 2), turn(l, 1)], weight, &
             & share, area)
-         if (law%radius(l, 1) > 0.0_wp) length(l, :) = share_average*law%radius(l, :)
+         ! quads far wider than the ellipse average nothing
+         length(l, :) = max(length(l, :), share_average*law%radius(l, :))
          if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
       end do
    end function band_lengths

@@ -87,7 +87,7 @@ contains
          words = "given (LSTAR)"
          return
       else if (material%averages()) then
-         words = "share of the radius of the average along the direction"
+         words = "1.4 radii of the average, or what the quad has where that is wider"
          return
       end if
       select case (material%ply%band_rule)

@@ -220,11 +220,11 @@ contains
       model = averaged(0.0_wp)
       model%materials(1)%radius(:) = [2.0_wp, 0.05_wp]
       call build_domain(model, domain, error)
-      call check_error(error, "a.k:9: *MAT_PLY_CODAM2 R2: in quad 101, ply 1", &
+      call check_error(error, "a.k:9: *MAT_PLY_CODAM2 R2: in ply 1 from the bottom", &
          & "place and radius")
-      model%materials(1)%radius(:) = [0.05_wp, 0.05_wp]
+      model%materials(1)%radius(:) = [0.05_wp, 0.07_wp]
       call build_domain(model, domain, error)
-      call check_error(error, "R1 = 0.500000E-1 is smaller than the cell of one Gauss point", &
+      call check_error(error, "R1 = 0.500000E-1 is nowhere as large as the cell", &
          & "what is wrong")
       call refuse_ranks(model%materials, 1, error)
       call check(.not. allocated(error), "one rank")

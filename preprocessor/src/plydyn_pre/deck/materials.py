@@ -103,6 +103,6 @@ def _codam2_cards(names: Names, ply: PlyCodam2, mid: int) -> tuple[Card, ...]:
         "plateau": ply.plateau,
         "gz": int(not ply.weakens_across),
     }
-    crushed = {"brittle": ply.brittle}
+    crushed = {"brittle": ply.brittle, "r1": ply.average_along, "r2": ply.average_across}
     strong = {name.lower(): getattr(ply, name) for name in strengths}
     return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, crushed

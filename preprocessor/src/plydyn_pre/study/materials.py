@@ -79,6 +79,8 @@ class PlyCodam2:
     plateau: float = 0.0  # share of XC that crushed fibres keep
     brittle: float = 0.0  # share of XC from which their stress drops to nothing
     weakens_across: bool = True  # damage weakens G13 and G23
+    average_along: float = 0.0  # radii of the ellipse over which strains are averaged before they
+    average_across: float = 0.0  # drive damage, along and across the fibres; 0 for no average
     title: str = ""
 
     def __post_init__(self) -> None:
@@ -90,6 +92,10 @@ class PlyCodam2:
         hashin = self.matrix_compression == "hashin"
         require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
         require(min(self.plateau, self.brittle) <= 0.0, "brittle", "0 with a plateau")
+        radii = (self.average_along, self.average_across)
+        both = min(radii) > 0.0 or max(radii) == min(radii) == 0.0
+        require(both, "average_across", "above zero as average_along is, or none of the two")
+        require(not (self.closure and max(radii) > 0.0), "closure", "false with averages")
 
 
 @dataclass(frozen=True)
