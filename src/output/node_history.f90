@@ -1,4 +1,5 @@
-!> Motion of single nodes on both faces of the plate, as a history.
+!> Motion of single nodes on both faces of the plate, as a history: written by the root, to which
+!> each rank tells that of the nodes that it counts.
 module plydyn_output_node_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -7,8 +8,10 @@ module plydyn_output_node_history
    use plydyn_domain_supports, only : face_point
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
+   use plydyn_output_counted, only : counted_columns
    use plydyn_output_places, only : places_type
    use plydyn_output_recorder, only : recorder_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -16,9 +19,13 @@ module plydyn_output_node_history
    !> The history of some nodes
    type, public, extends(recorder_type) :: node_history_type
       private
-      !> Places in the arrays of motion, and the row that they fill
+      !> The ranks
+      type(comm_type) :: comm
+      !> Places in the arrays of motion, 0 where another rank counts the node
       integer, allocatable :: freedom(:)
+      !> The row that they fill, and what this rank knows of it
       real(wp), allocatable :: row(:)
+      logical, allocatable :: is_known(:)
    contains
       procedure :: open => open_nodes
       procedure :: record => record_nodes
@@ -26,14 +33,14 @@ module plydyn_output_node_history
 
 contains
 
-   !> Create the file, if the deck asks for nodes
+   !> Find the nodes, and let the root create the file, if the deck asks for any
    subroutine open_nodes(self, path, model, domain, places, error)
       class(node_history_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> Where to go on with files of an earlier run
       type(places_type), intent(in) :: places
@@ -45,6 +52,7 @@ contains
       character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
       integer :: c, face, faces, i, k, point(2)
 
+      self%comm = domain%comm
       allocate (self%freedom(0))
       names(1) = "time"
       units(1) = model%control%units%time
@@ -63,40 +71,62 @@ contains
                units(k) = model%control%units%length
                if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
             end do
-            self%freedom = [self%freedom, domain%columns%freedom(point(1), point(2), &
-               & [1, 2, 3], model%request%nodes(i))]
+            self%freedom = [self%freedom, places_of(domain, &
+               & model%mesh%node_id(model%request%nodes(i)), point)]
          end do
       end do
-      allocate (self%row(k))
-      if (size(model%request%nodes) == 0) return
+      allocate (self%row(k), self%is_known(k))
+      self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
+         & i=1, size(self%freedom), 3)]]
+      if (size(model%request%nodes) == 0 .or. .not. self%comm%is_root()) return
       call self%history%open(path, names(:k), units(:k), model%request%node_interval, places, &
          & error)
    end subroutine open_nodes
 
-   !> Add a line if one is due; the velocity is that of this time
-   subroutine record_nodes(self, state, is_last, error)
+   !> Places of a point above a node in the arrays of motion; 0 where this rank does not count it
+   function places_of(domain, id, point) result(place)
+      type(domain_type), intent(in) :: domain
+      !> The user's number of the node
+      integer, intent(in) :: id
+      !> Layer and level
+      integer, intent(in) :: point(2)
+      integer :: place(3)
+
+      logical :: is_counted(domain%columns%count)
+      integer :: node
+
+      place(:) = 0
+      node = findloc(domain%node_id, id, 1)
+      if (node == 0) return
+      place(:) = domain%columns%freedom(point(1), point(2), [1, 2, 3], node)
+      is_counted(:) = counted_columns(domain)
+      if (.not. is_counted(domain%columns%column_of(place(1)))) place(:) = 0
+   end function places_of
+
+   !> Add a line; the velocity is that of this time. All ranks must come here
+   subroutine record_nodes(self, state, error)
       class(node_history_type), intent(inout) :: self
-      !> The state
+      !> The state of this rank
       type(state_type), intent(in) :: state
-      !> Whether the run ends here
-      logical, intent(in) :: is_last
-      !> Why it could not be written
+      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       integer :: first, i
 
-      if (.not. self%history%is_open()) return
-      if (.not. (self%history%due(state%time) .or. is_last)) return
-      self%row(1) = state%time
+      self%row(:) = 0.0_wp
       do i = 1, size(self%freedom)/3
          first = 1 + 6*(i - 1)
+         if (.not. self%is_known(first + 1)) cycle
          associate (freedom => self%freedom(3*i - 2:3*i))
             self%row(first + 1:first + 3) = state%displacement(freedom)
             self%row(first + 4:first + 6) = state%velocity(freedom) &
                & + 0.5_wp*state%step_before*state%acceleration(freedom)
          end associate
       end do
-      call self%history%record(state%time, self%row, error)
+      call self%comm%unite(self%is_known, self%row)
+      self%row(1) = state%time
+      if (self%comm%is_root()) call self%history%record(state%time, self%row, error)
+      call self%comm%tell(error)
    end subroutine record_nodes
 
 end module plydyn_output_node_history

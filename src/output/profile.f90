@@ -1,7 +1,9 @@
-!> Displacement, strain and stress through the thickness at a place of the plane, as a CSV file.
+!> Displacement, strain and stress through the thickness at a place of the plane, as a CSV file:
+!> written by the root, to which each rank tells what its quads at the place say.
 module plydyn_output_profile
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : plate_type
@@ -12,6 +14,7 @@ module plydyn_output_profile
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
    use plydyn_output_places, only : places_type
    use plydyn_output_recorder, only : recorder_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -19,11 +22,17 @@ module plydyn_output_profile
    !> A profile being written: blocks of rows from the bottom up, one block for each time
    type, public, extends(recorder_type) :: profile_file_type
       private
+      !> The ranks
+      type(comm_type) :: comm
       !> Points in each layer
       integer :: points = 0
-      !> Quads that meet at the place: plate and quad, and where the place is in each
+      !> Quads of this rank that meet at the place: plate and quad, and where the place is in each
       integer, allocatable :: quad(:, :)
       real(wp), allocatable :: local(:, :)
+      !> Which of all that meet there each of them is, in the order of the mesh
+      integer, allocatable :: number(:)
+      !> How many all ranks have
+      integer :: all_quads = 0
    contains
       procedure :: open => open_profile
       procedure :: record
@@ -31,6 +40,8 @@ module plydyn_output_profile
 
    !> Time, height, ply, displacement; stress, strain and ply stress follow
    integer, parameter :: columns = 6 + 18
+   !> Values behind time, height and ply
+   integer, parameter :: quantities = columns - 3
    character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
       & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
       & "s11", "s22", "s33", "s12", "s13", "s23"]
@@ -67,7 +78,7 @@ contains
       end do
    end subroutine check_profiles
 
-   !> Find the place and create the file
+   !> Find the place, and let the root create the file
    subroutine open_profile(self, path, profile, units, domain, places, error)
       class(profile_file_type), intent(inout) :: self
       !> Path of the file
@@ -76,7 +87,7 @@ contains
       type(profile_type), intent(in) :: profile
       !> Names of the units
       type(units_type), intent(in) :: units
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> Where to go on with files of an earlier run
       type(places_type), intent(in) :: places
@@ -85,8 +96,11 @@ contains
 
       character(8) :: unit(columns)
 
+      self%comm = domain%comm
       self%points = profile%points
       call find_quads(self, domain, profile%position)
+      call number_quads(self, domain)
+      if (.not. self%comm%is_root()) return
       unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
       unit(7:12) = units%stress
       unit(13:18) = "-"
@@ -115,6 +129,24 @@ contains
          end do
       end do
    end subroutine find_quads
+
+   !> Number the quads of all ranks at the place
+   subroutine number_quads(self, domain)
+      type(profile_file_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: counts(self%comm%ranks), own(size(self%quad, 2))
+      real(wp), allocatable :: all_ranks(:)
+      integer :: i, r
+
+      call self%comm%collect([real(size(own), wp)], [(1, r=1, size(counts))], counts)
+      self%all_quads = nint(sum(counts))
+      own(:) = [(real(domain%plates(self%quad(1, i))%quad(self%quad(2, i)), wp), i=1, size(own))]
+      allocate (all_ranks(self%all_quads))
+      call self%comm%collect(own, nint(counts), all_ranks)
+      all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
+      self%number = [(minloc(abs(all_ranks - own(i)), 1), i=1, size(own))]
+   end subroutine number_quads
 
    !> Newton's method for the local coordinates of a place
    pure subroutine find_local(plate, xy, position, local, found)
@@ -145,69 +177,112 @@ contains
       found = area > 0.0_wp .and. all(abs(local) <= inside)
    end subroutine find_local
 
-   !> Write a block of rows if its time has come, or if it is the last
-   subroutine record(self, domain, state, is_last, error)
+   !> Write a block of rows. All ranks must come here
+   subroutine record(self, domain, state, error)
       class(profile_file_type), intent(inout) :: self
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> The state
+      !> Its state
       type(state_type), intent(in) :: state
-      !> Whether this is the last instant
-      logical, intent(in) :: is_last
-      !> Why it could not be written
+      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: part, row(columns)
+      real(wp) :: part, values(quantities, self%all_quads, self%points, size(domain%layers%order))
       integer :: i, k
 
-      if (.not. (self%history%due(state%time) .or. is_last)) return
-      do k = 1, size(domain%layers%order)
-         do i = 1, self%points
-            part = real(i - 1, wp)/real(self%points - 1, wp)
-            row(1) = state%time
-            row(2) = (1.0_wp - part)*domain%layers%bottom(k) + part*domain%layers%top(k)
-            row(3) = real(domain%layers%ply(k), wp)
-            row(4:) = values_at(self, domain, state, k, 2.0_wp*part - 1.0_wp)
-            call self%history%record(state%time, row, error)
-            if (allocated(error)) return
-         end do
-      end do
+      call find_values(self, domain, state, values)
+      if (self%comm%is_root()) then
+         write_rows: do k = 1, size(values, 4)
+            do i = 1, self%points
+               part = share_of(self, i)
+               call self%history%record(state%time, [state%time, (1.0_wp - part) &
+                  & *domain%layers%bottom(k) + part*domain%layers%top(k), &
+                  & real(domain%layers%ply(k), wp), mean(values(:, :, i, k))], error)
+               if (allocated(error)) exit write_rows
+            end do
+         end do write_rows
+      end if
+      call self%comm%tell(error)
    end subroutine record
 
-   !> Displacement, stress, strain and ply stress at a height of a layer, the mean of the quads
-   function values_at(self, domain, state, layer, height) result(values)
+   !> Height of a point in its layer, from 0 to 1
+   pure real(wp) function share_of(self, point)
+      type(profile_file_type), intent(in) :: self
+      integer, intent(in) :: point
+
+      share_of = real(point - 1, wp)/real(self%points - 1, wp)
+   end function share_of
+
+   !> Mean of what the quads say, in their order
+   pure function mean(values)
+      !> (quantities, quads)
+      real(wp), intent(in) :: values(:, :)
+      real(wp) :: mean(size(values, 1))
+      integer :: i
+
+      mean(:) = 0.0_wp
+      do i = 1, size(values, 2)
+         mean(:) = mean + values(:, i)
+      end do
+      mean(:) = mean/real(size(values, 2), wp)
+   end function mean
+
+   !> What the quads of all ranks say
+   subroutine find_values(self, domain, state, values)
       type(profile_file_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      integer, intent(in) :: layer
+      !> (quantities, quads, points, layers)
+      real(wp), intent(out) :: values(:, :, :, :)
+
+      logical :: is_known(quantities, self%all_quads, self%points, size(values, 4))
+      real(wp), allocatable :: flat(:)
+      integer :: i, k, q
+
+      values(:, :, :, :) = 0.0_wp
+      is_known(:, :, :, :) = .false.
+      is_known(:, self%number, :, :) = .true.
+      do k = 1, size(values, 4)
+         do i = 1, self%points
+            do q = 1, size(self%number)
+               values(:, self%number(q), i, k) = values_at(self, domain, state, q, k, &
+                  & 2.0_wp*share_of(self, i) - 1.0_wp)
+            end do
+         end do
+      end do
+      flat = reshape(values, [size(values)])
+      call self%comm%unite(reshape(is_known, [size(values)]), flat)
+      values(:, :, :, :) = reshape(flat, shape(values))
+   end subroutine find_values
+
+   !> Displacement, stress, strain and ply stress of a quad at a height of a layer
+   function values_at(self, domain, state, q, layer, height) result(values)
+      type(profile_file_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      !> The quad among those of this rank at the place
+      integer, intent(in) :: q, layer
       real(wp), intent(in) :: height
-      real(wp) :: values(21)
+      real(wp) :: values(quantities)
 
       real(wp) :: all_values(recovered)
       real(wp), allocatable :: at_level(:, :)
-      integer :: i
 
-      values(:) = 0.0_wp
-      all_values(:) = 0.0_wp
-      do i = 1, size(self%quad, 2)
-         associate (plate => domain%plates(self%quad(1, i)), e => self%quad(2, i), &
-            & home => domain%columns%home(:, layer))
-            values(1:3) = values(1:3) + displacement_at(domain, state, plate, e, layer, &
-               & self%local(:, i), height)
-            at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
-               & domain%control%kinematics == total_lagrangian, state%displacement, &
-               & state%history), &
-               & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
-               & thickness_interpolation(plate%batches(home(1)), height)), &
-               & [recovered, size(plate%node, 1)])
-            all_values(:) = all_values + plane_value(plate, e, layer, &
-               & new_plane_shares(plate%side, self%local(1, i), self%local(2, i)), at_level)
-         end associate
-      end do
+      associate (plate => domain%plates(self%quad(1, q)), e => self%quad(2, q), &
+         & home => domain%columns%home(:, layer))
+         values(1:3) = displacement_at(domain, state, plate, e, layer, self%local(:, q), height)
+         at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
+            & domain%control%kinematics == total_lagrangian, state%displacement, &
+            & state%history), &
+            & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
+            & thickness_interpolation(plate%batches(home(1)), height)), &
+            & [recovered, size(plate%node, 1)])
+         all_values(:) = plane_value(plate, e, layer, &
+            & new_plane_shares(plate%side, self%local(1, q), self%local(2, q)), at_level)
+      end associate
       values(4:9) = all_values(7:12)
       values(10:15) = all_values(1:6)
       values(16:21) = all_values(ply_stress_at + 1:ply_stress_at + 6)
-      values(:) = values/real(size(self%quad, 2), wp)
    end function values_at
 
    !> Displacement at a place of a quad and a height of a layer

@@ -1,12 +1,16 @@
-!> Force of all supports on the plate, as a history.
+!> Force of all supports on the plate, as a history: a sum over what all ranks count, without
+!> round-off, written by the root.
 module plydyn_output_support_history
    use plydyn_base_error, only : error_type
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
+   use plydyn_output_counted, only : counted_columns
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
    use plydyn_output_recorder, only : recorder_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -14,7 +18,10 @@ module plydyn_output_support_history
    !> The history of the supports
    type, public, extends(recorder_type) :: support_history_type
       private
-      !> Held and prescribed directions, in the order of `state%support_force`
+      !> The ranks
+      type(comm_type) :: comm
+      !> Held and prescribed directions, in the order of `state%support_force`; 0 where another rank
+      !> counts the point
       integer, allocatable :: direction(:)
    contains
       procedure :: open => open_supports
@@ -23,14 +30,14 @@ module plydyn_output_support_history
 
 contains
 
-   !> Create the file, if the deck asks for it
+   !> Find the directions, and let the root create the file, if the deck asks for it
    subroutine open_supports(self, job, model, domain, error)
       class(support_history_type), intent(inout) :: self
       !> The job
       type(job_type), intent(in) :: job
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
@@ -38,11 +45,14 @@ contains
       character(4), parameter :: names(*) = [character(4) :: "time", "fx", "fy", "fz"]
       integer :: c, k, m, t
 
+      self%comm = domain%comm
       allocate (self%direction(0))
       if (model%request%support_interval < 0.0_wp) return
       block
          integer :: direction(domain%columns%freedoms)
+         logical :: is_counted(domain%columns%count)
 
+         is_counted(:) = counted_columns(domain)
          direction(:) = 0
          do k = 1, size(domain%layers%order)
             do t = 1, domain%columns%levels(k)
@@ -51,12 +61,17 @@ contains
                end do
             end do
          end do
+         do k = 1, size(direction)
+            if (direction(k) == 0) cycle
+            if (.not. is_counted(domain%columns%column_of(k))) direction(k) = 0
+         end do
          self%direction = direction(domain%held)
          do m = 1, size(domain%motions)
             self%direction = [self%direction, &
                & direction(domain%motions(m)%freedom)]
          end do
       end block
+      if (.not. self%comm%is_root()) return
       associate (u => model%control%units)
          call self%history%open(job%path//".supports.csv", names, &
             & [u%time, u%force, u%force, u%force], model%request%support_interval, job%places, &
@@ -64,22 +79,25 @@ contains
       end associate
    end subroutine open_supports
 
-   !> Add a line if one is due
-   subroutine record_supports(self, state, is_last, error)
+   !> Add a line. All ranks must come here
+   subroutine record_supports(self, state, error)
       class(support_history_type), intent(inout) :: self
-      !> The state
+      !> The state of this rank
       type(state_type), intent(in) :: state
-      !> Whether the run ends here
-      logical, intent(in) :: is_last
-      !> Why it could not be written
+      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: c
+      type(exact_sums_type) :: sums
+      integer :: c, i
 
-      if (.not. self%history%is_open()) return
-      if (.not. (self%history%due(state%time) .or. is_last)) return
-      call self%history%record(state%time, [state%time, (-sum(state%support_force, &
-         & self%direction == c), c=1, 3)], error)
+      sums = new_exact_sums(3)
+      do i = 1, size(self%direction)
+         if (self%direction(i) > 0) call sums%add(self%direction(i), -state%support_force(i))
+      end do
+      call self%comm%add_up(sums%limb)
+      if (self%comm%is_root()) call self%history%record(state%time, [state%time, &
+         & (sums%value(c), c=1, 3)], error)
+      call self%comm%tell(error)
    end subroutine record_supports
 
 end module plydyn_output_support_history

@@ -14,13 +14,16 @@ module plydyn_output_writer
    use plydyn_output_profile, only : profile_file_type
    use plydyn_output_rows, only : energy_names, impactor_names, impactor_row, rows_type
    use plydyn_output_support_history, only : support_history_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> What writes the results of a job
+   !> What writes the results of a job: all ranks have one, and the root's has the files
    type, public :: writer_type
       private
+      !> The ranks
+      type(comm_type) :: comm
       type(job_type) :: job
       type(history_type) :: energy
       type(support_history_type) :: supports
@@ -42,42 +45,56 @@ module plydyn_output_writer
 
 contains
 
-   !> Create all files, or go on with those of an earlier run
+   !> Let the root create all files, or go on with those of an earlier run
    subroutine open_writer(self, job, model, domain, error)
       class(writer_type), intent(inout) :: self
       !> The job
       type(job_type), intent(in) :: job
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> Why a file could not be created
+      !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
 
       self%job = job
+      self%comm = domain%comm
       ! all at once: they are closed together, whichever of them could be opened
       allocate (self%impactors(size(model%impactors)), self%profiles(size(model%request%profiles)))
-      call open_energy(self, job, model, error)
-      if (allocated(error)) return
-      call open_impactors(self, job, model, error)
+      if (self%comm%is_root()) call open_sums(self, job, model, domain, error)
+      call self%comm%tell(error)
       if (allocated(error)) return
       call self%nodes%open(job%path//".nodes.csv", model, domain, job%places, error)
+      call self%comm%tell(error)
       if (allocated(error)) return
       call self%supports%open(job, model, domain, error)
+      call self%comm%tell(error)
       if (allocated(error)) return
       do i = 1, size(self%profiles)
          associate (profile => model%request%profiles(i))
             call self%profiles(i)%open(job%path//".profile_"//text(profile%id)//".csv", profile, &
                & model%control%units, domain, job%places, error)
          end associate
+         call self%comm%tell(error)
          if (allocated(error)) return
       end do
-      call self%delamination%open(job%path//".delamination.csv", model%control%units, &
-         & model%request%delamination_interval, domain, job%places, error)
-      if (allocated(error)) return
    end subroutine open_writer
+
+   !> Energies, impactors and delamination, which the root writes by itself
+   subroutine open_sums(self, job, model, domain, error)
+      class(writer_type), intent(inout) :: self
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      call open_energy(self, job, model, error)
+      if (.not. allocated(error)) call open_impactors(self, job, model, error)
+      if (.not. allocated(error)) call self%delamination%open(job%path//".delamination.csv", &
+         & model%control%units, model%request%delamination_interval, domain, job%places, error)
+   end subroutine open_sums
 
    !> Energies and momentum
    subroutine open_energy(self, job, model, error)
@@ -118,29 +135,40 @@ contains
       end associate
    end subroutine open_impactors
 
-   !> Write what is due of the state of the whole model: nodes, supports, profiles
+   !> Write what is due of nodes, supports and profiles, of which ranks have parts; all come here
    subroutine record(self, domain, state, error)
       class(writer_type), intent(inout) :: self
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> The state
+      !> Its state
       type(state_type), intent(in) :: state
-      !> Why something could not be written
+      !> Why something could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: is_last
-      integer :: i
+      integer :: due(2 + size(self%profiles)), i
 
-      is_last = state%is_finished()
-      call self%nodes%record(state, is_last, error)
+      ! the root has the files, and knows what is due
+      due(:) = merge(1, 0, [is_due(self%nodes%history, state), &
+         & is_due(self%supports%history, state), &
+         & (is_due(self%profiles(i)%history, state), i=1, size(self%profiles))])
+      call self%comm%tell(due)
+      if (due(1) > 0) call self%nodes%record(state, error)
       if (allocated(error)) return
-      call self%supports%record(state, is_last, error)
+      if (due(2) > 0) call self%supports%record(state, error)
       if (allocated(error)) return
       do i = 1, size(self%profiles)
-         call self%profiles(i)%record(domain, state, is_last, error)
+         if (due(2 + i) > 0) call self%profiles(i)%record(domain, state, error)
          if (allocated(error)) return
       end do
    end subroutine record
+
+   !> Whether a line of a history is due, also as the last one
+   pure logical function is_due(history, state)
+      type(history_type), intent(in) :: history
+      type(state_type), intent(in) :: state
+
+      is_due = history%is_open() .and. (history%due(state%time) .or. state%is_finished())
+   end function is_due
 
    !> Whether `record` has anything to write at this time
    pure logical function due(self, state)

@@ -27,6 +27,7 @@ module plydyn_parallel_comm
       procedure :: is_root
       procedure :: add_up
       procedure :: agree
+      procedure :: unite
       procedure :: collect
       procedure :: find_greatest
       procedure :: tell_integers
@@ -113,6 +114,22 @@ contains
       if (self%ranks == 1) return
       call mpi_allreduce(mpi_in_place, good, 1, mpi_logical, mpi_land, mpi_comm_world)
    end subroutine agree
+
+   !> Let all ranks have numbers of which each is known to one of them, to the last bit
+   subroutine unite(self, is_known, values)
+      class(comm_type), intent(in) :: self
+      !> Which numbers this rank knows
+      logical, intent(in) :: is_known(:)
+      !> These numbers in, all that any rank knows out; 0 where none does
+      real(wp), intent(inout) :: values(:)
+
+      integer(int64) :: bits(size(values), 1)
+
+      bits(:, 1) = transfer(values, bits)
+      where (.not. is_known) bits(:, 1) = 0_int64
+      call self%add_up(bits)
+      values(:) = transfer(bits(:, 1), values)
+   end subroutine unite
 
    !> Let all ranks have what each has a part of
    subroutine collect(self, part, counts, whole)

@@ -1,5 +1,6 @@
-!> What is written about a run: fields by all ranks together, the rest by the root, to which the
-!> others bring their parts when something is due.
+!> What is written about a run: fields by all ranks together, histories by the root, to which the
+!> others tell the few numbers that are due. For a restart file, and for the listing of the end,
+!> they bring all their parts.
 module plydyn_solver_journal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -28,7 +29,7 @@ module plydyn_solver_journal
       type(comm_type) :: comm
       !> Path of the results without endings
       character(:), allocatable :: path
-      !> What writes histories; on the root
+      !> What writes histories
       type(writer_type) :: writer
       !> What writes fields
       type(field_states_type) :: fields
@@ -79,12 +80,7 @@ contains
       call tell_job(self%comm, same)
       self%path = same%path
       call move_alloc(whole, self%whole)
-      if (allocated(self%whole)) then
-         call self%writer%open(same, model, self%whole, error)
-      else if (self%comm%is_root()) then
-         call self%writer%open(same, model, domain, error)
-      end if
-      call self%comm%tell(error)
+      call self%writer%open(same, model, domain, error)
       if (.not. allocated(error)) call self%fields%open(same, model, domain, error)
       if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
    end subroutine open_journal
@@ -115,7 +111,7 @@ contains
       if (allocated(error)) return
       if (state%rows_due) call record_rows(self, domain, state, error)
       if (allocated(error)) return
-      if (state%output_due) call record_state(self, domain, state, error)
+      if (state%output_due) call self%writer%record(domain, state, error)
       if (.not. allocated(error)) call self%fields%record(domain, state, error)
       call self%life_line%show(state)
    end subroutine record
@@ -132,7 +128,7 @@ contains
 
       call record_impactors(self, domain, state, error)
       if (.not. allocated(error)) call record_rows(self, domain, state, error)
-      if (.not. allocated(error)) call record_state(self, domain, state, error)
+      if (.not. allocated(error)) call self%writer%record(domain, state, error)
       if (.not. allocated(error)) call self%fields%record(domain, state, error)
    end subroutine begin
 
@@ -160,22 +156,6 @@ contains
       if (self%comm%is_root()) call self%writer%record_rows(rows, state, error)
       call self%comm%tell(error)
    end subroutine record_rows
-
-   !> What is due of the state of the whole model
-   subroutine record_state(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      type(error_type), allocatable, intent(out) :: error
-
-      if (self%comm%ranks == 1) then
-         call self%writer%record(domain, state, error)
-         return
-      end if
-      call self%assembly%gather(state, self%state)
-      if (allocated(self%whole)) call self%writer%record(self%whole, self%state, error)
-      call self%comm%tell(error)
-   end subroutine record_state
 
    !> Write the fields at this time, if they are not in the file already
    subroutine plot(self, domain, state, error)

@@ -1,0 +1,28 @@
+!> What one rank does for all: nothing is lost, and nothing else is taken for known.
+program test_parallel_comm
+   use plydyn_base_precision, only : wp
+   use plydyn_parallel_comm, only : comm_type
+   use testing, only : begin, check, finish
+   implicit none
+
+   type(comm_type) :: comm
+   logical :: good
+   real(wp) :: values(3)
+
+   call begin("unite")
+   values(:) = [-0.0_wp, 0.1_wp, 7.0_wp]
+   call comm%unite([.true., .true., .false.], values)
+   call check(sign(1.0_wp, values(1)) < 0.0_wp, "the sign of a zero is kept")
+   call check(values(2), 0.1_wp, 0.0_wp, "so is the last bit")
+   call check(values(3), 0.0_wp, 0.0_wp, "what no rank knows is zero")
+
+   call begin("agree")
+   good = .true.
+   call comm%agree(good)
+   call check(good, "all is well")
+   good = .false.
+   call comm%agree(good)
+   call check(.not. good, "something is not")
+
+   call finish()
+end program test_parallel_comm
