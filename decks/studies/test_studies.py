@@ -19,7 +19,7 @@ from studies.differences import force_difference, ply_means, section, velocity_d
 from studies.implicit import cases_of, implicit_text
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
-from studies.runs import ELASTIC, RUNS, off_symmetry
+from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, RUNS, late_force, off_symmetry
 from studies.stress import agreement
 
 
@@ -248,6 +248,13 @@ def test_runs_of_the_page_are_recipes():
         job = run.job(["control.end_time=1e-3"])
         assert load_recipe(job.recipe, job.overrides).control.end_time == 1e-3
     assert len({run.name for run in RUNS}) == len(RUNS)
+    assert set(BY_HAND) == {run.name for run in (COARSE, ELASTIC, LINEAR)}
+
+
+def test_the_late_force_is_the_mean_of_the_last_millisecond(tmp_path):
+    rows = [f"{t:.6e},{1000.0 * (t > 1.5e-3)},0,-1\n" for t in np.linspace(0.0, 2e-3, 2001)]
+    (tmp_path / "job.impactor_1.csv").write_text(IMPACTOR + "".join(rows))
+    assert late_force(open_results(tmp_path / "job")) == pytest.approx(500.0, rel=1e-2)
 
 
 def test_displacements_are_held_against_their_mirror_images():
