@@ -108,8 +108,8 @@ def run(solver: Path, deck: Path, threads: int, launcher: Words = ()) -> tuple[s
 
 def memory(
     solver: Path, deck: Path, launcher: Words, environment: Mapping[str, str]
-) -> tuple[list[float], list[float]]:
-    """Most memory of each rank and that in the loop, MB, both from the largest down."""
+) -> list[float]:
+    """Most memory of each rank, MB, from the largest down."""
     watch = [sys.executable, ROOT / "tests/bench/memory.py"]
     told = subprocess.run(
         [*launcher, *watch, solver, "run", deck, "-o", deck.parent, "ncpu=1"],
@@ -118,9 +118,8 @@ def memory(
         check=True,
         env=environment,
     ).stderr
-    lines = [line.split()[1:] for line in told.splitlines() if line.startswith("memory ")]
-    most, loop = (sorted((float(line[k]) for line in lines), reverse=True) for k in (0, 1))
-    return most, loop
+    lines = (line.split() for line in told.splitlines() if line.startswith("memory "))
+    return sorted((float(line[1]) for line in lines), reverse=True)
 
 
 def number(listing: str, pattern: str) -> float:

@@ -2,17 +2,15 @@
 
     .venv/bin/python tests/bench/scaling.py [--ranks 1,2,4] [--launcher "srun -n"] [--into PAGE]
 
-Measures the time of a step and the memory of each rank on some numbers of ranks, and lets the
-solver divide panels without running them; from the time of a chunk, these divisions and a network
-it reckons up to 1024 ranks. Prints tables, or puts them into a page between its marks. Needs
-build/release and the preprocessor. No test: nothing is compared with anything.
+Measures the time of a step on some numbers of ranks, and lets the solver divide panels without
+running them; from the time of a chunk, these divisions, what ranks have of a panel (`shares.py`)
+and a network it reckons up to 1024 ranks. Prints tables, or puts them into a page between its
+marks. Needs build/release and the preprocessor. No test: nothing is compared with anything.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
-import shlex
 import subprocess
 import sys
 import tempfile
@@ -23,17 +21,22 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 
 import jobs  # noqa: E402
 import paper  # noqa: E402
-from run import BUILD, machine, table  # noqa: E402
+from run import machine, table  # noqa: E402
+from shares import (  # noqa: E402
+    ANYHOW,
+    PANELS,
+    SOLVER,
+    freedoms_of,
+    launcher_of,
+    memory,
+    numbers,
+    patient,
+)
 
-SOLVER = BUILD / "plydyn"
 BEGIN, END = "<!-- scaling -->", "<!-- /scaling -->"
-ANYHOW = "mpirun --oversubscribe --allow-run-as-root --bind-to none -n"
-# where no time is measured there may be more ranks than cores: those that wait give way
-PATIENT = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive"}
-
 RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 1500
-# quads along a side of a panel: what is timed, the large one on paper, the one for the memory
-TIMED, TIMED_STEPS, LARGE, HEAVY, HEAVY_STEPS = 40, 400, 156, 80, 150
+# quads along a side of a panel: what is timed, and the large one on paper
+TIMED, TIMED_STEPS, LARGE = 40, 400, 156
 # so many that hit a panel that their contact is seen
 SPHERES = 16
 # panels and ranks that the solver divides: about as many chunks for a rank as on paper
@@ -42,16 +45,6 @@ MANY = (1, 4, 16, 64, 256, 1024)
 # quads for each rank where the model grows with the ranks
 WEAK = 400
 MICRO, MEGA, GIGA = 1.0e6, 1.0e-6, 1.0e-9
-
-
-def launcher_of(words: str, ranks: int) -> list[str]:
-    """What comes before the program; nothing for one rank."""
-    return [] if ranks == 1 else [*shlex.split(words), str(ranks)]
-
-
-def patient() -> dict[str, str]:
-    """The environment of ranks that wait for each other on few cores."""
-    return {**os.environ, **PATIENT}
 
 
 def measured(title: str, deck: Path, steps: int, options: argparse.Namespace) -> list[list[str]]:
@@ -103,7 +96,7 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
     ]
 
 
-def costs_of(folder: Path, quads: int, memory: paper.Bytes) -> paper.Costs:
+def costs_of(folder: Path, quads: int, each: paper.Bytes) -> paper.Costs:
     """Times of a chunk and of contact on one rank."""
     chunks = TIMED**2 // quads
     flies, hit = (
@@ -115,32 +108,8 @@ def costs_of(folder: Path, quads: int, memory: paper.Bytes) -> paper.Costs:
         chunk=flies / chunks,
         point=max(0.0, hit - flies) / SPHERES / (2 * TIMED + 1) ** 2,
         freedoms=freedoms_of(TIMED, folder) / chunks,
-        memory=memory,
+        memory=each,
     )
-
-
-def freedoms_of(quads: int, folder: Path) -> int:
-    """Degrees of freedom of a panel."""
-    words = [SOLVER, "check", jobs.panel_deck(quads, folder)]
-    listing = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    return int(jobs.number(listing, r"degrees of freedom\s+(\d+)"))
-
-
-def memory(folder: Path, options: argparse.Namespace) -> tuple[list[list[str]], paper.Bytes]:
-    """Memory of ranks on a large panel, and what follows for ranks other than the root."""
-    deck = jobs.stopped(jobs.panel_deck(HEAVY, folder), HEAVY_STEPS)
-    rows, each = [], {}
-    for ranks in options.memory_ranks:
-        most, loop = jobs.memory(SOLVER, deck, launcher_of(options.launcher, ranks), patient())
-        counted = paper.counted_memory(deck.with_suffix(".out").read_text())
-        if ranks > 1:
-            each[ranks] = most[1]
-        cells = (*most[:2], *loop[:2]) if ranks > 1 else (most[0], None, loop[0], None)
-        rows.append(
-            [f"{ranks}"]
-            + ["–" if x is None else f"{x:.0f}" for x in (*cells, max(counted), sum(counted))]
-        )
-    return rows, paper.split_memory(each, MEGA * freedoms_of(HEAVY, folder))
 
 
 def strong_rows(
@@ -198,11 +167,11 @@ def weak_rows(
     return rows
 
 
-def on_paper(folder: Path, options: argparse.Namespace, memory: tuple[float, float]) -> list[str]:
+def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> list[str]:
     """Tables of what was divided, and of what follows."""
     known = divide(folder, options)
     quads = round(DIVIDED[0][0] ** 2 / known[0].chunks)
-    costs = costs_of(folder, quads, memory)
+    costs = costs_of(folder, quads, each)
     network = paper.Network(options.latency, options.bandwidth)
     chunks = LARGE**2 // quads
     said = (
@@ -249,35 +218,21 @@ def tables(options: argparse.Namespace) -> str:
         panel = f"panel, {TIMED} x {TIMED} quads"
         rows = measured("192 Q9/LE2", jobs.recipe_deck(RECIPE, folder), RECIPE_STEPS, options)
         rows += measured(panel, jobs.panel_deck(TIMED, folder), TIMED_STEPS, options)
-        taken, bytes_each = memory(folder, options)
+        _, bytes_each = memory(PANELS[0], folder, options.memory_ranks, options.launcher)
         parts = [
             machine(),
             "#### Measured, one thread each",
             table(["model", "ranks", "us per step", "speed-up", "efficiency"], rows),
-            f"Memory of a rank [MB], {HEAVY} x {HEAVY} quads, "
-            f"{freedoms_of(HEAVY, folder):,} degrees of freedom:",
-            table(
-                [
-                    *("ranks", "most, root", "most, others", "in the loop, root", "others"),
-                    *("counted, most of a rank", "counted, all"),
-                ],
-                taken,
-            ),
             *on_paper(folder, options, bytes_each),
         ]
     return "\n\n".join(parts)
-
-
-def numbers(words: str) -> list[int]:
-    """Numbers with commas between them."""
-    return [int(word) for word in words.split(",")]
 
 
 def main() -> None:
     """Measure, reckon, and print or write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ranks", type=numbers, default=[1, 2], help="to be timed, as 1,2,4")
-    parser.add_argument("--memory-ranks", type=numbers, default=[1, 2, 4])
+    parser.add_argument("--memory-ranks", type=numbers, default=[2, 4])
     parser.add_argument("--launcher", default=ANYHOW, help='the number follows, as "srun -n"')
     parser.add_argument("--latency", type=float, default=1.5e-6, help="of the network, s")
     parser.add_argument("--bandwidth", type=float, default=12.5e9, help="of the network, bytes/s")
