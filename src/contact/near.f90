@@ -37,6 +37,8 @@ module plydyn_contact_near
       integer, allocatable :: point(:)
       !> The surface with no neighbours beyond the listed facets: the sphere is out of reach there
       type(surface_type) :: patch
+      !> How often the list has been renewed
+      integer :: rebuilds = 0
       !> Whether the next update needs the positions of all points, or of those listed only
       logical :: needs_all = .true.
       !> Bound on the approach of sphere and listed facets since the start, length
@@ -198,6 +200,7 @@ contains
       integer :: f, i
       logical, allocatable :: used(:)
 
+      self%rebuilds = self%rebuilds + 1
       self%facet = pack([(f, f=1, size(self%bound))], self%listed)
       allocate (used(maxval(surface%facet)), source=.false.)
       do f = 1, size(self%facet)

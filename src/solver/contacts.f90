@@ -23,6 +23,10 @@ module plydyn_solver_contacts
       real(wp), allocatable :: position(:, :), correction(:, :)
       !> Their inverse mass, zero in directions that do not give way now, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
+      !> Listed points near the impactor, rank by rank, and how many of them each rank counts
+      integer, allocatable :: listed(:), counts(:)
+      !> How often these were listed anew
+      integer :: rebuilds = -1
       !> Positions of the points that this rank counts, and of those of all ranks
       real(wp), allocatable :: sent(:), received(:)
    end type pair_type
@@ -165,10 +169,11 @@ contains
       associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
          call self%pair%near%approach(largest_move(domain, state), own%centre)
          if (self%pair%near%needs_all) then
-            call find_positions(surface, surface%here, state%displacement, self%position)
-            if (domain%comm%ranks > 1) call collect_positions(domain, surface, self)
+            call find_positions(domain, surface, surface%of_ranks, surface%counts, &
+               & state%displacement, self)
          else
-            call find_positions(surface, self%pair%near%point, state%displacement, self%position)
+            call list_by_rank(surface, self)
+            call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
          end if
          if (size(domain%motions) > 0) then
             call resist_moved(domain, surface, state%time, self%inverse_mass)
@@ -206,54 +211,65 @@ contains
       end do
    end subroutine resist_moved
 
-   !> Most that a point of the plate has moved in the step; not known for those of other ranks, nor
-   !> for those that are moved
+   !> Most that a point of the plate has moved in the step; not known where points are moved
    pure real(wp) function largest_move(domain, state) result(move)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
 
       move = huge(1.0_wp)
-      if (domain%comm%ranks > 1 .or. size(domain%motions) > 0) return
+      if (size(domain%motions) > 0 .or. state%fastest > sqrt(huge(1.0_wp))) return
       move = sqrt(3.0_wp)*state%step*state%fastest
    end function largest_move
 
-   !> Where some points of the face are that this rank has
-   pure subroutine find_positions(surface, points, displacement, position)
-      type(surface_type), intent(in) :: surface
-      integer, intent(in) :: points(:)
-      real(wp), intent(in), contiguous :: displacement(:)
-      !> Of all points, (3, points), length
-      real(wp), intent(inout), contiguous :: position(:, :)
-
-      integer :: c, i, k
-
-      do i = 1, size(points)
-         k = points(i)
-         do c = 1, 3
-            position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
-         end do
-      end do
-   end subroutine find_positions
-
-   !> Where the points of the face are that other ranks have
-   subroutine collect_positions(domain, surface, self)
-      type(domain_type), intent(in) :: domain
+   !> Sort the listed points by the ranks that count them, if they are others than before
+   pure subroutine list_by_rank(surface, self)
       type(surface_type), intent(in) :: surface
       type(pair_type), intent(inout) :: self
 
-      integer :: i, k
+      logical :: is_listed(size(surface%position, 2))
+      integer :: first, r
 
-      k = 0
-      do i = 1, size(surface%here)
-         if (.not. surface%own(surface%here(i))) cycle
-         self%sent(3*k + 1:3*k + 3) = self%position(:, surface%here(i))
-         k = k + 1
+      if (self%rebuilds == self%pair%near%rebuilds) return
+      self%rebuilds = self%pair%near%rebuilds
+      is_listed(:) = .false.
+      is_listed(self%pair%near%point) = .true.
+      self%listed = pack(surface%of_ranks, is_listed(surface%of_ranks))
+      self%counts = surface%counts
+      first = 0
+      do r = 1, size(surface%counts)
+         self%counts(r) = count(is_listed(surface%of_ranks(first + 1:first + surface%counts(r))))
+         first = first + surface%counts(r)
       end do
-      call domain%comm%collect(self%sent, 3*surface%counts, self%received)
-      do i = 1, size(surface%of_ranks)
-         self%position(:, surface%of_ranks(i)) = self%received(3*i - 2:3*i)
+   end subroutine list_by_rank
+
+   !> Where some points of the face are, those of other ranks too
+   subroutine find_positions(domain, surface, points, counts, displacement, self)
+      type(domain_type), intent(in) :: domain
+      type(surface_type), intent(in) :: surface
+      !> The points, rank by rank, and how many of them each rank counts
+      integer, intent(in) :: points(:), counts(:)
+      real(wp), intent(in), contiguous :: displacement(:)
+      type(pair_type), intent(inout) :: self
+
+      integer :: c, i, k, sent
+
+      sent = 0
+      do i = 1, size(points)
+         k = points(i)
+         if (.not. surface%own(k)) cycle
+         do c = 1, 3
+            self%position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
+         end do
+         if (domain%comm%ranks == 1) cycle
+         self%sent(sent + 1:sent + 3) = self%position(:, k)
+         sent = sent + 3
       end do
-   end subroutine collect_positions
+      if (domain%comm%ranks == 1) return
+      call domain%comm%collect(self%sent(:sent), 3*counts, self%received)
+      do i = 1, size(points)
+         self%position(:, points(i)) = self%received(3*i - 2:3*i)
+      end do
+   end subroutine find_positions
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which that before is the velocity at the full step. What shares its

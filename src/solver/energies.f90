@@ -11,7 +11,8 @@ module plydyn_solver_energies
    use plydyn_solver_forces, only : count_load_power
    use plydyn_solver_supports, only : count_support_power
    use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, impactors_sum, &
-      & output_sum, power_after_sum, power_before_sum, rows_sum, state_type, sums_of, support_sum
+      & output_sum, power_after_sum, power_before_sum, rows_sum, speed_sum, state_type, sums_of, &
+      & support_sum
    implicit none
    private
 
@@ -65,6 +66,7 @@ contains
       state%rows_due = state%tally%value(rows_sum) > 0.0_wp
       state%impactors_due = state%tally%value(impactors_sum) > 0.0_wp
       state%attention = state%tally%value(attention_sum) > 0.0_wp
+      state%fastest = state%tally%value(speed_sum)
       step = state%step_before
       associate (e => state%energies, sums => state%sums, tally => state%tally)
          outside_before = tally%value(power_before_sum)

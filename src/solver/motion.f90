@@ -6,8 +6,8 @@ module plydyn_solver_motion
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_column_inertia, only : couple_column
    use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
-   use plydyn_state_state, only : kinetic_sum, momentum_sum, power_sum, pull_sum, state_type, &
-      & sums_type, added_sum
+   use plydyn_state_state, only : added_sum, kinetic_sum, momentum_sum, power_sum, pull_sum, &
+      & speed_sum, state_type, sums_type
    implicit none
    private
 
@@ -15,6 +15,8 @@ module plydyn_solver_motion
 
    !> Sums of a block, lane by lane: momentum along x, y, z, then these
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
+   !> Share by which the last step may exceed the largest, and room for round-off
+   real(wp), parameter :: room = 1.0e-5_wp
 
 contains
 
@@ -27,26 +29,24 @@ contains
       !> Velocity and displacement; power of all forces with the new velocity; work of damping
       type(state_type), intent(inout) :: state
 
-      real(wp) :: brake, fastest, keep, middle, middle_step
+      real(wp) :: brake, keep, middle, middle_step
       integer :: c
 
       middle_step = 0.5_wp*(state%step_before + state%step)
       brake = 0.5_wp*domain%control%damping*middle_step
       keep = (1.0_wp - brake)/(1.0_wp + brake)
       middle = middle_step/(1.0_wp + brake)
-      fastest = 0.0_wp
       ! the thread that accelerates a chunk advances it: it still has its accelerations
-      !$omp parallel do schedule(static) default(shared) private(c) reduction(max:fastest)
+      !$omp parallel do schedule(static) default(shared) private(c)
       do c = 1, size(domain%chunks)
          associate (height => domain%columns%height, chunk => domain%chunks(c), &
             & a => state%acceleration(front + 1:), v => state%velocity(front + 1:), &
             & u => state%displacement(front + 1:))
-            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u, fastest)
-            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u, fastest)
+            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u)
+            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u)
          end associate
       end do
       !$omp end parallel do
-      state%fastest = fastest
       associate (sums => state%sums, before => state%step_before)
          state%internal_power = -keep*sums%power - middle*sums%pull
          ! the velocity before is the one at the full step less 1/2 dt a
@@ -58,30 +58,24 @@ contains
    end subroutine advance
 
    !> `advance` for some columns
-   pure subroutine advance_columns(height, columns, keep, middle, step, a, v, u, fastest)
+   pure subroutine advance_columns(height, columns, keep, middle, step, a, v, u)
       integer, intent(in) :: height, columns(:)
       !> Share of the velocity that is kept, the step between the middles, and the step
       real(wp), intent(in) :: keep, middle, step
       !> Acceleration, velocity, displacement
       real(wp), intent(in) :: a(height, *)
       real(wp), intent(inout) :: v(height, *), u(height, *)
-      !> Largest component of the velocity
-      real(wp), intent(inout) :: fastest
 
       integer :: i, k, n
-      real(wp) :: most
 
-      most = fastest
       do i = 1, size(columns)
          n = columns(i)
-         !$omp simd reduction(max:most)
+         !$omp simd
          do k = 1, height
             v(k, n) = keep*v(k, n) + middle*a(k, n)
             u(k, n) = u(k, n) + step*v(k, n)
-            most = max(most, abs(v(k, n)))
          end do
       end do
-      fastest = most
    end subroutine advance_columns
 
    !> Forces to accelerations, in place, with the sums that the energies need.
@@ -122,6 +116,7 @@ contains
       do c = 1, size(domain%chunks)
          call count_sums(chunk_sums(c), tally)
       end do
+      call tally%add(speed_sum, maxval(chunk_sums%fastest))
    end subroutine accelerate
 
    !> `accelerate` for some columns
@@ -152,12 +147,32 @@ contains
             end associate
          end do
          call couple(domain, n, half_step, velocity, force, sums)
+         sums%fastest = max(sums%fastest, &
+            & speed_of_column(domain%columns%height, n, domain%step, velocity, force))
       end do
       sums%momentum(:) = sums%momentum + sum(part(:, :3), 1)
       sums%twice_kinetic = sums%twice_kinetic + sum(part(:, kinetic_at))
       sums%power = sums%power + sum(part(:, power_at))
       sums%pull = sums%pull + sum(part(:, pull_at))
    end subroutine accelerate_columns
+
+   !> What no component of the velocity of a column will exceed half a step after the next motion
+   pure real(wp) function speed_of_column(height, n, step, velocity, acceleration) result(most)
+      integer, intent(in) :: height, n
+      !> Largest step
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
+
+      real(wp) :: reach
+      integer :: k
+
+      reach = (1.0_wp + room)*step
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
+      do k = front + height*(n - 1) + 1, front + height*n
+         most = max(most, abs(velocity(k)) + reach*abs(acceleration(k)))
+      end do
+   end function speed_of_column
 
    !> Add sums over some points to those over all
    pure subroutine count_sums(sums, tally)

@@ -19,8 +19,11 @@ module plydyn_state_state
    !> a rank is asked for something: more than zero
    integer, parameter, public :: output_sum = 13, rows_sum = 14, impactors_sum = 15, &
       & attention_sum = 16
+   !> Over the ranks, of a bound on the speed of the points of each in the coming step: a bound on
+   !> that of all
+   integer, parameter, public :: speed_sum = 17
    !> How many sums there are
-   integer, parameter, public :: tally_sums = 16
+   integer, parameter, public :: tally_sums = 17
 
    !> Energies at the present time
    type, public :: energies_type
@@ -72,6 +75,8 @@ module plydyn_state_state
       real(wp) :: twice_added = 0.0_wp
       !> Power of the forces with the velocity of the half step before
       real(wp) :: power = 0.0_wp
+      !> No sum: bound on every component of the velocity over the step to come
+      real(wp) :: fastest = 0.0_wp
    end type sums_type
 
    !> What a contact remembers from step to step; only contact knows the order
@@ -121,8 +126,9 @@ module plydyn_state_state
       !> something
       logical :: output_due = .false., rows_due = .false., impactors_due = .false.
       logical :: attention = .false.
-      !> Largest component of the velocity over the step under way, of the points of this rank
-      real(wp) :: fastest = 0.0_wp
+      !> Bound on every component of the velocity of all points over the step to come; not less, but
+      !> perhaps more on more ranks
+      real(wp) :: fastest = huge(1.0_wp)
       !> Power of all forces at the beginning of the step under way, with the velocity over it
       real(wp) :: internal_power = 0.0_wp
       !> Energies

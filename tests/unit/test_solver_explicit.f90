@@ -15,6 +15,7 @@ program test_solver_explicit
    use plydyn_solver_explicit, only : run
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_journal, only : journal_type
+   use plydyn_solver_motion, only : advance
    use plydyn_solver_setup, only : run_type, set_up
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
@@ -31,6 +32,7 @@ program test_solver_explicit
    call test_impact(points_on_plate, 1, implicit_thickness)
    call test_unstable()
    call test_last_steps()
+   call test_bound()
    call finish()
 
 contains
@@ -94,6 +96,35 @@ contains
          & 1.0e-9_wp*state%first_step, "but two of half the length")
       call check(state%time, model%control%end_time, 1.0e-12_wp*state%time, "and the end on time")
    end subroutine test_last_steps
+
+   !> No point moves faster over the next step than was foreseen, in contact or not, implicit or not
+   subroutine test_bound()
+      integer, parameter :: schemes(2) = [all_explicit, implicit_thickness]
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(state_type) :: state
+      integer :: cycles, k
+      real(wp) :: before, most
+
+      call begin("fastest")
+      do k = 1, size(schemes)
+         do cycles = 2, 32, 6
+            model = impact_model(points_on_plate, 2)
+            model%control%scheme = schemes(k)
+            model%control%end_cycle = cycles
+            call run_model(model, state, error)
+            call build_domain(model, domain, error)
+            before = maxval(abs(state%velocity))
+            state%step = domain%step
+            call advance(domain, state)
+            most = maxval(abs(state%velocity))
+            call check(most <= state%fastest, "no component is larger than the bound")
+            ! step times acceleration is the difference between two velocities
+            call check(state%fastest <= 1.0001_wp*(2.0_wp*before + most), "nor is that far off")
+         end do
+      end do
+   end subroutine test_bound
 
    !> A free plate and a sphere above its middle
    function impact_model(method, order) result(model)
