@@ -102,6 +102,7 @@ contains
 
       type(place_type) :: place
 
+      if (.not. allocated(this%fields)) allocate (this%fields(0))
       place = places%at(this%path)
       if (place%amount >= 0) then
          this%states = int(place%amount)

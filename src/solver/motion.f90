@@ -116,7 +116,8 @@ contains
       do c = 1, size(domain%chunks)
          call count_sums(chunk_sums(c), tally)
       end do
-      call tally%add(speed_sum, maxval(chunk_sums%fastest))
+      ! a rank may have no chunk
+      if (size(domain%chunks) > 0) call tally%add(speed_sum, maxval(chunk_sums%fastest))
    end subroutine accelerate
 
    !> `accelerate` for some columns

@@ -3,7 +3,7 @@ program test_input_read_control
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_model_control, only : all_explicit, implicit_interfaces, &
+   use plydyn_model_control, only : all_explicit, implicit_thickness, &
       & linear_strain, total_lagrangian
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, finish
@@ -23,7 +23,7 @@ program test_input_read_control
       call check(control%energy_limit, 0.05_wp, 0.0_wp, "usual limit of the balance")
       call check(control%scheme, all_explicit, "all explicit")
    end associate
-   call read_plate("*CONTROL_TIMESTEP|1.e-6,0.0,0,0.,0.,3|*CONTROL_LAYERWISE|0,0.1,1,2.e-8|" &
+   call read_plate("*CONTROL_TIMESTEP|1.e-6,0.0,0,0.,0.,3|*CONTROL_LAYERWISE|0,0.1,2,2.e-8|" &
       & //"*DAMPING_GLOBAL|0,25.|*CONTROL_ENERGY|2,2,2,2|*CONTROL_PARALLEL|4,0,1|" &
       & //"*DEFINE_CURVE|3,|0.,1.e-6|1.,1.e-6|*TITLE|A plate, flat|")
    call check(.not. allocated(error), "is read")
@@ -33,7 +33,7 @@ program test_input_read_control
       call check(control%step_curve, 1, "curve of the largest step")
       call check(control%kinematics, linear_strain, "kinematics")
       call check(control%energy_limit, 0.1_wp, 0.0_wp, "limit of the balance")
-      call check(control%scheme, implicit_interfaces, "what is implicit")
+      call check(control%scheme, implicit_thickness, "what is implicit")
       call check(control%largest_step, 2.0e-8_wp, 0.0_wp, "largest step")
       call check(control%threads, 4, "threads")
       call check(control%damping, 25.0_wp, 0.0_wp, "damping")
