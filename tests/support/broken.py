@@ -83,7 +83,7 @@ def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
     deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness, (0,), (0,), average)
 
 
-def weak_plies(deck: Deck, radii: tuple[float, float]) -> None:
+def weak_plies(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
     """The same plies, with damage of fibres and matrix."""
     weak_ply(deck, radii)
     plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
