@@ -2,7 +2,6 @@
 module plydyn_output_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_laminate, only : add_ply_stiffness
@@ -14,6 +13,7 @@ module plydyn_output_listing
    use plydyn_output_job, only : job_type, no_unit
    use plydyn_output_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_output_progress, only : duration_text
+   use plydyn_output_rows, only : rows_type
    use plydyn_output_step_listing, only : write_step
    use plydyn_output_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
@@ -262,15 +262,17 @@ contains
    end subroutine write_effort
 
    !> How the run ended
-   subroutine write_end(unit, model, domain, state, seconds, words)
+   subroutine write_end(unit, model, domain, state, rows, seconds, words)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain, of any rank
       type(domain_type), intent(in) :: domain
-      !> The last state
+      !> The last state, of any rank
       type(state_type), intent(in) :: state
+      !> What the whole model has lost
+      type(rows_type), intent(in) :: rows
       !> Time that the run took
       real(wp), intent(in) :: seconds
       !> Normal end, or what stopped it
@@ -284,7 +286,7 @@ contains
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
          write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
-            & trim(u%energy), "  dissipated", sum(dissipated_energies(domain, state%history)), &
+            & trim(u%energy), "  dissipated", rows%dissipated, &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
             & "  added     ", e%added, trim(u%energy), &
@@ -292,7 +294,7 @@ contains
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
          write (unit, "(a,es10.2)") "share out of balance ", e%error()
       end associate
-      call write_interface_losses(unit, model, domain, state)
+      call write_interface_losses(unit, model, domain, rows%lost)
       flush (unit)
    end subroutine write_end
 

@@ -2,7 +2,7 @@
 module plydyn_output_listing_interfaces
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : delamination, delamination_type
+   use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_zones, only : new_zone, zone_type
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, normal, &
@@ -13,7 +13,6 @@ module plydyn_output_listing_interfaces
    use plydyn_model_model, only : model_type
    use plydyn_output_delamination, only : failing_interfaces
    use plydyn_output_table, only : table_type, write_section
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -140,17 +139,16 @@ contains
    end subroutine write_notes
 
    !> Area and energy of every interface that can fail
-   subroutine write_interface_losses(unit, model, domain, state)
+   subroutine write_interface_losses(unit, model, domain, lost)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> The model
       type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The last state
-      type(state_type), intent(in) :: state
+      !> What each interface has lost in the whole model
+      type(delamination_type), intent(in) :: lost(:)
 
-      type(delamination_type), allocatable :: lost(:)
       type(table_type) :: table
       integer, allocatable :: interfaces(:)
       integer :: i
@@ -158,7 +156,6 @@ contains
       interfaces = failing_interfaces(domain)
       if (size(interfaces) == 0) return
       call write_section(unit, "Interfaces at the end")
-      lost = delamination(domain, state%history)
       associate (u => model%control%units)
          call table%start(unit)
          call table%add_column("interface", 9, "i0")

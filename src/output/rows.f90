@@ -29,6 +29,8 @@ module plydyn_output_rows
    type, public :: rows_type
       !> The line of the energies
       real(wp), allocatable :: energy(:)
+      !> Energy that all mechanisms have dissipated together
+      real(wp) :: dissipated = 0.0_wp
       !> What each interface has lost, and the area over which any has failed; none where none can
       type(delamination_type), allocatable :: lost(:)
       real(wp) :: projected_area = 0.0_wp
@@ -44,7 +46,11 @@ contains
       type(state_type), intent(in) :: state
       type(rows_type) :: rows
 
-      rows%energy = energy_row(domain, state)
+      real(wp) :: lost(mechanisms)
+
+      lost(:) = dissipated_energies(domain, state%history)
+      rows%dissipated = sum(lost)
+      rows%energy = energy_row(domain, state, lost)
       allocate (rows%lost(0))
       if (.not. can_fail(domain)) return
       rows%lost = delamination(domain, state%history)
@@ -52,16 +58,15 @@ contains
    end function new_rows
 
    !> One line of the energies
-   function energy_row(domain, state) result(row)
+   function energy_row(domain, state, lost) result(row)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
+      !> What each mechanism has dissipated
+      real(wp), intent(in) :: lost(mechanisms)
       real(wp) :: row(size(energy_names))
 
-      real(wp) :: lost(mechanisms)
-
-      lost(:) = dissipated_energies(domain, state%history)
       associate (e => state%energies)
          row(:) = [real(state%cycle, wp), state%time, state%step_before, e%kinetic, e%internal, &
             & sum(lost), e%impactor, e%damping, e%external, e%contact, lost, &

@@ -254,12 +254,10 @@ contains
       !> Normal end, or what stopped it
       character(*), intent(in) :: words
 
-      if (self%comm%ranks == 1) then
-         call write_end(unit, model, domain, state, self%life_line%elapsed(), words)
-         return
-      end if
-      call self%assembly%gather(state, self%state)
-      if (allocated(self%whole)) call write_end(unit, model, self%whole, self%state, &
+      type(rows_type) :: rows
+
+      rows = new_rows(domain, state)
+      if (self%comm%is_root()) call write_end(unit, model, domain, state, rows, &
          & self%life_line%elapsed(), words)
    end subroutine write_end_of_run
 
