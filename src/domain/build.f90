@@ -173,7 +173,7 @@ contains
       call join_ranks(division, numbering, owner, domain)
    end subroutine build_share
 
-   !> Build what the root writes results with: elements and supports of the whole model, without
+   !> Build what the root tells of in the listing: elements and supports of the whole model, without
    !> masses, loads and faces
    subroutine build_outline(model, division, domain)
       !> The model

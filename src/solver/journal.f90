@@ -1,6 +1,5 @@
 !> What is written about a run: fields by all ranks together, histories by the root, to which the
-!> others tell the few numbers that are due. For a restart file, and for the listing of the end,
-!> they bring all their parts.
+!> others tell the few numbers that are due. For a restart file they bring all their parts.
 module plydyn_solver_journal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
