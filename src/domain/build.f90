@@ -3,15 +3,13 @@
 !> What grows with the mesh of the plane all ranks know: nodes, quads, chunks and who has them.
 !> What grows with the columns above it, each rank builds for its share alone.
 module plydyn_domain_build
-   use plydyn_base_error, only : error_type, exit_input, fail
-   use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
+   use plydyn_base_error, only : error_type
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_bands, only : check_bands
    use plydyn_domain_brick_step, only : find_brick_limit
    use plydyn_domain_bricks, only : new_bricks
    use plydyn_domain_build_elements, only : build_elements, build_masses
-   use plydyn_domain_build_inertia, only : build_inertia, check_scheme, largest_step
+   use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces, count_loads
    use plydyn_domain_chunks, only : set_targets
    use plydyn_domain_columns, only : new_columns, new_solid_columns
@@ -19,7 +17,7 @@ module plydyn_domain_build
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_interfaces, only : new_interfaces
    use plydyn_domain_numbering, only : new_numbering, numbering_type
-   use plydyn_domain_plates, only : check_quads, new_plate
+   use plydyn_domain_plates, only : new_plate
    use plydyn_domain_share, only : join_ranks, renumber_chunks, share_type, take_chunks, &
       & take_columns
    use plydyn_domain_step_limit, only : find_step_limit
@@ -46,59 +44,38 @@ contains
       type(division_type) :: division
       type(share_type) :: share
 
-      call begin_domain(model, domain, division, error)
-      if (allocated(error)) return
+      call begin_domain(model, domain, division)
       call build_share(model, division, spread(0, 1, size(division%chunks)), domain, share, error)
       if (.not. allocated(error)) call check_bands(model, domain, error)
    end subroutine build_domain
 
    !> What ranks know before they share out the model: layers, laws, step and chunks
-   subroutine begin_domain(model, domain, division, error)
+   subroutine begin_domain(model, domain, division)
       !> The model
       type(model_type), intent(in) :: model
       !> The domain, without elements and points
       type(domain_type), intent(out) :: domain
       !> The chunks of the whole model
       type(division_type), intent(out) :: division
-      !> What the model asks for and the domain cannot be; the same on all ranks
-      type(error_type), allocatable, intent(out) :: error
 
       domain%control = model%control
       domain%curves = model%curves
       domain%impactors = model%impactors
       domain%contacts = model%contacts
       domain%layers = new_layers(model%parts(1))
-      call check_step_curve(model, error)
-      if (allocated(error)) return
       if (size(model%mesh%brick_id) > 0) then
          call begin_bricks(model, domain, division)
       else
-         call begin_plates(model, domain, division, error)
-         if (allocated(error)) return
+         call begin_plates(model, domain, division)
       end if
       domain%step = largest_step(domain)
-      call check_scheme(model, domain, error)
    end subroutine begin_domain
 
-   !> A bound on the step that is not positive would never let time pass
-   subroutine check_step_curve(model, error)
-      type(model_type), intent(in) :: model
-      type(error_type), allocatable, intent(out) :: error
-
-      if (model%control%step_curve == 0) return
-      associate (curve => model%curves(model%control%step_curve))
-         if (all(curve%y > 0.0_wp)) return
-         call fail(error, exit_input, "curve "//text(curve%id)//" bounds the step (LCTM of " &
-            & //"*CONTROL_TIMESTEP) by "//text(minval(curve%y))//": its ordinates must be positive")
-      end associate
-   end subroutine check_step_curve
-
    !> Layers and interfaces of all parts, and the chunks of the plane
-   subroutine begin_plates(model, domain, division, error)
+   subroutine begin_plates(model, domain, division)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
       type(division_type), intent(out) :: division
-      type(error_type), allocatable, intent(out) :: error
 
       type(interface_type), allocatable :: interfaces(:)
       logical :: side_by_side
@@ -118,10 +95,6 @@ contains
          end do
       end associate
       division = divide_plane(model%mesh, size(model%parts))
-      do p = 1, size(model%parts)
-         call check_quads(model%mesh, division%parts(p)%element, error)
-         if (allocated(error)) return
-      end do
       domain%limit = find_step_limit(model, domain, division)
    end subroutine begin_plates
 

@@ -1,6 +1,5 @@
 !> Inertia that locally implicit operators add, for the largest step of the run.
 module plydyn_domain_build_inertia
-   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_domain_areas, only : node_areas
    use plydyn_domain_build_columns, only : held_links, links_within, new_column_inertia
@@ -11,11 +10,10 @@ module plydyn_domain_build_inertia
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
       & total_lagrangian
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes
    implicit none
    private
 
-   public :: build_inertia, check_scheme, couple_surface, largest_step
+   public :: build_inertia, couple_surface, largest_step
 
 contains
 
@@ -68,30 +66,6 @@ contains
          held%own = numbering%own(domain%columns%column_of(held%place(2, :)))
       end associate
    end subroutine build_inertia
-
-   !> What a scheme needs, and what it does not go with
-   subroutine check_scheme(model, domain, error)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> The domain; its layers and interfaces are known
-      type(domain_type), intent(in) :: domain
-      !> Why the scheme does not go with the model
-      type(error_type), allocatable, intent(out) :: error
-
-      if (domain%control%scheme == all_explicit) return
-      if (size(domain%bricks) > 0) then
-         call fail(error, exit_input, "IMPL of *CONTROL_LAYERWISE does not go with bricks: leave " &
-            & //"it at 0")
-      else if (domain%control%scheme == implicit_interfaces .and. size(domain%interfaces) == 0) then
-         call fail(error, exit_input, "IMPL 1 of *CONTROL_LAYERWISE makes interfaces implicit, " &
-            & //"but no plies are joined by one: leave IMPL at 0")
-      else if (domain%control%scheme == implicit_thickness &
-         & .and. any(model%motions%face /= all_planes)) then
-         call fail(error, exit_input, "IMPL 2 of *CONTROL_LAYERWISE couples all points above a " &
-            & //"node, which does not go with *BOUNDARY_FACE_MOTION on one face: take IMPL 1, " &
-            & //"or *BOUNDARY_PRESCRIBED_MOTION_SET, which moves all planes")
-      end if
-   end subroutine check_scheme
 
    !> Whether each place in the arrays of motion has a prescribed motion
    pure function is_moved(domain) result(moved)

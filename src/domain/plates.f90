@@ -1,13 +1,11 @@
 !> Plates as flat arrays.
 module plydyn_domain_plates
-   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_base_text, only : text
    use plydyn_domain_columns, only : columns_type, family_type
    use plydyn_domain_laws, only : new_laws
    use plydyn_domain_numbering, only : numbering_type
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
-   use plydyn_element_quad, only : plane_table, quad_metric, quad_node_area, tensor_order
+   use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
@@ -19,39 +17,9 @@ module plydyn_domain_plates
    implicit none
    private
 
-   public :: check_quads, new_plate, set_quads
+   public :: new_plate, set_quads
 
 contains
-
-   !> Refuse quads that are folded or have a node without mass
-   subroutine check_quads(mesh, quads, error)
-      !> The mesh
-      type(mesh_type), intent(in) :: mesh
-      !> The quads, indices into it
-      integer, intent(in) :: quads(:)
-      !> Names the first quad that is
-      type(error_type), allocatable, intent(out) :: error
-
-      real(wp) :: metric(5, size(mesh%quad_node, 1))
-      integer :: e, side
-
-      side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
-      do e = 1, size(quads)
-         associate (corner => mesh%position(1:2, mesh%quad_node(tensor_order(side), quads(e))))
-            metric(:, :) = quad_metric(side, corner)
-            if (any(metric(5, :) <= 0.0_wp)) then
-               call fail(error, exit_input, "quad "//text(mesh%quad_id(quads(e))) &
-                  & //" is folded: its Jacobian is not positive at every Gauss point")
-               return
-            end if
-            if (any(quad_node_area(side, corner) <= 0.0_wp)) then
-               call fail(error, exit_input, "quad "//text(mesh%quad_id(quads(e))) &
-                  & //" is too distorted: the Jacobian at one of its nodes is not positive")
-               return
-            end if
-         end associate
-      end do
-   end subroutine check_quads
 
    !> The layers of one part, still without quads
    function new_plate(model, p, columns) result(plate)

@@ -60,8 +60,7 @@ contains
       call refuse_ranks(self%model%materials, comm%ranks, error)
       if (allocated(error)) return
       allocate (self%domain)
-      call begin_domain(self%model, self%domain, division, error)
-      if (allocated(error)) return
+      call begin_domain(self%model, self%domain, division)
       if (comm%ranks > 1 .and. comm%is_root()) then
          self%whole = self%domain
          call build_outline(self%model, division, self%whole)

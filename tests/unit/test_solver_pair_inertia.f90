@@ -14,7 +14,7 @@ program test_solver_pair_inertia
    use plydyn_solver_motion, only : accelerate
    use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, finish
    implicit none
 
    real(wp), parameter :: stiffness(2) = [2.0e5_wp, 0.7e5_wp], share = 0.5_wp
@@ -27,7 +27,6 @@ program test_solver_pair_inertia
    call test_sums()
    call test_period()
    call test_step()
-   call test_refused()
    call finish()
 
 contains
@@ -211,19 +210,6 @@ contains
       call check(minval(domain%pairs%inertia), 0.5e-18_wp*maxval(stiffness), &
          & 1.0e-12_wp*maxval(domain%pairs%inertia), "that of the stiffer one, for this step")
    end subroutine test_step
-
-   !> Without interfaces there is nothing to be implicit
-   subroutine test_refused()
-      type(domain_type) :: domain
-      type(error_type), allocatable :: error
-      type(model_type) :: model
-
-      call begin("refused")
-      model = spring_model([2, 2, 2], implicit_interfaces, 0.05_wp)
-      model%parts(1)%joint(:) = faces_tied
-      call build_domain(model, domain, error)
-      call check_error(error, "IMPL", "implicit interfaces without interfaces")
-   end subroutine test_refused
 
    !> Whether a place in the arrays of motion is a point of a layer without a tie: ply 1, or the
    !> lower levels of ply 2
