@@ -10,13 +10,13 @@ program test_solver_column_inertia
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes, bottom_face, hold_type, motion_type
+   use plydyn_model_support, only : all_planes, bottom_face, hold_type
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate
    use plydyn_solver_supports, only : resist_columns
    use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
-   use testing, only : begin, check, check_error, finish
+   use testing, only : begin, check, finish
    implicit none
 
    !> Density and stiffness of the plies, their thickness
@@ -37,7 +37,6 @@ program test_solver_column_inertia
    call test_sums()
    call test_thickness_vibration()
    call test_held()
-   call test_refused()
    call finish()
 
 contains
@@ -237,19 +236,6 @@ contains
          & "the support takes what the added inertia of its column needs")
       call check(sums%momentum(3), mass - sum(support), 1.0e-13_wp*mass, "momentum")
    end subroutine test_held
-
-   !> One face cannot be moved as told while its column shares the inertia
-   subroutine test_refused()
-      type(domain_type) :: domain
-      type(error_type), allocatable :: error
-      type(model_type) :: model
-
-      call begin("refused")
-      model = stack([2, 2, 2], 0.0_wp)
-      model%motions = [motion_type(nodes=[1], direction=3, face=bottom_face, curve=1)]
-      call build_domain(model, domain, error)
-      call check_error(error, "BOUNDARY_FACE_MOTION", "one face that moves as told")
-   end subroutine test_refused
 
    !> Accelerations of all points, and their sums
    subroutine accelerate_points(domain, step, velocity, force, sums)
