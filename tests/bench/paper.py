@@ -7,9 +7,11 @@ import re
 from dataclasses import dataclass
 
 # sums of a step, limbs of each (src/base/exact_sum.f90), bytes of a word
-SUMS_OF_A_STEP = 16 * 25 * 8
+SUMS_OF_A_STEP = 17 * 25 * 8
 # bytes of a place in space, and of displacement, velocity and acceleration in one direction
 PLACE, MOTION = 24, 24
+# points of a face that are near an impactor: a few quads around it
+NEAR = 100
 # share of a step that goes into moving points, not into forces: manual/performance.md, `step large`
 MOVING = 0.15
 NODES = 4  # of a panel of Q9, for each quad
@@ -66,7 +68,7 @@ class Costs:
 
     quads: int  # of a chunk
     chunk: float  # a chunk in a step
-    point: float  # contact, for each point of the face
+    contact: float  # of one impactor, on every rank
     freedoms: float  # degrees of freedom of a chunk
     memory: Bytes
 
@@ -146,10 +148,10 @@ def imagine(chunks: int, ranks: int, known: list[Division]) -> Division:
     )
 
 
-def step_of(division: Division, costs: Costs, network: Network, points: int = 0) -> Step:
-    """A step, with an impactor above so many points of a face, or with none."""
+def step_of(division: Division, costs: Costs, network: Network, hit: bool = False) -> Step:
+    """A step, with an impactor that presses or with none."""
     work = costs.chunk * division.most
-    contact = costs.point * points
+    contact = costs.contact if hit else 0.0
     if division.ranks == 1:
         return Step(work, 0.0, 0.0, 0.0, contact)
     # nodes that several ranks have are moved by each of them
@@ -160,6 +162,6 @@ def step_of(division: Division, costs: Costs, network: Network, points: int = 0)
         compute=work + moved_twice,
         halo=division.meets * network.latency + division.sends / network.bandwidth,
         sums=start + rounds * SUMS_OF_A_STEP / network.bandwidth,
-        gather=(start + PLACE * points / network.bandwidth) if points else 0.0,
+        gather=(start + NEAR * PLACE / network.bandwidth) if hit else 0.0,
         contact=contact,
     )

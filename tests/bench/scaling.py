@@ -106,7 +106,7 @@ def costs_of(folder: Path, quads: int, each: paper.Bytes) -> paper.Costs:
     return paper.Costs(
         quads=quads,
         chunk=flies / chunks,
-        point=max(0.0, hit - flies) / SPHERES / (2 * TIMED + 1) ** 2,
+        contact=max(0.0, hit - flies) / SPHERES,
         freedoms=freedoms_of(TIMED, folder) / chunks,
         memory=each,
     )
@@ -116,12 +116,11 @@ def strong_rows(
     chunks: int, costs: paper.Costs, known: list[paper.Division], network: paper.Network
 ) -> list[list[str]]:
     """One panel on more and more ranks."""
-    points = paper.NODES * costs.quads * chunks
     rows, alone, alone_hit = [], 0.0, 0.0
     for ranks in MANY:
         division = paper.imagine(chunks, ranks, known)
         step = paper.step_of(division, costs, network)
-        hit = paper.step_of(division, costs, network, points)
+        hit = paper.step_of(division, costs, network, hit=True)
         alone, alone_hit = alone or step.total, alone_hit or hit.total
         gain = alone / step.total
         rows.append(
@@ -149,7 +148,7 @@ def weak_rows(
         freedoms = costs.freedoms * chunks
         division = paper.imagine(chunks, ranks, known)
         step = paper.step_of(division, costs, network)
-        hit = paper.step_of(division, costs, network, paper.NODES * WEAK * ranks)
+        hit = paper.step_of(division, costs, network, hit=True)
         alone, alone_hit = alone or step.total, alone_hit or hit.total
         state = paper.MOTION * freedoms / network.bandwidth if ranks > 1 else 0.0
         rows.append(
@@ -176,7 +175,7 @@ def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> li
     chunks = LARGE**2 // quads
     said = (
         f"A chunk of {quads} quads takes {MICRO * costs.chunk:.1f} us on one rank, contact "
-        f"{1.0e9 * costs.point:.1f} ns for each point of the face, on every rank; the network has "
+        f"of an impactor {MICRO * costs.contact:.1f} us on every rank; the network has "
         f"{MICRO * network.latency:g} us and {GIGA * network.bandwidth:g} GB/s."
     )
     heads = ["ranks", "imbalance", "compute [us]", "halo [us]", "sums [us]", "step [us]"]
@@ -195,7 +194,7 @@ def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> li
         table(
             [
                 *heads,
-                *("speed-up", "efficiency", "face gathered [us]", "contact [us]", "speed-up hit"),
+                *("speed-up", "efficiency", "points gathered [us]", "contact [us]", "speed-up hit"),
             ],
             strong_rows(chunks, costs, known, network),
         ),
