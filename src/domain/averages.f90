@@ -1,7 +1,8 @@
 !> Neighbours and weights of the averages that drive the damage of plies.
 !>
 !> The weight of a Gauss point at distances a along and b across the fibres of the ply is its area
-!> times (1 - (a/R1)**2 - (b/R2)**2)**2 within the ellipse of the radii R1 and R2 (theory 1.11).
+!> times (1 - (a/R1)**2 - (b/R2)**2)**2 within the ellipse of the radii R1 and R2; see "Averages
+!> over neighbours" in manual/theory.md.
 module plydyn_domain_averages
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp

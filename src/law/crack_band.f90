@@ -1,4 +1,4 @@
-!> Width of the band in which a crack of a smeared model opens (theory 1.8), and how wide it may be.
+!> Width of the band in which a crack of a smeared model opens, and how wide it may be.
 module plydyn_law_crack_band
    use plydyn_base_precision, only : wp
    implicit none
@@ -98,7 +98,7 @@ contains
       chord = 1.0_wp/maxval(abs(parent)/sides)
    end function chord
 
-   !> Width from which on a stress-strain line in uniaxial stress snaps back (theory 1.9)
+   !> Width from which on a stress-strain line in uniaxial stress snaps back
    elemental real(wp) function longest_length(modulus, toughness, strength)
       !> Modulus of the uniaxial test
       real(wp), intent(in) :: modulus

@@ -52,7 +52,7 @@ contains
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
    !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
-   !> less than the brittle share (theory 1.5 and 1.10).
+   !> less than the brittle share.
    pure subroutine grow(plateau, brittle, strain, mode, share)
       !> Share of the strength that remains, by mode, when onset was in compression
       real(wp), intent(in) :: plateau(lanes, 2)

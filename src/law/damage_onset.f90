@@ -1,7 +1,7 @@
 !> Onset of damage of fibres and of matrix: when, and the strains between which it grows.
 !>
 !> Stresses are trial stresses of the intact ply, along and across the fibres, with the shear on its
-!> curve (theory 1.2 to 1.5). Where the crack band is too wide for the toughness, damage starts as
+!> curve. Where the crack band is too wide for the toughness, damage starts as
 !> soon as the work of the mode leaves no less than the asked ratio of the two strains: in uniaxial
 !> stress this is the strength sqrt(2 E G/(length*ratio)), and it holds on any other path.
 module plydyn_law_damage_onset

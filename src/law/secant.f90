@@ -1,5 +1,5 @@
 !> Stiffness of a damaged ply: an orthotropic compliance whose moduli E1 and E2 are reduced to the
-!> parts R1 and R2 that remain, and whose Poisson terms are not reduced (theory 1.6).
+!> parts R1 and R2 that remain, and whose Poisson terms are not reduced.
 module plydyn_law_secant
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_elastic, only : ply_stiffness

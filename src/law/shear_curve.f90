@@ -70,7 +70,7 @@ module plydyn_law_shear_curve
 
 contains
 
-   !> Exponential curve that reaches the strength at a given strain (theory 2.2 i):
+   !> Exponential curve that reaches the strength at a given strain:
    !> stress = asymptote*(1 - exp(-modulus*strain/asymptote))
    pure function new_exponential_curve(modulus, strength, ultimate) result(curve)
       !> Shear modulus at the origin

@@ -149,7 +149,7 @@ contains
    end subroutine start_table
 
    !> Share of the strength at which damage starts in uniaxial stress: 1 where the band is narrow
-   !> enough, else that of the strength sqrt(2 E G/(ratio band)) (theory 1.9)
+   !> enough, else that of the strength sqrt(2 E G/(ratio band))
    pure function early_share(ply, longest, width) result(share)
       type(ply_constants_type), intent(in) :: ply
       real(wp), intent(in) :: longest, width(2)

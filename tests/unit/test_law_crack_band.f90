@@ -70,6 +70,6 @@ program test_law_crack_band
 
    call begin("longest_length")
    call check(longest_length(153.0e3_wp, 91.6_wp, 2537.0_wp), 4.355_wp, 5.0e-4_wp, &
-      & "is 2 E G/X**2: fibre tension of theory 1.9")
+      & "is 2 E G/X**2: fibre tension of an independent program")
    call finish()
 end program test_law_crack_band

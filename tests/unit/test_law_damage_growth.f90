@@ -101,7 +101,7 @@ contains
       call check(share(1, 1), 0.75_wp, 1.0e-14_wp, "goes on along the plateau")
    end subroutine test_grow
 
-   !> Crushed fibres keep a share of their strength (theory 1.10 ii)
+   !> Crushed fibres keep a share of their strength
    subroutine test_plateau()
       real(wp), parameter :: kept = 0.2_wp
       type(point_type) :: point
@@ -135,7 +135,7 @@ contains
       call check(damage(point), 1.0_wp, 0.0_wp, "is not there in tension")
    end subroutine test_plateau
 
-   !> Crushed fibres lose the rest of their stress at once (theory 1.10 iii)
+   !> Crushed fibres lose the rest of their stress at once
    subroutine test_brittle()
       real(wp), parameter :: share = 0.4_wp, strength = 1580.0_wp, toughness = 79.9_wp
       type(point_type) :: point

@@ -39,7 +39,7 @@ contains
          & "does nothing in tension")
    end subroutine test_shear_toughness
 
-   !> A crack band that is too wide: damage starts early and dissipates the toughness (theory 1.9)
+   !> A crack band that is too wide: damage starts early and dissipates the toughness
    subroutine test_reduced_strengths()
       real(wp), parameter :: wide(3) = [0.5_wp, 1.0_wp, 1.5_wp]
       real(wp), parameter :: tension(3) = [82.0_wp, 67.3_wp, 55.0_wp]
@@ -54,7 +54,7 @@ contains
       ply%snap_ratio = 1.0_wp
       do i = 1, 3
          call check(strength(ply, wide(i), [0.1_wp, 0.0_wp]), tension(i), 0.05_wp, &
-            & "of matrix tension are those of theory 1.9")
+            & "of matrix tension are those of an independent program")
          call check(strength(ply, wide(i), [-0.1_wp, 0.0_wp]), compression(i), 0.05_wp, &
             & "of matrix compression too")
          call check(strength(ply, wide(i), [0.0_wp, 0.1_wp]), shear(i), 0.05_wp, &
@@ -117,7 +117,7 @@ contains
       call check(point%dissipated() > ply%matrix_toughness(1)/1.5_wp, "more than the toughness")
    end subroutine test_drop
 
-   !> Onset in compression by Hashin (theory 1.3 B): shear of 1.64 S12 at -105 MPa
+   !> Onset in compression by Hashin: shear of 1.64 S12 at -105 MPa
    subroutine test_hashin()
       type(point_type) :: point
       type(ply_constants_type) :: ply
@@ -129,7 +129,7 @@ contains
       across = -105.0_wp
       borne = 90.0_wp*sqrt(1.0_wp - (across/80.0_wp)**2 &
          & - ((236.0_wp/80.0_wp)**2 - 1.0_wp)*across/236.0_wp)
-      call check(borne/90.0_wp, 1.64_wp, 0.005_wp, "is that of theory 1.3")
+      call check(borne/90.0_wp, 1.64_wp, 0.005_wp, "is that of an independent program")
       point = new_point(ply, [0.1_wp, 0.01_wp])
       call point%pull(2, across/10.3e3_wp, borne/6.0e3_wp*(1.0_wp - 1.0e-9_wp))
       call check(damage(point), 0.0_wp, 0.0_wp, "bears that shear")

@@ -15,7 +15,7 @@ program test_law_ply_constants
    ply = paper_ply()
    longest(:) = ply%longest_lengths()
    call check(longest, [4.355_wp, 9.794_wp, 0.674_wp, 0.407_wp, 0.326_wp], 5.0e-4_wp, &
-      & "are those of theory 1.9")
+      & "are those of an independent program")
    ply%shear_toughness = 1.1_wp
    ply%plateau = 0.5_wp
    call check(ply%longest_lengths(), [longest(1), 4.0_wp*longest(2), longest(3:4), 1.630_wp], &

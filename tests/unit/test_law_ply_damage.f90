@@ -131,7 +131,7 @@ contains
          & "dissipates the toughness of matrix in tension")
    end subroutine test_shear
 
-   !> Shear on the exponential of theory 2.3
+   !> Shear on an exponential curve
    subroutine test_curved_shear()
       real(wp), parameter :: asymptote = 93.6_wp
       type(point_type) :: point
@@ -166,7 +166,7 @@ contains
          call check(point%history(shear_energy)*narrow(2), plastic*narrow(2), 2.0e-5_wp, &
             & "and the area of the curve by what stays")
          call check([point%history(shear_energy), point%dissipated()]*narrow(2), &
-            & [0.6697_wp, 0.8897_wp], 2.0e-4_wp, "as in theory 2.3")
+            & [0.6697_wp, 0.8897_wp], 2.0e-4_wp, "as an independent program has it")
          call check(point%work, point%dissipated(), 1.0e-5_wp*point%work, "all of the work")
 
          ! unloading from the middle of softening

@@ -31,7 +31,7 @@ program test_law_ply_damage_paths
 
 contains
 
-   !> Tension across and shear in proportion: a line of equivalent stress (theory 1.4 and 1.5)
+   !> Tension across and shear in proportion: a line of equivalent stress
    subroutine test_mixed()
       integer, parameter :: steps = 4000
       real(wp), parameter :: ratio = 1.5_wp
@@ -66,7 +66,7 @@ contains
       call check(point%work, point%dissipated(), 1.0e-6_wp*point%work, "which is the work")
    end subroutine test_mixed
 
-   !> Broken fibres before the matrix cracks in shear: no jump where R12 takes over (theory 2.1)
+   !> Broken fibres before the matrix cracks in shear: no jump where R12 takes over
    subroutine test_fibre_first()
       integer, parameter :: steps = 60000
       real(wp), parameter :: most = 0.06_wp
@@ -160,7 +160,7 @@ contains
          & "go on from the first onset")
    end subroutine test_base_never_closes
 
-   !> Four damages: compression has its own, tension the larger, shear the larger (theory 1.7)
+   !> Four damages: compression has its own, tension the larger, shear the larger
    subroutine test_closing()
       type(point_type) :: point
       type(ply_constants_type) :: ply

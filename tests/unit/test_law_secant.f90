@@ -31,7 +31,8 @@ program test_law_secant
    call begin("damaged_stress")
    c(:, :) = stiffness([0.5_wp, 0.25_wp], 1)
    call check([c(1, 1), c(1, 2), c(1, 3), c(2, 2), c(2, 3), c(3, 3)], [76851.6_wp, 565.9_wp, &
-      & 1778.5_wp, 2686.5_wp, 1086.0_wp, 10770.3_wp], 0.05_wp, "has the numbers of theory 1.6")
+      & 1778.5_wp, 2686.5_wp, 1086.0_wp, 10770.3_wp], 0.05_wp, &
+      & "has the numbers of an independent program")
    r(:) = [0.3_wp, 0.8_wp]
    compliance(1, :) = [1.0_wp/r(1), -sideways(1), -sideways(2)]/uneven(1)
    compliance(2, :) = [-sideways(1)/uneven(1), 1.0_wp/(r(2)*uneven(2)), -sideways(3)/uneven(2)]

@@ -11,7 +11,7 @@ program test_law_shear_curve
    real(wp), parameter :: modulus = 6.0e3_wp, strength = 90.0_wp
    !> A lane of each shape
    integer, parameter :: line = 1, exponential = 2, table = 3, longer = 4, power = 5
-   !> Ramberg and Osgood for IM7/8552 (theory 2.2 and 7.6)
+   !> Ramberg and Osgood for IM7/8552
    real(wp), parameter :: coefficient = 4.06e-9_wp, exponent = 5.4_wp, power_modulus = 5290.0_wp
 
    type(shear_lanes_type) :: law
@@ -45,13 +45,13 @@ contains
       call law%set_lane(power, power_modulus, new_power_curve(coefficient, exponent))
    end subroutine set_lanes
 
-   !> The strength is reached at the strain asked for (theory 2.2)
+   !> The strength is reached at the strain asked for
    subroutine test_new_exponential_curve()
       type(shear_curve_type) :: curve
 
       call begin("new_exponential_curve")
       curve = new_exponential_curve(modulus, strength, 0.05_wp)
-      call check(curve%asymptote, 93.84_wp, 5.0e-3_wp, "has the asymptote of theory 2.2")
+      call check(curve%asymptote, 93.84_wp, 5.0e-3_wp, "has the asymptote of another program")
       call check(curve%asymptote*(1.0_wp - exp(-modulus*0.05_wp/curve%asymptote)), strength, &
          & 1.0e-12_wp, "reaches the strength at the strain asked for")
       curve = new_exponential_curve(modulus, strength, 0.0508_wp)
@@ -62,7 +62,7 @@ contains
       call check(curve%asymptote > 40.0_wp*strength, "is nearly a line just beyond it")
    end subroutine test_new_exponential_curve
 
-   !> The reference cycle of theory 2.4, to its printed digits
+   !> The reference cycle of an independent program, to its printed digits
    subroutine test_cycle()
       real(wp), parameter :: strain(14) = [0.01_wp, 0.02_wp, 0.03_wp, 0.02_wp, 0.015_wp, 0.0_wp, &
          & -0.015_wp, -0.02_wp, -0.03_wp, -0.04_wp, -0.02_wp, 0.03_wp, 0.04_wp, 0.045_wp]
@@ -79,7 +79,7 @@ contains
          stays(i) = set(exponential)
          loss(i) = lost(exponential)
       end do
-      call check(found, stress, 5.0e-4_wp, "gives the stresses of theory 2.4")
+      call check(found, stress, 5.0e-4_wp, "gives the stresses of an independent program")
       call check(stays([3, 10]), [0.01668_wp, 0.02560_wp], 5.0e-6_wp, "and the strains that stay")
       call check(all(loss(4:9) <= 0.0_wp), "loses no energy below the largest strain")
    end subroutine test_cycle
@@ -131,7 +131,7 @@ contains
       ! integral of the exponential from zero, less what unloading gives back
       area = asymptote*(reached - tau/modulus) - tau**2/(2.0_wp*modulus)
       call check(loss, area, 1.0e-6_wp*area, "is the area that unloading does not give back")
-      call check(loss, 2.68_wp, 5.0e-3_wp, "is the 2.68 MJ/m3 of theory 2.3")
+      call check(loss, 2.68_wp, 5.0e-3_wp, "is the 2.68 MJ/m3 of an independent program")
    end subroutine test_energy
 
    !> Nothing changes below the largest strain, nor along a line

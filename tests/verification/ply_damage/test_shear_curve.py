@@ -103,7 +103,7 @@ def check_costs(energy: dict) -> None:
 
 
 def test_cracked(tmp_path: Path) -> None:
-    """Beyond the strength: plastic work up to onset, then the toughness over the band (theory 2.3).
+    """Beyond the strength: plastic work up to onset, then the toughness over the band.
 
     Total work times the band 889.7 J/m2, of which 220 is damage and 669.7 plastic.
     """
