@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -140,13 +141,13 @@ def step_time(
 ) -> tuple[float, float]:
     """Seconds of a step, what twice the steps take more, and most memory of the longer run, MB.
 
-    The least of some repeats.
+    The median of some pairs of runs: a machine that changes its pace between two runs makes a
+    difference too large or too small.
     """
-    short, long = stopped(deck, steps), stopped(deck, 2 * steps)
-    starts = [run(solver, short, threads, launcher) for _ in range(repeats)]
-    ends = [run(solver, long, threads, launcher) for _ in range(repeats)]
-    first, second = (min(loop(listing) for listing, _ in runs) for runs in (starts, ends))
-    return (second - first) / steps, max(peak for _, peak in ends)
+    decks = stopped(deck, steps), stopped(deck, 2 * steps)
+    pairs = [[run(solver, each, threads, launcher) for each in decks] for _ in range(repeats)]
+    more = [loop(long[0]) - loop(short[0]) for short, long in pairs]
+    return statistics.median(more) / steps, max(long[1] for _, long in pairs)
 
 
 def measure(solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3) -> Timing:

@@ -154,7 +154,7 @@ def panels(folder: Path) -> str:
     rows = []
     for quads, steps in PANELS:
         deck = jobs.panel_deck(quads, folder)
-        one, two = (jobs.measure(BUILD / "plydyn", deck, steps, n, repeats=2) for n in THREADS)
+        one, two = (jobs.measure(BUILD / "plydyn", deck, steps, n) for n in THREADS)
         rows.append(
             [
                 f"{quads} x {quads}",
