@@ -172,7 +172,7 @@ contains
             call find_positions(domain, surface, surface%of_ranks, surface%counts, &
                & state%displacement, self)
          else
-            call list_by_rank(surface, self)
+            if (self%rebuilds /= self%pair%near%rebuilds) call list_by_rank(surface, self)
             call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
          end if
          if (size(domain%motions) > 0) then
@@ -221,7 +221,7 @@ contains
       move = sqrt(3.0_wp)*state%step*state%fastest
    end function largest_move
 
-   !> Sort the listed points by the ranks that count them, if they are others than before
+   !> Sort the listed points by the ranks that count them
    pure subroutine list_by_rank(surface, self)
       type(surface_type), intent(in) :: surface
       type(pair_type), intent(inout) :: self
@@ -229,7 +229,6 @@ contains
       logical :: is_listed(size(surface%position, 2))
       integer :: first, r
 
-      if (self%rebuilds == self%pair%near%rebuilds) return
       self%rebuilds = self%pair%near%rebuilds
       is_listed(:) = .false.
       is_listed(self%pair%near%point) = .true.
