@@ -4,6 +4,7 @@ module plydyn_domain_brick_step
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_bricks, only : brick_density
    use plydyn_domain_domain, only : domain_type, step_limit_type
+   use plydyn_domain_slowest, only : find_slowest
    use plydyn_element_brick, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_stable_step, only : certified_bound, power_iteration
@@ -18,44 +19,54 @@ module plydyn_domain_brick_step
 
 contains
 
-   !> Step, and the brick that sets it
+   !> Step, and the brick that sets it. All ranks must come here
    function find_brick_limit(model, domain) result(limit)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain, built but for its limit
+      !> The domain; the bricks of this rank are known
       type(domain_type), intent(in) :: domain
       type(step_limit_type) :: limit
 
-      real(wp) :: rate(size(model%mesh%brick_id)), of_shape(lanes)
-      logical, allocatable :: seen(:)
-      real(wp), allocatable :: known(:, :)
-      integer :: b, count, p, worst
+      real(wp), allocatable :: rates(:)
+      integer, allocatable :: elements(:)
+      integer :: p
 
+      allocate (elements(0), rates(0))
       do p = 1, size(domain%bricks)
-         associate (bricks => domain%bricks(p))
-            allocate (seen(size(bricks%shapes)), known(lanes, size(bricks%shapes)))
-            seen(:) = .false.
-            do b = 1, size(bricks%shape)
-               count = min(lanes, size(bricks%brick) - lanes*(b - 1))
-               if (.not. seen(bricks%shape(b))) then
-                  call solve_batch(model, bricks, b, count, of_shape)
-                  known(:, bricks%shape(b)) = of_shape
-                  seen(bricks%shape(b)) = .true.
-               end if
-               rate(bricks%brick(lanes*(b - 1) + 1:lanes*(b - 1) + count)) &
-                  & = known(:count, bricks%shape(b))
-            end do
-            deallocate (seen, known)
+         elements = [elements, domain%bricks(p)%brick]
+         rates = [rates, part_rates(model, domain%bricks(p))]
+      end do
+      limit%slowest = find_slowest(domain%comm, elements, rates, &
+         & model%parts(model%mesh%brick_part(elements))%id)
+      associate (worst => limit%slowest(1))
+         limit%ply_rate = worst%rate
+         limit%step = 2.0_wp/sqrt(worst%rate)
+         limit%quad = model%mesh%brick_id(worst%element)
+         limit%ply = worst%layer
+      end associate
+   end function find_brick_limit
+
+   !> Eigenvalue of each brick of a part; batches of one geometry have that of the first of them
+   function part_rates(model, bricks) result(rate)
+      type(model_type), intent(in) :: model
+      type(bricks_type), intent(in) :: bricks
+      real(wp), allocatable :: rate(:)
+
+      logical :: is_known(size(bricks%shapes))
+      real(wp) :: known(lanes, size(bricks%shapes))
+      integer :: b, count
+
+      allocate (rate(size(bricks%brick)))
+      is_known(:) = .false.
+      do b = 1, size(bricks%shape)
+         count = min(lanes, size(bricks%brick) - lanes*(b - 1))
+         associate (shape => bricks%shape(b))
+            if (.not. is_known(shape)) call solve_batch(model, bricks, b, count, known(:, shape))
+            is_known(shape) = .true.
+            rate(lanes*(b - 1) + 1:lanes*(b - 1) + count) = known(:count, shape)
          end associate
       end do
-      worst = maxloc(rate, 1)
-      limit%ply_rate = rate(worst)
-      limit%step = 2.0_wp/sqrt(rate(worst))
-      limit%quad = model%mesh%brick_id(worst)
-      limit%ply = model%parts(model%mesh%brick_part(worst))%id
-      limit%quad_step = 2.0_wp/sqrt(rate)
-      limit%quad_ply = [(model%parts(model%mesh%brick_part(b))%id, b=1, size(rate))]
-   end function find_brick_limit
+   end function part_rates
 
    !> Eigenvalues of the bricks of a batch; one that is like the lane before has its eigenvalue
    subroutine solve_batch(model, bricks, batch, count, rate)

@@ -2,6 +2,7 @@
 module plydyn_domain_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
+   use plydyn_domain_division, only : most_batches
    use plydyn_domain_laws, only : new_laws
    use plydyn_domain_numbering, only : numbering_type
    use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
@@ -9,7 +10,6 @@ module plydyn_domain_bricks
    use plydyn_element_plate, only : batch_stiffness
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
-   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -23,8 +23,8 @@ module plydyn_domain_bricks
 
 contains
 
-   !> All bricks, still without places; those of a part with fibres in one direction together, in
-   !> the order of the deck
+   !> All bricks, still without geometry and places; those of a part with fibres in one direction
+   !> together, in the order of the deck
    function new_bricks(model) result(all)
       !> The model
       type(model_type), intent(in) :: model
@@ -94,16 +94,14 @@ contains
                & *stiffness_of_waves(stiffness))/4.0_wp
             self%histories = self%histories + 1
          end if
-         if (section%control /= hourglass_stiffness) stiffness(:, :) = 0.0_wp
-         call find_shapes(model, section%coefficient*stiffness, self)
       end associate
    end function new_group
 
-   !> Leave a rank some batches of bricks, and give them their places
-   pure subroutine set_batches(mesh, batches, numbering, columns, self)
-      !> The mesh
-      type(mesh_type), intent(in) :: mesh
-      !> The batches
+   !> Leave a rank some batches of bricks, and give them their geometry and their places
+   pure subroutine set_batches(model, batches, numbering, columns, self)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The batches, whole chunks of them
       integer, intent(in) :: batches(:)
       !> Numbers of the nodes that the rank has
       type(numbering_type), intent(in) :: numbering
@@ -120,35 +118,14 @@ contains
       do b = 1, size(batches)
          do l = 1, lanes
             e = self%brick(min(some(lanes*(b - 1) + l), size(self%brick)))
-            self%place(l, :, b) = columns%freedom(1, 1, 1, numbering%node(mesh%brick_node(:, e)))
+            self%place(l, :, b) = columns%freedom(1, 1, 1, &
+               & numbering%node(model%mesh%brick_node(:, e)))
          end do
       end do
       self%target = self%place
       self%brick = self%brick(pack(some, some <= size(self%brick)))
-      self%shape = self%shape(batches)
-      call keep_shapes(self)
+      call find_shapes(model, batches, self)
    end subroutine set_batches
-
-   !> Forget the geometries that no batch has
-   pure subroutine keep_shapes(self)
-      type(bricks_type), intent(inout) :: self
-
-      type(brick_shape_type), allocatable :: kept(:)
-      integer :: k, number(size(self%shapes)), s
-
-      number(:) = 0
-      number(self%shape) = 1
-      allocate (kept(sum(number)))
-      k = 0
-      do s = 1, size(number)
-         if (number(s) == 0) cycle
-         k = k + 1
-         number(s) = k
-         kept(k) = self%shapes(s)
-      end do
-      self%shape(:) = number(self%shape)
-      call move_alloc(kept, self%shapes)
-   end subroutine keep_shapes
 
    !> Mass per volume of a part
    pure real(wp) function brick_density(model, p) result(density)
@@ -184,30 +161,31 @@ contains
       modulus = maxval([stiffness(1, 1), stiffness(2, 2), stiffness(3, 3)])
    end function stiffness_of_waves
 
-   !> Geometry of each batch; the same one only once
-   subroutine find_shapes(model, stiffness, self)
+   !> Geometry of each batch; the same one only once in a chunk, and none of another chunk: which
+   !> of two that differ by round-off a batch gets does not depend on the rank that has it
+   pure subroutine find_shapes(model, batches, self)
       type(model_type), intent(in) :: model
-      real(wp), intent(in) :: stiffness(6, 6)
+      !> Their numbers in the part
+      integer, intent(in) :: batches(:)
       type(bricks_type), intent(inout) :: self
 
       type(brick_shape_type), allocatable :: longer(:)
       type(brick_shape_type) :: shape
-      real(wp) :: position(3, corners, lanes)
-      integer :: b, count, e, known, l, s
+      real(wp) :: stiffness(6, 6)
+      integer :: b, first, known, s
 
-      allocate (self%shapes(1), self%shape((size(self%brick) + lanes - 1)/lanes))
+      stiffness(:, :) = held_stiffness(model, self)
+      allocate (self%shapes(1), self%shape(size(batches)))
       known = 0
-      do b = 1, size(self%shape)
-         count = min(lanes, size(self%brick) - lanes*(b - 1))
-         do l = 1, lanes
-            e = self%brick(lanes*(b - 1) + min(l, count))
-            position(:, :, l) = model%mesh%position(:, model%mesh%brick_node(:, e))
-         end do
-         shape = new_brick_shape(position, count, self%points, stiffness)
-         do s = known, max(1, known - remembered + 1), -1
+      first = 1
+      do b = 1, size(batches)
+         if (mod(batches(b) - 1, most_batches) == 0) first = known + 1
+         shape = new_brick_shape(batch_positions(model, self%brick, b), &
+            & min(lanes, size(self%brick) - lanes*(b - 1)), self%points, stiffness)
+         do s = known, max(first, known - remembered + 1), -1
             if (same_shape(shape, self%shapes(s))) exit
          end do
-         if (s < max(1, known - remembered + 1)) then
+         if (s < max(first, known - remembered + 1)) then
             known = known + 1
             s = known
             if (known > size(self%shapes)) then
@@ -221,6 +199,33 @@ contains
       end do
       self%shapes = self%shapes(:known)
    end subroutine find_shapes
+
+   !> Stiffness in the axes of the model times the share of hourglass control; 0 for none
+   pure function held_stiffness(model, bricks) result(stiffness)
+      type(model_type), intent(in) :: model
+      type(bricks_type), intent(in) :: bricks
+      real(wp) :: stiffness(6, 6)
+
+      stiffness(:, :) = 0.0_wp
+      associate (section => model%parts(bricks%part)%brick)
+         if (section%control /= hourglass_stiffness) return
+         stiffness(:, :) = section%coefficient*model_stiffness(model, bricks%part, bricks%angle)
+      end associate
+   end function held_stiffness
+
+   !> Nodes of the bricks of a batch, (3, 8, lanes); lanes without a brick have those of the last
+   pure function batch_positions(model, brick, batch) result(position)
+      type(model_type), intent(in) :: model
+      !> All bricks, and the number of the batch among them
+      integer, intent(in) :: brick(:), batch
+      real(wp) :: position(3, corners, lanes)
+      integer :: l
+
+      do l = 1, lanes
+         position(:, :, l) = model%mesh%position(:, model%mesh%brick_node(:, &
+            & brick(min(lanes*(batch - 1) + l, size(brick)))))
+      end do
+   end function batch_positions
 
    !> Add the masses of bricks to those of the points that a rank has
    pure subroutine add_brick_masses(model, part, bricks, numbering, columns, mass)

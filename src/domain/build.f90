@@ -49,7 +49,7 @@ contains
       if (.not. allocated(error)) call check_bands(model, domain, error)
    end subroutine build_domain
 
-   !> What ranks know before they share out the model: layers, laws, step and chunks
+   !> What ranks know before they share out the model: layers, laws and chunks
    subroutine begin_domain(model, domain, division)
       !> The model
       type(model_type), intent(in) :: model
@@ -68,7 +68,6 @@ contains
       else
          call begin_plates(model, domain, division)
       end if
-      domain%step = largest_step(domain)
    end subroutine begin_domain
 
    !> Layers and interfaces of all parts, and the chunks of the plane
@@ -95,10 +94,9 @@ contains
          end do
       end associate
       division = divide_plane(model%mesh, size(model%parts))
-      domain%limit = find_step_limit(model, domain, division)
    end subroutine begin_plates
 
-   !> All bricks, and their chunks
+   !> Which bricks there are, and their chunks
    subroutine begin_bricks(model, domain, division)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
@@ -108,7 +106,6 @@ contains
       allocate (domain%plates(0), domain%interfaces(0), domain%ties(0))
       domain%bricks = new_bricks(model)
       division = divide_bricks(model%mesh, domain%bricks)
-      domain%limit = find_brick_limit(model, domain)
    end subroutine begin_bricks
 
    !> Build what one rank has. All ranks must come here
@@ -134,7 +131,8 @@ contains
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
-      call build_elements(model%mesh, division, numbering, domain, share)
+      call build_elements(model, division, numbering, domain, share)
+      call limit_step(model, domain)
       call build_averages(model, domain, error)
       if (allocated(error)) return
       call renumber_chunks(numbering, domain)
@@ -146,8 +144,21 @@ contains
       call join_ranks(division, numbering, owner, domain)
    end subroutine build_share
 
+   !> The stable step, to which each rank adds what its own elements ask for
+   subroutine limit_step(model, domain)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(inout) :: domain
+
+      if (size(domain%bricks) > 0) then
+         domain%limit = find_brick_limit(model, domain)
+      else
+         domain%limit = find_step_limit(model, domain)
+      end if
+      domain%step = largest_step(domain)
+   end subroutine limit_step
+
    !> Build what the root tells of in the listing: elements and supports of the whole model, without
-   !> masses, loads and faces
+   !> step, masses, loads and faces
    subroutine build_outline(model, division, domain)
       !> The model
       type(model_type), intent(in) :: model
@@ -164,7 +175,7 @@ contains
          & spread(0, 1, size(division%chunks))), 0)
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, spread(.true., 1, size(division%chunks)), domain)
-      call build_elements(model%mesh, division, numbering, domain, share)
+      call build_elements(model, division, numbering, domain, share)
       call build_supports(model, numbering, domain)
       deallocate (domain%chunks)
       allocate (domain%averages(0), domain%chunks(0), domain%mass(0), domain%inverse_mass(0), &

@@ -12,7 +12,6 @@ module plydyn_domain_build_elements
    use plydyn_domain_share, only : share_type
    use plydyn_element_interface, only : set_plane
    use plydyn_element_plate, only : quad_histories
-   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -22,9 +21,9 @@ module plydyn_domain_build_elements
 contains
 
    !> Elements of the domain's chunks, and where their histories lie
-   subroutine build_elements(mesh, division, numbering, domain, share)
-      !> The mesh
-      type(mesh_type), intent(in) :: mesh
+   subroutine build_elements(model, division, numbering, domain, share)
+      !> The model
+      type(model_type), intent(in) :: model
       !> All elements
       type(division_type), intent(in) :: division
       !> The rank's numbers of columns
@@ -43,9 +42,9 @@ contains
          own = places_of(domain%chunks, p)
          associate (element => division%parts(p)%element)
             if (size(domain%bricks) > 0) then
-               call set_batches(mesh, own, numbering, domain%columns, domain%bricks(p))
+               call set_batches(model, own, numbering, domain%columns, domain%bricks(p))
             else
-               call set_quads(mesh, element(own), numbering, domain%plates(p))
+               call set_quads(model%mesh, element(own), numbering, domain%plates(p))
             end if
             call place_part(own, size(element), p, domain, share)
          end associate

@@ -17,8 +17,8 @@ module plydyn_domain_division
 
    public :: column_owners, divide_bricks, divide_plane
 
-   !> Most batches of bricks in a chunk
-   integer, parameter :: most_batches = 256
+   !> Batches of bricks in a chunk, but for the last one of a part
+   integer, parameter, public :: most_batches = 256
 
    !> Elements of a part in the order of their chunks: quads, or batches of bricks
    type, public :: elements_type

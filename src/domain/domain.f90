@@ -70,6 +70,16 @@ module plydyn_domain_domain
       integer, allocatable :: facet(:, :)
    end type surface_type
 
+   !> An element and the eigenvalue that its stable step comes from
+   type, public :: slow_element_type
+      !> Index in the mesh
+      integer :: element = 0
+      !> The user's number of its weakest ply, or of the part of a brick
+      integer :: layer = 0
+      !> Largest eigenvalue, 1/time squared: the step is 2/sqrt(rate)
+      real(wp) :: rate = 0.0_wp
+   end type slow_element_type
+
    !> Where the time step comes from
    type, public :: step_limit_type
       !> Stable step of central differences
@@ -83,10 +93,8 @@ module plydyn_domain_domain
       real(wp) :: plane_rate = 0.0_wp
       !> What is left of the latter where interfaces are implicit; all of it where not
       real(wp) :: interface_rest = 0.0_wp
-      !> Stable step of each quad, its weakest ply; (quads of the mesh)
-      real(wp), allocatable :: quad_step(:)
-      !> That ply of each quad, the user's number
-      integer, allocatable :: quad_ply(:)
+      !> The elements of the whole model that have the smallest steps, the smallest first
+      type(slow_element_type), allocatable :: slowest(:)
    end type step_limit_type
 
    !> Quads, or batches of bricks, of a part that one thread takes at a time; see

@@ -3,7 +3,8 @@
 !>
 !> Power iteration finds it from below; a Cholesky factorisation of lambda M - K then proves from
 !> above that no eigenvalue is larger, so the step is never a guess. Quads of the same shape and
-!> layers of the same constants are solved once.
+!> layers of the same constants are solved once. The bound of a quad depends on nothing but the
+!> quad: it is the same to the last bit, whichever other quads a rank has.
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate, only : add_elastic_forces, layer_batch_type
@@ -31,9 +32,10 @@ module plydyn_element_stable_step
    real(wp), parameter :: first_margin = 1.002_wp, next_margin = 1.01_wp
    !> Share of the bound below which no smaller one is looked for
    real(wp), parameter :: least_share = 1.0e-6_wp
-   !> Shapes that are remembered, and the relative difference below which two are the same
+   !> Shapes that are remembered
    integer, parameter :: remembered = 64
-   real(wp), parameter :: same_shape = 1.0e-9_wp
+   !> Binary digits of the size of a quad to which its shape is taken
+   integer, parameter :: shape_digits = 30
 
 contains
 
@@ -52,34 +54,39 @@ contains
       !> Bound of each layer, 1/time squared, (lanes, blocks, quads); 0 in lanes without a layer
       real(wp), intent(out) :: lambda(:, :, :)
 
-      real(wp) :: metric(5, side*side), shape_metric(5, side*side, remembered)
+      real(wp) :: known_shape(2, side*side, remembered), shape(2, side*side)
       integer :: known, known_quad(remembered), q, s
 
       known = 0
       quads: do q = 1, size(corner, 3)
-         metric(:, :) = quad_metric(side, corner(:, :, q))
+         shape(:, :) = shape_of(corner(:, :, q))
          do s = 1, min(known, remembered)
-            if (is_same(metric, shape_metric(:, :, s))) then
+            if (all(abs(shape - known_shape(:, :, s)) <= 0.0_wp)) then
                lambda(:, :, q) = lambda(:, :, known_quad(s))
                cycle quads
             end if
          end do
-         call solve_quad(batch, surface_density, side, corner(:, :, q), metric, outweighed, &
-            & lambda(:, :, q))
+         call solve_quad(batch, surface_density, side, shape, quad_metric(side, shape), &
+            & outweighed, lambda(:, :, q))
          s = 1 + mod(known, remembered)
          known = known + 1
-         shape_metric(:, :, s) = metric
+         known_shape(:, :, s) = shape
          known_quad(s) = q
       end do quads
    end subroutine largest_eigenvalues
 
-   !> Whether two quads differ by a translation only
-   pure logical function is_same(metric, other)
-      real(wp), intent(in) :: metric(:, :), other(:, :)
+   !> Nodes of a quad as seen from the first one, rounded: quads that differ by a translation, and
+   !> by the round-off of their positions, have the same shape to the last bit
+   pure function shape_of(corner) result(shape)
+      real(wp), intent(in) :: corner(:, :)
+      real(wp) :: shape(2, size(corner, 2))
 
-      is_same = all(abs(metric(1:4, :) - other(1:4, :)) <= same_shape*maxval(abs(metric(1:4, :)))) &
-         & .and. all(abs(metric(5, :) - other(5, :)) <= same_shape*maxval(metric(5, :)))
-   end function is_same
+      real(wp) :: unit
+
+      shape(:, :) = corner - spread(corner(:, 1), 2, size(corner, 2))
+      unit = 2.0_wp**(exponent(maxval(abs(shape))) - shape_digits)
+      shape(:, :) = unit*anint(shape/unit)
+   end function shape_of
 
    !> Bounds of all layers over one quad
    subroutine solve_quad(batch, surface_density, side, corner, metric, outweighed, lambda)

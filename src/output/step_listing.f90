@@ -11,8 +11,6 @@ module plydyn_output_step_listing
 
    public :: write_step
 
-   !> Quads named in the table of smallest steps
-   integer, parameter :: smallest_shown = 20
    !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
    real(wp), parameter :: plane_share = 0.5_wp
 
@@ -133,8 +131,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       type(table_type) :: table
-      logical :: left(size(domain%limit%quad_step))
-      integer :: i, worst
+      integer :: i
 
       write (unit, "(a)") ""
       call table%start(unit)
@@ -142,20 +139,17 @@ contains
       call table%add_column(layer_name(domain), 6, "i0")
       call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
       call table%write_heads()
-      left(:) = .true.
-      associate (limit => domain%limit)
-         do i = 1, min(smallest_shown, size(left))
-            worst = minloc(limit%quad_step, 1, left)
-            left(worst) = .false.
+      do i = 1, size(domain%limit%slowest)
+         associate (slow => domain%limit%slowest(i))
             if (size(domain%bricks) > 0) then
-               call table%put(model%mesh%brick_id(worst))
+               call table%put(model%mesh%brick_id(slow%element))
             else
-               call table%put(model%mesh%quad_id(worst))
+               call table%put(model%mesh%quad_id(slow%element))
             end if
-            call table%put(limit%quad_ply(worst))
-            call table%put(limit%quad_step(worst))
-         end do
-      end associate
+            call table%put(slow%layer)
+            call table%put(2.0_wp/sqrt(slow%rate))
+         end associate
+      end do
    end subroutine write_smallest
 
    !> What the elements of a domain are called

@@ -87,7 +87,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (allocated(self%whole)) then
-         ! what the listing says of masses and added inertia
+         ! what the listing says of the step, masses and added inertia
+         self%whole%limit = self%domain%limit
+         self%whole%step = self%domain%step
          self%whole%total_mass = self%domain%total_mass
          if (self%domain%control%scheme /= all_explicit) then
             self%whole%pairs%inertia = self%domain%pairs%inertia

@@ -16,7 +16,7 @@ from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
 from ranks import launch, results
-from spread import springs, tied
+from spread import solid, springs, tied
 
 NORMAL, INPUT, FAILED = 0, 2, 3
 
@@ -32,6 +32,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "bricks of one point": lambda: bricks(1),
     "bricks of eight points": lambda: bricks(8),
     "bricks that crack": lambda: bricks(1, failing=True),
+    "bricks of many chunks": solid,
 }
 
 
@@ -43,7 +44,13 @@ def run(deck: Path, folder: Path, ranks: int, threads: int = 1) -> dict[str, byt
     if ranks > 1:
         table = (folder / "job.out").read_text().split("\nRanks\n")[1].splitlines()
         assert [line.split()[0] for line in table[3 : 3 + ranks]] == [str(r) for r in range(ranks)]
-    return results(folder)
+    return {**results(folder), "stable step": stable_step(folder / "job.out").encode()}
+
+
+def stable_step(listing: Path) -> str:
+    """What a listing says of the step: its bounds, and the elements with the smallest."""
+    section = listing.read_text().split("\nStable step\n")[1]
+    return re.split(r"\n[A-Z][^\n]*\n-+\n", section)[0]
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -1,7 +1,8 @@
-"""Decks of more quads than fit in one chunk, with every kind of load and result."""
+"""Decks of more quads or bricks than fit in one chunk, with every kind of load and result."""
 
 from __future__ import annotations
 
+from brick_decks import add_bricks, box
 from decks import Deck, Ply, Sphere, ramp
 from elasticity import CARBON, GLASS
 from meshes import Mesh, distorted, regular
@@ -67,3 +68,21 @@ def metal() -> Deck:
     deck.add("SECTION_LAYERWISE", (1, 0, 2))
     load(deck, mesh, 2)
     return deck
+
+
+def solid() -> Deck:
+    """Bricks of three chunks and a bit, alike but for the round-off of their nodes."""
+    mesh = box((LENGTH / 0.7, WIDTH / 0.7, THICKNESS), (34, 31, 6))
+    deck = Deck("solid", STEPS * STEP)
+    deck.control(linear=True, damping=1.0e4)
+    add_bricks(deck, mesh, _aluminium, hourglass=(6, 0.1))
+    deck.hold(mesh.where(x=0.0), "xyz")
+    centre = (0.5 * LENGTH, 0.5 * WIDTH, 8.0 + THICKNESS)
+    deck.sphere(Sphere(8.0, 1.0e-5, centre, (0.0, 0.0, -2.0e4)))
+    deck.intervals(impactor=0.0, glstat=0.0, spcforc=0.0, binary_d3plot=0.5 * STEPS * STEP)
+    return deck
+
+
+def _aluminium(deck: Deck) -> None:
+    """Material 1."""
+    deck.add("MAT_ELASTIC", (1, 2.7e-9, 7.0e4, 0.3))

@@ -192,7 +192,6 @@ contains
 
       call begin_domain(model_of(mesh), domain, division)
       domain%comm%rank = rank
-      domain%comm%ranks = 1 + maxval(rank_of_chunk)
       call build_share(model_of(mesh), division, rank_of_chunk(:size(division%chunks)), domain, &
          & share, error)
       call check(.not. allocated(error), "the share is built")

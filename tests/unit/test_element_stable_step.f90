@@ -5,7 +5,8 @@ program test_element_stable_step
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_stable_step, only : certified_bound, power_iteration
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
    use plydyn_solver_forces, only : find_internal_forces
@@ -49,9 +50,48 @@ program test_element_stable_step
          call test_mesh(side, order, implicit_thickness)
       end do
    end do
+   do side = 2, 3
+      call test_alone(side)
+   end do
    call finish()
 
 contains
+
+   !> The bound of a quad has the same bits with others and alone, and wherever the quad lies
+   subroutine test_alone(side)
+      integer, intent(in) :: side
+
+      real(wp), parameter :: surface_density = 4.25e-10_wp
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      real(wp), allocatable :: corner(:, :, :), density(:, :), each(:, :, :), lambda(:, :, :)
+      integer :: e
+
+      call begin("largest_eigenvalues")
+      model = rectangle_model(rectangle_mesh(side, 4, 3, 2.8_wp, 2.1_wp, 0.05_wp), &
+         & [0.0_wp, 60.0_wp], 0.25_wp, [1, 1])
+      call build_domain(model, domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      corner = reshape([(model%mesh%position(1:2, model%mesh%quad_node(tensor_order(side), e)), &
+         & e=1, 12)], [2, side**2, 12])
+      ! the first quad once more, behind all others
+      corner = reshape([corner, corner(:, :, 1) + 64.0_wp], [2, side**2, 13])
+      associate (batch => domain%plates(1)%batches(1))
+         density = merge(surface_density, 0.0_wp, batch%layer > 0)
+         allocate (lambda(size(density, 1), size(density, 2), 13))
+         allocate (each, mold=lambda)
+         call largest_eigenvalues(batch, density, side, corner, 0.0_wp, lambda)
+         do e = 1, 13
+            call largest_eigenvalues(batch, density, side, corner(:, :, e:e), 0.0_wp, &
+               & each(:, :, e:e))
+         end do
+      end associate
+      call check(all(lambda(1:2, 1, :) > 0.0_wp), "is found")
+      call check(maxval(abs(lambda - each)), 0.0_wp, 0.0_wp, "does not depend on other quads")
+      call check(maxval(abs(lambda(:, :, 13) - lambda(:, :, 1))), 0.0_wp, 0.0_wp, &
+         & "nor on where the quad lies")
+   end subroutine test_alone
 
    !> The bound lies above the largest eigenvalue of the mesh, and close to it
    subroutine test_mesh(side, order, scheme)
