@@ -17,6 +17,7 @@ SHAPES = [
     OgridSquare(100.0, 40.0, 5, 3, grading=2.0, corner=(-50.0, 3.0)),
     OgridDisc(75.0, 15.0, 8, 4),
     OgridDisc(2.0, 0.9, 3, 1, centre=(5.0, -4.0)),
+    OgridDisc(2.0, 0.9, 4, 2, grading=3.0, centre=(5.0, -4.0), quarter=True),
 ]
 BOTH_ORDERS = [
     type(shape)(**{**vars(shape), "order": order}) for shape in SHAPES for order in (1, 2)

@@ -135,7 +135,7 @@ def _impactor(names: Names, parts: Integers) -> Iterator[str]:
 
 def _supports(names: Names, sets: Sets) -> Iterator[str]:
     """What holds the plate."""
-    for support in names.study.supports:
+    for support in names.study.held:
         if support.face == "plane":
             raise RecipeError("supports", "bricks are held on a face or on all levels")
         yield _support(support, _set_number(sets, support.set, support.face))

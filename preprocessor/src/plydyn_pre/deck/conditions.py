@@ -41,7 +41,8 @@ def impactor_on(names: Names, laminate: Laminate, pid: int) -> Iterator[str]:
         return
     x, y = impactor.position or names.mesh.middle
     z = _height(impactor, contact, laminate) + names.mesh.height
-    place = {"iid": 1, "radius": impactor.radius, "mass": impactor.mass, "xc": x, "yc": y, "zc": z}
+    mass = impactor.mass * names.study.share
+    place = {"iid": 1, "radius": impactor.radius, "mass": mass, "xc": x, "yc": y, "zc": z}
     motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
     dof, shape = int(impactor.guided), int(impactor.hemisphere)
     freedom = {"dof": dof, "gravz": impactor.gravity, "shape": shape}
@@ -53,7 +54,7 @@ def impactor_on(names: Names, laminate: Laminate, pid: int) -> Iterator[str]:
 
 def support_keywords(names: Names) -> Iterator[str]:
     """What holds the plate."""
-    for number, support in enumerate(names.study.supports, start=1):
+    for number, support in enumerate(names.study.held, start=1):
         nsid = names.node_set(support.set, f"supports[{number}].set")
         yield _support(support, nsid)
 

@@ -33,6 +33,7 @@ class Mesh:
     node_ids: Integers = field(default_factory=lambda: np.empty(0, np.int64))  # (nodes,)
     quad_ids: Integers = field(default_factory=lambda: np.empty(0, np.int64))  # (quads,)
     height: float = 0.0  # z of the plane
+    whole_middle: tuple[float, float] | None = None  # of what this is a quarter of
 
     def __post_init__(self) -> None:
         """Number nodes and quads from 1 where they have no numbers."""
@@ -48,7 +49,9 @@ class Mesh:
 
     @property
     def middle(self) -> tuple[float, float]:
-        """The middle of the smallest box around the mesh."""
+        """The middle of the smallest box around the mesh, or around what it is a quarter of."""
+        if self.whole_middle is not None:
+            return self.whole_middle
         x, y = (self.nodes.min(axis=0) + self.nodes.max(axis=0)) / 2
         return float(x), float(y)
 

@@ -11,6 +11,7 @@ import numpy as np
 from plydyn_pre.errors import require, require_positive
 from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
 from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
+from plydyn_pre.mesh.quarter import quarter_of
 from plydyn_pre.mesh.session import collect, generate, session
 
 _CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
@@ -40,7 +41,10 @@ class OgridSquare:
 
 @dataclass(frozen=True)
 class OgridDisc:
-    """A disc with a square core. Node sets: boundary, centre, core."""
+    """A disc with a square core, or a quarter of it.
+
+    Node sets: boundary, centre, core; of a quarter symmetry_x and symmetry_y, too.
+    """
 
     kind: ClassVar[str] = "ogrid_disc"
 
@@ -51,6 +55,7 @@ class OgridDisc:
     grading: float = 1.0  # width of the outermost ring over that of the innermost
     order: Literal[1, 2] = 2  # quads of four or of nine nodes
     centre: tuple[float, float] = (0.0, 0.0)  # place of the middle
+    quarter: bool = False  # only what lies at larger x and y than the middle
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
@@ -58,6 +63,8 @@ class OgridDisc:
         limit = self.diameter / np.sqrt(2.0)
         rule = f"{self.core:g} must be less than diameter / sqrt(2) = {limit:g}"
         require(self.core < limit, "core", rule)
+        rule = f"{self.n} must be even: a quarter is cut between quads"
+        require(not self.quarter or self.n % 2 == 0, "n", rule)
 
 
 def mesh_ogrid_square(shape: OgridSquare) -> Mesh:
@@ -76,7 +83,8 @@ def mesh_ogrid_disc(shape: OgridDisc) -> Mesh:
     mesh = _mesh_board(shape)
     sets = {name: nodes for name, nodes in mesh.node_sets.items() if name not in _EDGES}
     places = _places(mesh.nodes, shape, lambda unit: shape.diameter / 2 * _to_circle(unit))
-    return with_centre(renumbered(replace(mesh, node_sets=sets), np.array(shape.centre) + places))
+    whole = renumbered(replace(mesh, node_sets=sets), np.array(shape.centre) + places)
+    return with_centre(quarter_of(whole) if shape.quarter else whole)
 
 
 def _mesh_board(shape: OgridSquare | OgridDisc) -> Mesh:

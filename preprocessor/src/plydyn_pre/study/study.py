@@ -20,6 +20,7 @@ from plydyn_pre.study.conditions import (
 from plydyn_pre.study.control import Control, Outputs, Units
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.materials import Cohesive, Material, PlyCodam2, Springs
+from plydyn_pre.study.quarter import check_quarter, is_quarter, planes
 from plydyn_pre.suggest import suggestion
 
 _JOINTS = ("tied", "apart")
@@ -61,6 +62,8 @@ class Study:
         frames = [load.direction for load in self.loads if isinstance(load, FrameAcceleration)]
         rule = "one frame acceleration at most in each direction"
         require(len(set(frames)) == len(frames), "loads", rule)
+        if is_quarter(self.mesh):
+            check_quarter(self)
 
     def laminate_of(self, part: str) -> Laminate:
         """The laminate of a part of the mesh."""
@@ -68,6 +71,16 @@ class Study:
         if laminate is None:
             raise RecipeError(f"laminates.{part}", "missing; the mesh has a part of this name")
         return laminate
+
+    @property
+    def held(self) -> tuple[Support, ...]:
+        """All supports, those on planes of symmetry, too."""
+        return (*self.supports, *(planes() if is_quarter(self.mesh) else ()))
+
+    @property
+    def share(self) -> float:
+        """The share of the plate and of its impactor that the mesh stands for."""
+        return 0.25 if is_quarter(self.mesh) else 1.0
 
     @property
     def touch(self) -> Contact:
