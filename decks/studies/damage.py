@@ -125,17 +125,21 @@ def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:
     return history["time"], running_mean(history["time"], history["force"], WINDOW)
 
 
-def read_answer(results: Results) -> Answer:
-    """Read the answer off a run; areas are those at its end."""
+def read_answer(results: Results, parts: int = 1) -> Answer:
+    """Read the answer off a run; areas are those at its end.
+
+    A run of one of several equal parts, such as a quarter of a disc, counts as often as there are.
+    """
     time, force = mean_force(results)
+    force = parts * force
     history, energy = results.impactor(), results.energy()
     start, end = contact(time, history["force"])
     over = end < time[-1]
     peak = int(np.argmax(force))
     areas = results.delamination() if results.has("delamination") else None
-    each = (
-        None if areas is None else np.sum([areas[name] for name in area_columns(areas).values()], 0)
-    )
+    each = None
+    if areas is not None:
+        each = parts * np.sum([areas[name] for name in area_columns(areas).values()], 0)
     began = None if each is None or each[-1] < BEGUN else areas["time"][np.argmax(each >= BEGUN)]
     return Answer(
         peak=float(force[peak]),
@@ -143,10 +147,10 @@ def read_answer(results: Results) -> Answer:
         threshold=None if began is None else float(np.interp(began, time, force)),
         duration=float(end - start) if over else None,
         displacement=float(np.abs(history["displacement"]).max()),
-        absorbed=float(np.interp(end, time, history["absorbed"])) if over else None,
-        projected=0.0 if areas is None else float(areas["projected area"][-1]),
+        absorbed=parts * float(np.interp(end, time, history["absorbed"])) if over else None,
+        projected=0.0 if areas is None else parts * float(areas["projected area"][-1]),
         total=0.0 if each is None else float(each[-1]),
-        taken={name: float(taken[-1]) for name, taken in mechanisms(energy).items()},
+        taken={name: parts * float(taken[-1]) for name, taken in mechanisms(energy).items()},
         error=float(np.abs(energy["error"]).max()),
     )
 
@@ -156,21 +160,28 @@ def answers_text(rows: Sequence[tuple[str, Answer]]) -> str:
     return table(("model", *HEADINGS), [[name, *answer.cells()] for name, answer in rows])
 
 
-def areas_text(found: Sequence[tuple[str, Results]]) -> str:
-    """Delaminated area of each interface at the end in mm2, one row for each run."""
+def areas_text(found: Sequence[tuple[str, Results]], parts: int = 1) -> str:
+    """Delaminated area of each interface at the end in mm2, one row for each run of equal parts."""
     rows, numbers = [], []
     for name, results in found:
         areas = results.delamination()
         columns = area_columns(areas)
         numbers = sorted(columns)
-        rows.append([name, *(f"{areas[columns[one]][-1]:.0f}" for one in numbers)])
+        rows.append([name, *(f"{parts * areas[columns[one]][-1]:.0f}" for one in numbers)])
     return table(("model", *(f"interface {one} [mm2]" for one in numbers)), rows)
 
 
 def mesh_words(recipe: Path, overrides: Sequence[str]) -> str:
     """The number of quads and the size of those in the core."""
     mesh = load_recipe(recipe, overrides).mesh
-    return f"{mesh.n**2 + 4 * mesh.n * mesh.rings} Q9, {mesh.core / mesh.n:.3g} mm in the core"
+    quads = mesh.n**2 + 4 * mesh.n * mesh.rings
+    share = "a quarter of " if mesh.quarter else ""
+    return f"{share}{quads} Q9, {mesh.core / mesh.n:.3g} mm in the core"
+
+
+def parts_of(recipe: Path, overrides: Sequence[str]) -> int:
+    """How many parts like that of the recipe make the whole."""
+    return round(1.0 / load_recipe(recipe, overrides).share)
 
 
 def core_size(recipe: Path, overrides: Sequence[str]) -> float:

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from plydyn_post.results import Results, open_results
+from plydyn_post.results import open_results
 
 from studies import choices as open_choices
-from studies import damage, damage_times, implicit, runs
+from studies import damage_times, implicit, refinement, runs
 from studies.commands import (
     DEFAULT,
     Again,
@@ -27,8 +27,8 @@ from studies.commands import (
     tell,
 )
 from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
-from studies.damage_figures import draw_forces, draw_refinement
-from studies.jobs import Job, StudyError, find_tools, kept_effort
+from studies.damage_figures import draw_forces
+from studies.jobs import StudyError, find_tools, kept_effort
 from studies.markdown import insert
 
 Tests = Annotated[
@@ -204,46 +204,27 @@ def choices(
 @app.command()
 def refine(
     output: Folder = DEFAULT / "refine",
-    model: Recipe = "q192_le1",
-    sizes: Annotated[str, typer.Option("--n", help="Quads along the core.")] = "4,6,8,10,12",
+    model: Recipe = "quarter",
+    sizes: Annotated[str, typer.Option("--n", help="Quads along the core.")] = "8,12,16,24,32",
     kept: Kept = False,
     into: Into = None,
+    marks: Annotated[
+        str, typer.Option("--marks", help="Marks of the page that the tables go between.")
+    ] = "refinement",
     plydyn: Solver = None,
     parallel: Parallel = 1,
     overrides: Overrides = None,
     again: Again = False,
 ) -> None:
     """Finer and finer meshes, rings in proportion, until force, areas and energies settle."""
-    numbers = sorted(int(number) for number in sizes.split(","))
-    if not numbers or numbers[0] < 2:
-        raise StudyError("--n must name numbers of quads of 2 and more")
-    jobs = [_refined(model, n, overrides or ()) for n in numbers]
+    jobs = refinement.jobs_of(model, sizes, overrides or ())
     if not kept:
         run_all(find_tools(plydyn), jobs, output, parallel, again)
-    jobs = [job for job in jobs if kept_effort(job, output)]
-    if not jobs:
+    found = refinement.collect(jobs, output)
+    if not found:
         raise StudyError(f"no mesh has run to its end in {output}")
-    text = _tell_refined(jobs, output)
+    sections = refinement.sections_of(found)
+    tell(output / f"{model}.md", sections)
+    list_files(refinement.draw(found, output, model))
     if into:
-        insert(into, "refinement", text)
-
-
-def _tell_refined(jobs: Sequence[Job], output: Path) -> str:
-    """Tell and draw what finer meshes come to; gives the tables."""
-    found: list[Results] = [open_results(output / job.name) for job in jobs]
-    answers = [read_answer(results) for results in found]
-    names = [damage.mesh_words(job.recipe, job.overrides) for job in jobs]
-    text = answers_text(list(zip(names, answers, strict=True)))
-    areas = areas_text(list(zip(names, found, strict=True)))
-    tell(output / "refine.md", [("Refinement", text), ("Areas", areas)])
-    steps = [damage.core_size(job.recipe, job.overrides) for job in jobs]
-    list_files([draw_refinement(list(zip(steps, answers, strict=True)), output / "refine.png")])
-    list_files(draw_forces(list(zip(names, found, strict=True)), (), output, "refine_force"))
-    return f"{text}\n{areas}"
-
-
-def _refined(model: str, n: int, overrides: Sequence[str]) -> Job:
-    """A model with n x n quads in the core and rings in proportion, four for eight."""
-    rings = max(2, round(n / 2))
-    replaced = (*overrides, f"mesh.n={n}", f"mesh.rings={rings}")
-    return Job(f"{model}_n{n}", damage.RECIPES / f"{model}.toml", replaced)
+        insert(into, marks, "\n".join(text for _, text in sections))

@@ -3,27 +3,42 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.results import Results
 from plydyn_post.style import WIDE, figure, look_of, save
+from plydyn_post.table import Table
 
 from studies.damage import Answer
 
 
 def draw_forces(
-    found: Sequence[tuple[str, Results]], tests: Sequence[Path], folder: Path, name: str
+    found: Sequence[tuple[str, Results]],
+    tests: Sequence[Path],
+    folder: Path,
+    name: str,
+    parts: int = 1,
 ) -> list[Path]:
-    """Contact force of models over time and over displacement, tests laid over."""
-    curves = [Curve(label, results.impactor()) for label, results in found]
+    """Contact force of models over time and over displacement, tests laid over.
+
+    Each run is of one of some equal parts of the plate.
+    """
+    curves = [Curve(label, whole_force(results.impactor(), parts)) for label, results in found]
     curves += [curve for curve in curves_of([], tests) if curve.measured]
     made = []
     for across, ending in (("time", ""), ("displacement", "_displacement")):
         shown = [one for one in curves if {across, "force"} <= set(one.table.names)]
         made.append(draw_history(shown, across, "force", folder / f"{name}{ending}.png"))
     return made
+
+
+def whole_force(history: Table, parts: int) -> Table:
+    """A history with the force on all of some equal parts of the plate."""
+    factors = [parts if name == "force" else 1 for name in history.names]
+    return replace(history, values=history.values * np.array(factors))
 
 
 def draw_refinement(found: Sequence[tuple[float, Answer]], path: Path) -> Path:

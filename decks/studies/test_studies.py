@@ -13,7 +13,15 @@ from studies.bimetal_figures import Face, along_y
 from studies.brick_commands import pick as pick_models
 from studies.bricks import TABLE_2, TABLE_4, Outcome, bricks_text
 from studies.choices import BASE, CHOICES, choices_text, job_of, pick
-from studies.damage import MODELS, Answer, answers_text, areas_text, mesh_words, read_answer
+from studies.damage import (
+    MODELS,
+    Answer,
+    answers_text,
+    areas_text,
+    mesh_words,
+    read_answer,
+)
+from studies.damage_figures import whole_force
 from studies.damage_times import Timing, times_text
 from studies.differences import force_difference, ply_means, section, velocity_difference
 from studies.implicit import cases_of, implicit_text
@@ -167,6 +175,20 @@ def test_an_answer_is_read_off_the_histories_of_a_run(tmp_path):
     head, _, row = areas_text([("one", open_results(tmp_path / "job"))]).splitlines()
     assert head == "| model | interface 1 [mm2] | interface 2 [mm2] |"
     assert row == "| one | 60 | 40 |"
+    # the same run as one of four parts: four times the forces, areas and energies
+    whole = read_answer(open_results(tmp_path / "job"), 4)
+    assert (whole.peak, whole.threshold) == pytest.approx((4.0 * answer.peak, 8000.0), rel=1e-3)
+    assert (whole.projected, whole.total) == (280.0, 400.0)
+    assert whole.taken == {"delamination": 3600.0, "matrix damage": 400.0}
+    assert whole.absorbed == pytest.approx(4.0 * answer.absorbed)
+    assert (whole.duration, whole.displacement) == (answer.duration, answer.displacement)
+    assert areas_text([("one", open_results(tmp_path / "job"))], 4).endswith(
+        "| one | 240 | 160 |\n"
+    )
+    history = open_results(tmp_path / "job").impactor()
+    forces = whole_force(history, 4)
+    assert forces["force"] == pytest.approx(4.0 * history["force"])
+    assert forces["time"] == pytest.approx(history["time"])
 
 
 def test_choices_are_told_against_the_recipes_as_they_are():
