@@ -8,51 +8,106 @@ module plydyn_domain_averages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
+   use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_histories, only : cell_lengths
-   use plydyn_element_average, only : abreast, average_type, row_of
+   use plydyn_domain_loans, only : add_loans, loans_type, new_loans
+   use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
+   use plydyn_element_average, only : abreast, average_type
    use plydyn_element_plate, only : plate_type
    use plydyn_law_law, only : law_type
-   use plydyn_model_material, only : material_type
    use plydyn_model_model, only : model_type
+   use plydyn_parallel_halo, only : new_halo
    implicit none
    private
 
-   public :: build_averages, count_points, refuse_ranks
+   public :: build_averages
 
 contains
 
-   !> All averages of the plates
-   subroutine build_averages(model, domain, error)
+   !> All averages of the plates. All ranks must come here
+   subroutine build_averages(model, division, rank_of_chunk, domain, error)
       !> The model
       type(model_type), intent(in) :: model
-      !> Has its plates, gets its averages
+      !> All quads
+      type(division_type), intent(in) :: division
+      !> Rank of each chunk
+      integer, intent(in) :: rank_of_chunk(:)
+      !> Has its plates and their histories, gets its averages
       type(domain_type), intent(inout) :: domain
       !> Names a ply whose ellipse is too small for the mesh
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: a, b, k, p
+      type(loans_type) :: loans
+      type(neighbourhood_type) :: around
+      real(wp) :: reach
+      integer :: a, p
 
       allocate (domain%averages(count_averages(domain%plates)))
+      loans = new_loans()
       a = 0
       do p = 1, size(domain%plates)
-         do b = 1, size(domain%plates(p)%batches)
-            associate (plate => domain%plates(p), batch => domain%plates(p)%batches(b))
-               do k = 1, size(batch%laws)
-                  if (batch%laws(k)%law%driving == 0) cycle
-                  a = a + 1
-                  domain%averages(a) = new_average(plate, b, k)
-                  domain%averages(a)%plate = p
-                  call find_neighbours(plate, batch%turn(:, :, batch%laws(k)%block), &
-                     & batch%laws(k)%law, point_positions(plate, domain%position), &
-                     & domain%averages(a))
-                  call check_reach(model, domain, domain%averages(a), batch%laws(k)%law, error)
-                  if (allocated(error)) return
-               end do
-            end associate
-         end do
+         reach = largest_radius(domain%plates(p))
+         if (reach <= 0.0_wp) cycle
+         around = new_neighbourhood(model%mesh, division, rank_of_chunk, domain%comm%rank, p, &
+            & domain%plates(p), reach)
+         call build_part(model, around, p, domain, a, loans, error)
+         if (allocated(error)) return
       end do
+      domain%loans = new_halo(domain%comm%ranks, lanes, loans%lent, loans%borrowed)
+      domain%neighbours = count_points(model, domain)
    end subroutine build_averages
+
+   !> The averages of a part
+   subroutine build_part(model, around, p, domain, a, loans, error)
+      type(model_type), intent(in) :: model
+      !> Points of the plane
+      type(neighbourhood_type), intent(in) :: around
+      !> The part
+      integer, intent(in) :: p
+      type(domain_type), intent(inout) :: domain
+      !> Averages that are built
+      integer, intent(inout) :: a
+      !> What ranks lend each other for them
+      type(loans_type), intent(inout) :: loans
+      type(error_type), allocatable, intent(out) :: error
+
+      integer, allocatable :: point(:)
+      integer :: b, k, length
+
+      do b = 1, size(domain%plates(p)%batches)
+         associate (plate => domain%plates(p), batch => domain%plates(p)%batches(b))
+            do k = 1, size(batch%laws)
+               if (batch%laws(k)%law%driving == 0) cycle
+               a = a + 1
+               domain%averages(a) = new_average(plate, b, k)
+               domain%averages(a)%plate = p
+               call find_neighbours(around, batch%turn(:, :, batch%laws(k)%block), &
+                  & batch%laws(k)%law, domain%averages(a), point)
+               length = domain%histories + domain%borrowed
+               call add_loans(around, point, length, domain%averages(a), loans)
+               domain%borrowed = length - domain%histories
+               call check_reach(model, domain, domain%averages(a), batch%laws(k)%law, error)
+               if (allocated(error)) return
+            end do
+         end associate
+      end do
+   end subroutine build_part
+
+   !> Largest radius of the laws of a plate, 0 if none averages
+   pure real(wp) function largest_radius(plate) result(radius)
+      type(plate_type), intent(in) :: plate
+      integer :: b, k
+
+      radius = 0.0_wp
+      do b = 1, size(plate%batches)
+         associate (laws => plate%batches(b)%laws)
+            do k = 1, size(laws)
+               if (laws(k)%law%driving > 0) radius = max(radius, maxval(laws(k)%law%radius))
+            end do
+         end associate
+      end do
+   end function largest_radius
 
    !> How many laws of how many blocks average
    pure integer function count_averages(plates) result(averages)
@@ -91,91 +146,73 @@ contains
       end associate
    end function new_average
 
-   !> Gauss points of the plane, (2, points of a quad times quads)
-   pure function point_positions(plate, position) result(points)
-      type(plate_type), intent(in) :: plate
-      !> Positions of the nodes, (3, nodes)
-      real(wp), intent(in) :: position(:, :)
-      real(wp) :: points(2, size(plate%node))
-
-      integer :: e, n
-
-      n = size(plate%node, 1)
-      do e = 1, size(plate%node, 2)
-         points(:, n*(e - 1) + 1:n*e) = matmul(position(1:2, plate%node(:, e)), &
-            & transpose(plate%shape))
-      end do
-   end function point_positions
-
-   !> Neighbours of all points, and their weights
-   subroutine find_neighbours(plate, turn, law, position, average)
-      type(plate_type), intent(in) :: plate
+   !> Neighbours of all points of this rank, and their weights
+   subroutine find_neighbours(around, turn, law, average, point)
+      !> Points of the plane
+      type(neighbourhood_type), intent(in) :: around
       !> Cosine and sine of the fibre direction of each lane
       real(wp), intent(in) :: turn(lanes, 2)
       class(law_type), intent(in) :: law
-      !> The Gauss points
-      real(wp), intent(in) :: position(:, :)
       type(average_type), intent(inout) :: average
+      !> The neighbours, in the order of the whole model
+      integer, allocatable, intent(out) :: point(:)
 
       type(cell_grid_type) :: grid
-      integer, allocatable :: point(:)
+      integer, allocatable :: near(:), own(:)
       real(wp), allocatable :: weight(:, :)
       integer :: i, n, pass
 
-      grid = new_cell_grid(position, maxval(law%radius))
-      allocate (average%first(size(position, 2) + 1))
+      own = pack([(i, i=1, size(around%area))], around%own_point([(i, i=1, size(around%area))]) > 0)
+      if (size(own) > 0) grid = new_cell_grid(around%position, maxval(law%radius))
+      allocate (average%first(size(own) + 1))
       do pass = 1, 2
          n = 0
-         do i = 1, size(position, 2)
-            call find_weights(plate, turn, law, position, i, grid%near(position(:, i)), point, &
-               & weight)
+         do i = 1, size(own)
+            call find_weights(around, turn, law, own(i), grid%near(around%position(:, own(i))), &
+               & near, weight)
             average%first(i) = n + 1
             if (pass == 2) then
-               average%point(n + 1:n + size(point)) = point
-               average%weight(:, n + 1:n + size(point)) = weight
+               point(n + 1:n + size(near)) = near
+               average%weight(:, n + 1:n + size(near)) = weight
             end if
-            n = n + size(point)
+            n = n + size(near)
             ! made up with the point itself, without weight
             do while (modulo(n, abreast) > 0)
                n = n + 1
-               if (pass == 2) average%point(n) = i
+               if (pass == 2) point(n) = own(i)
                if (pass == 2) average%weight(:, n) = 0.0_wp
             end do
          end do
-         average%first(i) = n + 1
-         if (pass == 1) allocate (average%point(n), average%weight(lanes, n))
+         average%first(size(own) + 1) = n + 1
+         if (pass == 1) allocate (point(n), average%weight(lanes, n))
       end do
-      average%row = [(row_of(average, average%point(i)), i=1, n)]
    end subroutine find_neighbours
 
    !> Which of some points lie in the ellipse of any lane around a point, and their weights
-   pure subroutine find_weights(plate, turn, law, position, i, near, point, weight)
-      type(plate_type), intent(in) :: plate
+   pure subroutine find_weights(around, turn, law, i, candidates, point, weight)
+      type(neighbourhood_type), intent(in) :: around
       real(wp), intent(in) :: turn(lanes, 2)
       class(law_type), intent(in) :: law
-      real(wp), intent(in) :: position(:, :)
       !> The point
       integer, intent(in) :: i
       !> Points to look at
-      integer, intent(in) :: near(:)
+      integer, intent(in) :: candidates(:)
       !> Those in an ellipse, and their shares in the average of each lane
       integer, allocatable, intent(out) :: point(:)
       real(wp), allocatable, intent(out) :: weight(:, :)
 
-      real(wp) :: all(lanes, size(near))
-      integer :: j, l, quad
+      real(wp) :: all(lanes, size(candidates)), away(2)
+      integer :: j, l
 
-      do j = 1, size(near)
-         quad = (near(j) - 1)/size(plate%node, 1)
-         associate (area => plate%metric(5, near(j) - size(plate%node, 1)*quad, quad + 1), &
-            & away => position(:, near(j)) - position(:, i))
-            do l = 1, lanes
-               all(l, j) = 0.0_wp
-               if (law%owns(l)) all(l, j) = area*bell(law%radius(l, :), turned(turn(l, :), away))
-            end do
-         end associate
+      do j = 1, size(candidates)
+         away(:) = around%position(:, candidates(j)) - around%position(:, i)
+         do l = 1, lanes
+            all(l, j) = 0.0_wp
+            if (law%owns(l)) all(l, j) = around%area(candidates(j)) &
+               & *bell(law%radius(l, :), turned(turn(l, :), away))
+         end do
       end do
-      point = pack(near, any(all > 0.0_wp, 1))
+      point = pack(candidates, any(all > 0.0_wp, 1))
       weight = reshape(pack(all, spread(any(all > 0.0_wp, 1), 1, lanes)), [lanes, size(point)])
       do l = 1, lanes
          if (law%owns(l)) weight(l, :) = weight(l, :)/sum(weight(l, :))
@@ -199,7 +236,7 @@ contains
    end function bell
 
    !> Refuse an ellipse smaller than the cells of all Gauss points: nowhere would it reach another
-   !> point along the fibres, or nowhere across them
+   !> point along the fibres, or nowhere across them. All ranks come to the same
    subroutine check_reach(model, domain, average, law, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
@@ -207,30 +244,64 @@ contains
       class(law_type), intent(in) :: law
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: least(2), length(2)
+      real(wp) :: each(3*lanes*domain%comm%ranks), least(3, lanes)
+      integer :: l, r
+
+      least(:, :) = least_cells(domain%plates(average%plate), average, law)
+      call domain%comm%collect(reshape(least, [size(least)]), &
+         & [(size(least), r=1, domain%comm%ranks)], each)
+      do r = 1, domain%comm%ranks
+         do l = 1, lanes
+            associate (cell => each(3*(l - 1 + lanes*(r - 1)) + 1:3*(l + lanes*(r - 1))))
+               if (is_less(cell, least(:, l))) least(:, l) = cell
+            end associate
+         end do
+      end do
+      do l = 1, lanes
+         if (.not. average%owns(l) .or. least(1, l) <= 1.0_wp) cycle
+         call refuse(model, domain, average, l, maxloc(least(2:, l)/law%radius(l, :), 1), &
+            & least(1, l), error)
+         return
+      end do
+   end subroutine check_reach
+
+   !> The cell of a rank's points in the plane that goes best into the ellipse of each lane: the
+   !> larger of its lengths over the radii, and these lengths, (3, lanes)
+   pure function least_cells(plate, average, law) result(least)
+      type(plate_type), intent(in) :: plate
+      type(average_type), intent(in) :: average
+      class(law_type), intent(in) :: law
+      real(wp) :: least(3, lanes)
+
+      real(wp) :: length(2)
       integer :: e, l, q
 
-      associate (plate => domain%plates(average%plate))
-         do l = 1, lanes
-            if (.not. average%owns(l)) cycle
-            least(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
-               & average%block), 1, 1)
-            do e = 1, size(plate%node, 2)
-               do q = 1, size(plate%node, 1)
-                  length(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
-                     & average%block), q, e)
-                  if (maxval(length/law%radius(l, :)) < maxval(least/law%radius(l, :))) then
-                     least(:) = length
-                  end if
-               end do
+      least(:, :) = huge(least)
+      do l = 1, lanes
+         if (.not. average%owns(l)) cycle
+         do e = 1, size(plate%node, 2)
+            do q = 1, size(plate%node, 1)
+               length(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
+                  & average%block), q, e)
+               associate (cell => [maxval(length/law%radius(l, :)), length])
+                  if (is_less(cell, least(:, l))) least(:, l) = cell
+               end associate
             end do
-            if (all(law%radius(l, :) >= least)) cycle
-            call refuse(model, domain, average, l, maxloc(least/law%radius(l, :), 1), &
-               & maxval(least/law%radius(l, :)), error)
-            return
          end do
-      end associate
-   end subroutine check_reach
+      end do
+   end function least_cells
+
+   !> Whether a list of numbers comes before another one, by the first of them that differ
+   pure logical function is_less(one, other)
+      real(wp), intent(in) :: one(:), other(:)
+      integer :: i
+
+      is_less = .false.
+      do i = 1, size(one)
+         is_less = one(i) < other(i)
+         if (is_less .or. one(i) > other(i)) return
+      end do
+   end function is_less
 
    !> Say what radius is too small
    subroutine refuse(model, domain, average, lane, which, factor, error)
@@ -257,54 +328,50 @@ contains
       end associate
    end subroutine refuse
 
-   !> Refuse averages over points of other ranks
-   subroutine refuse_ranks(materials, ranks, error)
-      !> Materials of the model
-      type(material_type), intent(in) :: materials(:)
-      !> Ranks of the run
-      integer, intent(in) :: ranks
-      !> Names the first material that averages
-      type(error_type), allocatable, intent(out) :: error
-
-      integer :: i
-
-      if (ranks == 1) return
-      do i = 1, size(materials)
-         if (.not. materials(i)%averages()) cycle
-         call fail(error, exit_input, "error: "//materials(i)%radius_place//": *" &
-            & //materials(i)%keyword//" R1: an average over neighbours does not go with " &
-            & //text(ranks)//" ranks: run it on one rank, with as many threads as you like")
-         return
-      end do
-   end subroutine refuse_ranks
-
-   !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
-   pure function count_points(model, domain) result(points)
+   !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none. All ranks
+   !> must come here
+   function count_points(model, domain) result(points)
       !> The model
       type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
       integer :: points(2, size(model%materials))
 
-      integer :: a, i, l, material, now
+      real(wp) :: extremes(2*size(model%materials))
+      integer :: a, i, l, now, place
 
-      points(:, :) = 0
+      extremes(:) = -huge(extremes)
       do a = 1, size(domain%averages)
-         associate (average => domain%averages(a), batches => domain%plates( &
-            & domain%averages(a)%plate)%batches)
+         associate (average => domain%averages(a))
             do l = 1, lanes
                if (.not. average%owns(l)) cycle
-               material = model%parts(average%plate)%plies(domain%layers%ply( &
-                  & batches(average%batch)%layer(l, average%block)))%material
+               place = 2*material_of(model, domain, average, l) - 1
                do i = 1, size(average%first) - 1
                   now = count(average%weight(l, average%first(i):average%first(i + 1) - 1) > 0.0_wp)
-                  if (points(1, material) == 0) points(1, material) = now
-                  points(:, material) = [min(points(1, material), now), &
-                     & max(points(2, material), now)]
+                  extremes(place:place + 1) = max(extremes(place:place + 1), &
+                     & real([-now, now], wp))
                end do
             end do
          end associate
       end do
+      call domain%comm%find_greatest(extremes)
+      points(:, :) = 0
+      do i = 1, size(points, 2)
+         if (extremes(2*i) > 0.0_wp) points(:, i) = nint([-extremes(2*i - 1), extremes(2*i)])
+      end do
    end function count_points
+
+   !> Material of a lane of an average
+   pure integer function material_of(model, domain, average, lane) result(material)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(average_type), intent(in) :: average
+      integer, intent(in) :: lane
+
+      associate (batch => domain%plates(average%plate)%batches(average%batch))
+         material = model%parts(average%plate)%plies(domain%layers%ply(batch%layer(lane, &
+            & average%block)))%material
+      end associate
+   end function material_of
 
 end module plydyn_domain_averages

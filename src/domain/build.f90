@@ -120,7 +120,7 @@ contains
       type(domain_type), intent(inout) :: domain
       !> What it has of the whole model
       type(share_type), intent(out) :: share
-      !> What neighbours cannot be averaged over, which only one rank alone does
+      !> What neighbours cannot be averaged over; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       type(numbering_type) :: numbering
@@ -133,7 +133,7 @@ contains
       call build_masses(model, division, numbering, domain)
       call build_elements(model, division, numbering, domain, share)
       call limit_step(model, domain)
-      call build_averages(model, domain, error)
+      call build_averages(model, division, rank_of_chunk, domain, error)
       if (allocated(error)) return
       call renumber_chunks(numbering, domain)
       call set_targets(domain)

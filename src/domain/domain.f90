@@ -133,12 +133,16 @@ module plydyn_domain_domain
       type(columns_type) :: columns
       !> One plate for each part
       type(plate_type), allocatable :: plates(:)
-      !> Averages over neighbours that drive the damage of plies
+      !> Averages over neighbours that drive the damage of plies, and the strains of other ranks'
+      !> points that go into them
       type(average_type), allocatable :: averages(:)
+      type(halo_type) :: loans
+      !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
+      integer, allocatable :: neighbours(:, :)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
-      !> History variables of all Gauss points together
-      integer :: histories = front
+      !> History variables of all Gauss points together, and room behind for those strains
+      integer :: histories = front, borrowed = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Chunks of all quads or bricks

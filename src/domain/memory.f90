@@ -15,13 +15,13 @@ module plydyn_domain_memory
 
 contains
 
-   !> Motion, masses, geometry of quads and interfaces, chunks, supports, loads and faces
+   !> Motion, masses, geometry of quads and interfaces, averages, chunks, supports, loads and faces
    pure real(wp) function mesh_bytes(domain) result(bytes)
       !> The domain
       type(domain_type), intent(in) :: domain
 
       real(wp) :: integers, reals
-      integer :: c, i
+      integer :: a, c, i
 
       associate (columns => domain%columns)
          reals = real(motions*columns%freedoms, wp) + columns%forces &
@@ -41,6 +41,10 @@ contains
       do i = 1, size(domain%interfaces)
          reals = reals + size(domain%interfaces(i)%metric)
          integers = integers + size(domain%interfaces(i)%node) + size(domain%interfaces(i)%target)
+      end do
+      do a = 1, size(domain%averages)
+         reals = reals + size(domain%averages(a)%weight)
+         integers = integers + size(domain%averages(a)%first) + size(domain%averages(a)%row)
       end do
       do c = 1, size(domain%chunks)
          integers = integers + size(domain%chunks(c)%column)
@@ -65,12 +69,12 @@ contains
       any_history = domain%histories > front
    end function any_history
 
-   !> Histories of all Gauss points
+   !> Histories of all Gauss points, and what is borrowed of other ranks
    pure real(wp) function history_bytes(domain) result(bytes)
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      bytes = real_bytes*real(domain%histories, wp)
+      bytes = real_bytes*real(domain%histories + domain%borrowed, wp)
    end function history_bytes
 
 end module plydyn_domain_memory

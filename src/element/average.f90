@@ -2,7 +2,8 @@
 !>
 !> The points of an average lie in the same layer, at the same height in it, and in the same part.
 !> Weights fall from the middle of an ellipse to nothing on its border; they are found once, and add
-!> up to one. Neighbours are added in the order of the plate: the same bits in any run.
+!> up to one. Neighbours are added in the order of the whole model, those of other ranks among them:
+!> the same bits in any run.
 module plydyn_element_average
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -25,11 +26,11 @@ module plydyn_element_average
       !> Place in the lists of the first neighbour of each point of the plane, those of a quad one
       !> after the other; one more at the end
       integer, allocatable :: first(:)
-      !> Neighbours: points of the plane, the point itself among them; their number is made a
-      !> multiple of `abreast`
-      integer, allocatable :: point(:)
-      !> Rows of the history before those of each, as `row_of` has them
+      !> Rows of the history before the own strains of each neighbour, the point itself among them;
+      !> their number is made a multiple of `abreast`
       integer, allocatable :: row(:)
+      !> Rows before those that hold the strains of other ranks' points, and nothing else
+      integer :: first_guest = huge(1)
       !> Their shares in the average of each lane, (lanes, neighbours); 0 outside of its ellipse
       real(wp), allocatable :: weight(:, :)
    end type average_type
@@ -51,13 +52,13 @@ contains
       real(wp), intent(inout) :: history(lanes, *)
 
       real(wp) :: mean(lanes, most_strains, most_levels)
-      integer :: i, n, row(abreast)
+      integer :: i, n
 
       do i = 1 + self%plane*(quads(1) - 1), self%plane*quads(2)
          mean(:, :, :) = 0.0_wp
          do n = self%first(i), self%first(i + 1) - 1, abreast
-            row(:) = self%row(n:n + abreast - 1) + self%behind_own
-            call add_shares(self, self%weight(:, n:n + abreast - 1), row, history, mean)
+            call add_shares(self, self%weight(:, n:n + abreast - 1), &
+               & self%row(n:n + abreast - 1), history, mean)
          end do
          call keep_mean(self, row_of(self, i) + self%behind_mean, mean, history)
       end do
@@ -86,11 +87,13 @@ contains
       real(wp), intent(in) :: history(lanes, *)
       real(wp), intent(inout) :: mean(lanes, most_strains, most_levels)
 
-      integer :: k, l, m, r(abreast)
+      integer :: k, l, m, pitch(abreast), r(abreast)
 
+      ! rows from one height to the next
+      pitch(:) = merge(self%strains, self%histories, row >= self%first_guest)
       do m = 1, self%levels
          do k = 1, self%strains
-            r(:) = row + self%histories*(m - 1) + k
+            r(:) = row + pitch*(m - 1) + k
             !$omp simd
             do l = 1, lanes
                mean(l, k, m) = mean(l, k, m) &

@@ -2,7 +2,6 @@
 module plydyn_output_damage_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_averages, only : count_points
    use plydyn_domain_bands, only : band_type, find_bands
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
@@ -30,17 +29,16 @@ contains
       type(domain_type), intent(in) :: domain
 
       type(band_type) :: bands(size(model%materials))
-      integer :: i, points(2, size(model%materials))
+      integer :: i
 
       if (.not. any(model%materials%is_damaged())) return
       bands(:) = find_bands(model, domain)
-      points(:, :) = count_points(model, domain)
       do i = 1, size(bands)
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
          if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
-            & points(:, i), model%control%units)
+            & domain%neighbours(:, i), model%control%units)
          if (model%materials(i)%law == law_strain_damage) then
             call write_strains(unit, model%materials(i)%strains, bands(i), model%control%units)
             cycle

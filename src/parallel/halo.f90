@@ -1,7 +1,7 @@
-!> Force columns that ranks send each other where they meet.
+!> Columns of numbers that ranks send each other where they meet: of forces, or of strains.
 !>
-!> Columns lie in the array of forces, one after the other; they are sent from their place and
-!> received into it, without any copy.
+!> Columns lie in one array, each in one piece; they are sent from their place and received into it,
+!> without any copy.
 module plydyn_parallel_halo
    use mpi_f08, only : mpi_comm_world, mpi_datatype, mpi_double_precision, mpi_irecv, mpi_isend, &
       & mpi_request, mpi_statuses_ignore, mpi_type_commit, mpi_type_create_indexed_block, &
@@ -43,8 +43,8 @@ contains
       integer, intent(in) :: ranks
       !> Length of a column
       integer, intent(in) :: height
-      !> Rank that gets a column, and the first place of the column in the array of forces less 1,
-      !> in the order in which that rank expects them, (2, columns)
+      !> Rank that gets a column, and the first place of the column in the array less 1, in the
+      !> order in which that rank expects them, (2, columns)
       integer, intent(in) :: sent(:, :)
       !> Rank that sends a column, and where it goes, in the same order, (2, columns)
       integer, intent(in) :: received(:, :)

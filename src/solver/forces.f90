@@ -38,6 +38,7 @@ contains
       type(turns_type), save :: inner, outer
       integer :: c, i
 
+      if (size(domain%averages) > 0) call borrow_strains(domain, history)
       call deal(outer, 1, domain%outer)
       call deal(inner, domain%outer + 1, size(domain%chunks))
       !$omp parallel default(shared) private(c, i)
@@ -75,6 +76,18 @@ contains
       !$omp end do nowait
       !$omp end parallel
    end subroutine find_internal_forces
+
+   !> Get the strains of other ranks' points that are averaged here, and lend those of this rank
+   subroutine borrow_strains(domain, history)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(inout), contiguous, asynchronous :: history(:)
+
+      type(messages_type) :: messages
+
+      if (domain%comm%ranks == 1) return
+      call domain%loans%start(history, messages)
+      call domain%loans%finish(history, messages)
+   end subroutine borrow_strains
 
    !> Internal forces of the chunks whose turn it is
    subroutine take_chunks(domain, turns, step, displacement, velocity, history, force)

@@ -2,7 +2,6 @@
 module plydyn_solver_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_averages, only : refuse_ranks
    use plydyn_domain_bands, only : check_bands
    use plydyn_domain_build, only : begin_domain, build_outline, build_share
    use plydyn_domain_build_elements, only : whole_mass
@@ -57,8 +56,6 @@ contains
       integer, allocatable :: rank_of_chunk(:)
       type(share_type) :: share
 
-      call refuse_ranks(self%model%materials, comm%ranks, error)
-      if (allocated(error)) return
       allocate (self%domain)
       call begin_domain(self%model, self%domain, division)
       if (comm%ranks > 1 .and. comm%is_root()) then
@@ -87,9 +84,10 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (allocated(self%whole)) then
-         ! what the listing says of the step, masses and added inertia
+         ! what the listing says of the step, averages, masses and added inertia
          self%whole%limit = self%domain%limit
          self%whole%step = self%domain%step
+         self%whole%neighbours = self%domain%neighbours
          self%whole%total_mass = self%domain%total_mass
          if (self%domain%control%scheme /= all_explicit) then
             self%whole%pairs%inertia = self%domain%pairs%inertia
@@ -124,8 +122,10 @@ contains
          return
       end if
       own(:) = [real(size(domain%chunks), wp), real(size(share%own), wp), &
-         & real(count(.not. share%own), wp), real(domain%halo%neighbours(), wp), &
-         & real(domain%halo%bytes, wp), mesh_bytes(domain), history_bytes(domain)]
+         & real(count(.not. share%own), wp), &
+         & real(max(domain%halo%neighbours(), domain%loans%neighbours()), wp), &
+         & real(domain%halo%bytes + domain%loans%bytes, wp), &
+         & mesh_bytes(domain), history_bytes(domain)]
       call comm%collect(own, [(rank_numbers, r=1, comm%ranks)], all)
       ranks = reshape(all, [rank_numbers, comm%ranks])
    end subroutine count_ranks

@@ -36,7 +36,7 @@ contains
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp
-      allocate (state%history(domain%histories))
+      allocate (state%history(domain%histories + domain%borrowed))
       state%history(:) = 0.0_wp
       call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)

@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, averaged, bricks, impact, metal, unlike, weak_plies
+from broken import CYCLES, averaged, averaged_parts, bricks, impact, metal, unlike, weak_plies
 from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
@@ -28,6 +28,8 @@ CASES: dict[str, Callable[[], Deck]] = {
     "implicit thickness": lambda: impact(2, "springs", implicit=2),
     "failing interfaces": lambda: impact(1, "cohesive"),
     "failing plies": lambda: impact(1, "springs", failing=True),
+    "averages over neighbours": averaged,
+    "averages in two parts": averaged_parts,
     "metal": metal,
     "bricks of one point": lambda: bricks(1),
     "bricks of eight points": lambda: bricks(8),
@@ -105,7 +107,7 @@ def test_memory_is_shared_out(failing: bool, tmp_path: Path) -> None:
         assert total < 1.15 * whole
 
 
-@pytest.mark.parametrize("case", ["springs", "failing interfaces"])
+@pytest.mark.parametrize("case", ["springs", "failing interfaces", "averages over neighbours"])
 def test_ranks_have_threads(case: str, tmp_path: Path) -> None:
     """Four ranks of one thread, two of two and one of one do the same."""
     path = CASES[case]().write(tmp_path / "job.k")
@@ -114,10 +116,20 @@ def test_ranks_have_threads(case: str, tmp_path: Path) -> None:
     assert run(path, tmp_path / "2x2", 2, threads=2) == alone
 
 
-@pytest.mark.parametrize("before, after", [(1, 3), (3, 1), (2, 4)])
-def test_restart_on_another_number_of_ranks(before: int, after: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "before, after, case",
+    [
+        (1, 3, "failing interfaces"),
+        (3, 1, "failing interfaces"),
+        (2, 4, "failing interfaces"),
+        (2, 3, "averages over neighbours"),
+    ],
+)
+def test_restart_on_another_number_of_ranks(
+    before: int, after: int, case: str, tmp_path: Path
+) -> None:
     """In mid-contact and mid-damage, the run goes on to the bits of the run in one piece."""
-    deck = impact(1, "cohesive")
+    deck = CASES[case]()
     deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
     path = deck.write(tmp_path / "job.k")
     run(path, tmp_path / "whole", 1)
@@ -157,14 +169,24 @@ def test_broken_deck_is_told_once(tmp_path: Path) -> None:
     assert several.stderr.count(alone.stderr.strip()) == 1
 
 
-def test_averages_need_one_rank(tmp_path: Path) -> None:
-    """Plies whose damage is driven by neighbours are refused by file, line and field."""
+def test_averages_count_the_points_of_all_ranks(tmp_path: Path) -> None:
+    """The listing says how many points the ellipses have, whoever has them."""
     path = averaged().write(tmp_path / "job.k")
-    line = 1 + path.read_text().splitlines().index("0.0,4.0,3.0")
-    done = launch(3, "run", path)
-    assert done.returncode == INPUT, done.stdout + done.stderr
-    assert f"job.k:{line}: *MAT_PLY_CODAM2 R1: " in done.stderr
-    assert "does not go with 3 ranks" in done.stderr
+    said = [
+        re.search(r"Gauss points in the ellipse.*", launch(r, "check", path).stdout)[0]
+        for r in (1, 2, 4)
+    ]
+    assert said[1:] == said[:1] * 2
+
+
+def test_ellipse_without_neighbours_is_refused_on_ranks(tmp_path: Path) -> None:
+    """All ranks come to what one rank says: by file, line and field, with the least cell of all."""
+    path = impact(1, "springs", failing=True, radii=(4.0, 0.1)).write(tmp_path / "job.k")
+    line = 1 + path.read_text().splitlines().index("0.0,4.0,0.1")
+    alone, several = (launch(ranks, "run", path) for ranks in (1, 3))
+    assert alone.returncode == several.returncode == INPUT
+    assert f"job.k:{line}: *MAT_PLY_CODAM2 R2: " in alone.stderr
+    assert several.stderr.count(alone.stderr.strip()) == 1
 
 
 def test_culprit_is_found_on_any_rank(tmp_path: Path) -> None:

@@ -75,6 +75,35 @@ def averaged() -> Deck:
     return impact(1, "springs", failing=True, radii=(4.0, 3.0))
 
 
+def averaged_parts() -> Deck:
+    """The same on two parts side by side, each of whose laws averages other strains."""
+    mesh = regular(SIDE, SIDE, 6, 6, 9)
+    deck = Deck("two parts to be broken off", END)
+    deck.control()
+    deck.mesh(mesh, (1, 1, 1, 2, 2, 2))
+    weak_ply(deck, (4.0, 3.0))
+    onset, finish = (0.004, 0.003, 0.002, 0.0), (0.02, 0.015, 0.01, 0.0)
+    deck.add(
+        "MAT_CODAM2",
+        (2, CARBON.density, CARBON.young[0], CARBON.young[1], 0.0, 0.02, 0.0, 0.4),
+        (CARBON.shear[0], 0.0, 0.0, 1, 2.5),
+        (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 2),
+        (0.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+        (0.0,),
+        (*onset, *finish[:3]),
+        (*onset, *finish[:3]),
+    )
+    for part in (1, 2):
+        plies = [(part, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
+        deck.add("PART_COMPOSITE_LONG", "laminate", (part, 0), *plies)
+        deck.add("SECTION_LAYERWISE", (part, 0, 1))
+    deck.hold(mesh.boundary(), "z")
+    centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 1.5 * PLY + 0.01)
+    deck.sphere(Sphere(RADIUS, 5.0e-6, centre, (1.0e2, 0.0, -8.0e3)))
+    outputs(deck, [mesh.at(0.5 * SIDE, 0.5 * SIDE)])
+    return deck
+
+
 def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
     """Material 1, the same ply with damage of fibres and matrix."""
     head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)

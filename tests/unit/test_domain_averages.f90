@@ -2,7 +2,6 @@
 program test_domain_averages
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_averages, only : count_points, refuse_ranks
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
    use plydyn_domain_domain, only : domain_type
@@ -28,6 +27,7 @@ program test_domain_averages
    call test_parts()
    call test_other_lane()
    call test_counts()
+   call test_guests()
    call test_refused()
    call finish()
 
@@ -199,18 +199,78 @@ contains
       type(model_type) :: model
       real(wp), allocatable :: history(:)
 
-      call begin("count_points")
+      call begin("counts")
       model = rectangle_model(rectangle_mesh(2, 4, 4, 4.0_wp, 4.0_wp, 0.0_wp), [0.0_wp], &
          & 0.25_wp, [1])
       call average_model(model)
       ! between the diagonal of a point's four neighbours and the next, 1 away
       model%materials(1)%radius(:) = 0.9_wp
       call build(model, domain, history)
-      call check(all(count_points(model, domain) == reshape([4, 9], [2, 1])), &
+      call check(all(domain%neighbours == reshape([4, 9], [2, 1])), &
          & "4 in a corner, 9 within")
    end subroutine test_counts
 
-   !> Ellipses too small for the mesh, and several ranks
+   !> Strains that lie where those of other ranks are kept give the same average to the last bit
+   subroutine test_guests()
+      type(domain_type) :: domain
+      real(wp), allocatable :: history(:), lent(:)
+      real(wp) :: worst
+      integer :: a, i, k, level, points
+
+      call begin("guests")
+      call build(averaged(0.05_wp), domain, history)
+      worst = 0.0_wp
+      do a = 1, size(domain%averages)
+         associate (average => domain%averages(a))
+            points = size(average%first) - 1
+            do i = 1, size(history)
+               history(i) = sin(real(i, wp))
+            end do
+            ! every other point is lent, and what it has itself is worth nothing then
+            lent = [history, spread(0.0_wp, 1, lanes*average%strains*average%levels*points)]
+            average%first_guest = (size(history) - average%first_history + 1)/lanes
+            call apply(domain, a, history)
+            do i = 2, points, 2
+               where (average%row == row_of(average, i) + average%behind_own) &
+                  & average%row = average%first_guest + average%strains*average%levels*(i - 1)
+               do level = 1, average%levels
+                  do k = 1, average%strains
+                     call lend(domain, a, [i, level, k], lent)
+                  end do
+               end do
+            end do
+            call apply(domain, a, lent)
+            do i = 1, points
+               do level = 1, average%levels
+                  worst = max(worst, abs(mean_at(domain, a, i, level, first_lane(domain, a), lent) &
+                     & - mean_at(domain, a, i, level, first_lane(domain, a), history)))
+               end do
+            end do
+         end associate
+      end do
+      call check(worst, 0.0_wp, 0.0_wp, "are added as neighbours are")
+   end subroutine test_guests
+
+   !> Move a strain to where those of other ranks are kept
+   subroutine lend(domain, a, which, history)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: a
+      !> Point, height and strain
+      integer, intent(in) :: which(3)
+      real(wp), intent(inout) :: history(:)
+
+      integer :: from, to
+
+      associate (average => domain%averages(a))
+         from = place_of(domain, a, which(1), which(2)) + lanes*(average%behind_own + which(3) - 1)
+         to = average%first_history + lanes*(average%first_guest + which(3) - 1 &
+            & + average%strains*(which(2) - 1 + average%levels*(which(1) - 1)))
+         history(to:to + lanes - 1) = history(from:from + lanes - 1)
+         history(from:from + lanes - 1) = 1.0e3_wp
+      end associate
+   end subroutine lend
+
+   !> Ellipses too small for the mesh
    subroutine test_refused()
       type(domain_type) :: domain
       type(error_type), allocatable :: error
@@ -226,14 +286,6 @@ contains
       call build_domain(model, domain, error)
       call check_error(error, "R1 = 0.500000E-1 is nowhere as large as the cell", &
          & "what is wrong")
-      call refuse_ranks(model%materials, 1, error)
-      call check(.not. allocated(error), "one rank")
-      call refuse_ranks(model%materials, 4, error)
-      call check_error(error, "a.k:9: *MAT_PLY_CODAM2 R1: an average over neighbours does not go " &
-         & //"with 4 ranks", "more ranks")
-      model%materials%radius(1) = 0.0_wp
-      call refuse_ranks(model%materials, 4, error)
-      call check(.not. allocated(error), "without averages")
    end subroutine test_refused
 
    !> Three plies of two orders over quads of nine nodes

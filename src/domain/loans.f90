@@ -1,0 +1,117 @@
+!> Strains that ranks lend each other for averages over points on both sides of a border.
+!>
+!> What a rank borrows lies behind its own histories, in rows like those: for each point of another
+!> rank that it averages over, in the order of the whole model, the strains at one height after the
+!> other.
+module plydyn_domain_loans
+   use plydyn_base_precision, only : lanes
+   use plydyn_domain_neighbourhood, only : neighbourhood_type
+   use plydyn_element_average, only : average_type, row_of
+   implicit none
+   private
+
+   public :: add_loans, new_loans
+
+   !> Rows of histories that a rank lends and borrows
+   type, public :: loans_type
+      !> Rank that gets a row, or gives it, and the place of the row in the histories less 1, in
+      !> the order of the whole model for each rank, (2, rows)
+      integer, allocatable :: lent(:, :), borrowed(:, :)
+   end type loans_type
+
+contains
+
+   !> Nothing yet
+   pure function new_loans() result(self)
+      type(loans_type) :: self
+
+      allocate (self%lent(2, 0), self%borrowed(2, 0))
+   end function new_loans
+
+   !> Let an average find its neighbours in the histories, those of other ranks behind
+   pure subroutine add_loans(around, point, length, average, loans)
+      !> Points of the plane
+      type(neighbourhood_type), intent(in) :: around
+      !> Neighbours of all points of this rank, as `first` of the average has them
+      integer, intent(in) :: point(:)
+      !> Histories and what is borrowed so far in, with what this average borrows out
+      integer, intent(inout) :: length
+      !> Has its lists, but for the rows
+      type(average_type), intent(inout) :: average
+      !> Gets what this average lends and borrows
+      type(loans_type), intent(inout) :: loans
+
+      integer :: number(size(around%area)), n, own
+      integer, allocatable :: guest(:)
+
+      number(:) = 0
+      number(point) = 1
+      guest = pack([(n, n=1, size(number))], number > 0 &
+         & .and. around%own_point([(n, n=1, size(number))]) == 0)
+      number(guest) = [(n, n=1, size(guest))]
+      average%first_guest = (length - average%first_history + 1)/lanes
+      allocate (average%row(size(point)))
+      do n = 1, size(point)
+         own = around%own_point(point(n))
+         if (own > 0) then
+            average%row(n) = row_of(average, own) + average%behind_own
+         else
+            average%row(n) = guest_row(average, number(point(n)))
+         end if
+      end do
+      loans%borrowed = reshape([loans%borrowed, (strain_places(average, guest_row(average, n), &
+         & average%strains, around%rank_of(guest(n))), n=1, size(guest))], &
+         & [2, size(loans%borrowed, 2) + average%strains*average%levels*size(guest)])
+      call lend(around, point, guest, average, loans)
+      length = length + lanes*average%strains*average%levels*size(guest)
+   end subroutine add_loans
+
+   !> Row before the strains of a point of another rank
+   pure integer function guest_row(average, number) result(row)
+      type(average_type), intent(in) :: average
+      !> How many such points there are, with it
+      integer, intent(in) :: number
+
+      row = average%first_guest + average%strains*average%levels*(number - 1)
+   end function guest_row
+
+   !> A rank lends what another one borrows: if a point is averaged over its neighbour, so is the
+   !> neighbour over the point
+   pure subroutine lend(around, point, guest, average, loans)
+      type(neighbourhood_type), intent(in) :: around
+      !> Neighbours of all points of this rank, and those of other ranks among them, each once
+      integer, intent(in) :: point(:), guest(:)
+      type(average_type), intent(in) :: average
+      type(loans_type), intent(inout) :: loans
+
+      logical :: is_met(0:maxval([0, around%rank]))
+      integer, allocatable :: lent(:)
+      integer :: i, n, r
+
+      is_met(:) = .false.
+      is_met(around%rank_of(guest)) = .true.
+      do r = 0, size(is_met) - 1
+         if (.not. is_met(r)) cycle
+         lent = pack([(i, i=1, size(average%first) - 1)], [(any(around%rank_of( &
+            & point(average%first(i):average%first(i + 1) - 1)) == r), &
+            & i=1, size(average%first) - 1)])
+         loans%lent = reshape([loans%lent, (strain_places(average, row_of(average, lent(n)) &
+            & + average%behind_own, average%histories, r), n=1, size(lent))], &
+            & [2, size(loans%lent, 2) + average%strains*average%levels*size(lent)])
+      end do
+   end subroutine lend
+
+   !> A rank, and the places of the strains of a point less 1, (2, strains at all heights)
+   pure function strain_places(average, row, pitch, rank) result(places)
+      type(average_type), intent(in) :: average
+      !> Row before them, rows from height to height, and the rank
+      integer, intent(in) :: row, pitch, rank
+      integer :: places(2, average%strains*average%levels)
+      integer :: k, m
+
+      places(1, :) = rank
+      places(2, :) = [((average%first_history - 1 + lanes*(row + pitch*(m - 1) + k - 1), &
+         & k=1, average%strains), m=1, average%levels)]
+   end function strain_places
+
+end module plydyn_domain_loans

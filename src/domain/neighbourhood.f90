@@ -1,0 +1,166 @@
+!> Gauss points of the plane around those of a rank: its own, and those of other ranks that may be
+!> averaged with them.
+module plydyn_domain_neighbourhood
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_division, only : division_type
+   use plydyn_element_plate, only : plate_type
+   use plydyn_element_quad, only : quad_metric, tensor_order
+   use plydyn_model_mesh, only : mesh_type
+   implicit none
+   private
+
+   public :: new_neighbourhood
+
+   !> Quads of a part, in the order of the whole model, and their points, quad by quad
+   type, public :: neighbourhood_type
+      !> Points of a quad
+      integer :: plane = 0
+      !> Rank that has each quad
+      integer, allocatable :: rank(:)
+      !> Its place in the plate of this rank, 0 where another rank has it
+      integer, allocatable :: place(:)
+      !> Positions of the points, (2, points)
+      real(wp), allocatable :: position(:, :)
+      !> Their areas
+      real(wp), allocatable :: area(:)
+   contains
+      procedure :: own_point
+      procedure :: rank_of
+   end type neighbourhood_type
+
+contains
+
+   !> The quads of a rank, and all others that have a point within reach of theirs
+   pure function new_neighbourhood(mesh, division, rank_of_chunk, rank, part, plate, reach) &
+      & result(self)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> All quads
+      type(division_type), intent(in) :: division
+      !> Rank of each chunk, and this rank
+      integer, intent(in) :: rank_of_chunk(:), rank
+      !> The part
+      integer, intent(in) :: part
+      !> Its plate: tables of quads
+      type(plate_type), intent(in) :: plate
+      !> How far points are averaged
+      real(wp), intent(in) :: reach
+      type(neighbourhood_type) :: self
+
+      integer :: e, i, own
+      integer, allocatable :: kept(:), ranks(:)
+
+      self%plane = plate%side**2
+      ranks = quad_ranks(division, rank_of_chunk, part)
+      associate (element => division%parts(part)%element)
+         kept = near_quads(mesh, plate, element, ranks == rank, reach)
+         self%rank = ranks(kept)
+         self%place = spread(0, 1, size(kept))
+         allocate (self%position(2, self%plane*size(kept)), self%area(self%plane*size(kept)))
+         own = 0
+         do i = 1, size(kept)
+            if (self%rank(i) == rank) then
+               own = own + 1
+               self%place(i) = own
+            end if
+            e = self%plane*(i - 1)
+            self%position(:, e + 1:e + self%plane) = quad_points(mesh, plate, element(kept(i)))
+            self%area(e + 1:e + self%plane) = point_areas(mesh, plate, element(kept(i)))
+         end do
+      end associate
+   end function new_neighbourhood
+
+   !> Number of a point in the plate of this rank, 0 where another rank has it
+   elemental integer function own_point(self, point) result(own)
+      class(neighbourhood_type), intent(in) :: self
+      !> The point here
+      integer, intent(in) :: point
+
+      associate (place => self%place(1 + (point - 1)/self%plane))
+         own = 0
+         if (place > 0) own = self%plane*(place - 1) + 1 + mod(point - 1, self%plane)
+      end associate
+   end function own_point
+
+   !> Rank that has a point
+   elemental integer function rank_of(self, point) result(rank)
+      class(neighbourhood_type), intent(in) :: self
+      !> The point here
+      integer, intent(in) :: point
+
+      rank = self%rank(1 + (point - 1)/self%plane)
+   end function rank_of
+
+   !> Rank of each quad of a part
+   pure function quad_ranks(division, rank_of_chunk, part) result(ranks)
+      type(division_type), intent(in) :: division
+      integer, intent(in) :: rank_of_chunk(:), part
+      integer :: ranks(size(division%parts(part)%element))
+      integer :: c
+
+      do c = 1, size(division%chunks)
+         associate (chunk => division%chunks(c))
+            if (chunk%plate == part) ranks(chunk%quads(1):chunk%quads(2)) = rank_of_chunk(c)
+         end associate
+      end do
+   end function quad_ranks
+
+   !> Places in a list of own quads, and of those with a point in the box around the points of the
+   !> own ones that reaches so much farther
+   pure function near_quads(mesh, plate, element, is_own, reach) result(places)
+      type(mesh_type), intent(in) :: mesh
+      type(plate_type), intent(in) :: plate
+      !> Quads of the mesh
+      integer, intent(in) :: element(:)
+      logical, intent(in) :: is_own(:)
+      real(wp), intent(in) :: reach
+      integer, allocatable :: places(:)
+
+      real(wp) :: high(2), low(2), points(2, plate%side**2)
+      logical :: is_near(size(element))
+      integer :: e
+
+      low(:) = huge(reach)
+      high(:) = -huge(reach)
+      do e = 1, size(element)
+         if (.not. is_own(e)) cycle
+         points(:, :) = quad_points(mesh, plate, element(e))
+         low(:) = min(low, minval(points, 2) - reach)
+         high(:) = max(high, maxval(points, 2) + reach)
+      end do
+      is_near(:) = is_own
+      do e = 1, size(element)
+         if (is_own(e) .or. .not. any(is_own)) cycle
+         points(:, :) = quad_points(mesh, plate, element(e))
+         is_near(e) = any(all(points >= spread(low, 2, size(points, 2)) &
+            & .and. points <= spread(high, 2, size(points, 2)), 1))
+      end do
+      places = pack([(e, e=1, size(element))], is_near)
+   end function near_quads
+
+   !> Gauss points of a quad, (2, points)
+   pure function quad_points(mesh, plate, quad) result(points)
+      type(mesh_type), intent(in) :: mesh
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: quad
+      real(wp) :: points(2, plate%side**2)
+
+      points(:, :) = matmul(mesh%position(1:2, mesh%quad_node(tensor_order(plate%side), quad)), &
+         & transpose(plate%shape))
+   end function quad_points
+
+   !> Their areas
+   pure function point_areas(mesh, plate, quad) result(area)
+      type(mesh_type), intent(in) :: mesh
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: quad
+      real(wp) :: area(plate%side**2)
+
+      real(wp) :: metric(5, plate%side**2)
+
+      metric(:, :) = quad_metric(plate%side, &
+         & mesh%position(1:2, mesh%quad_node(tensor_order(plate%side), quad)))
+      area(:) = metric(5, :)
+   end function point_areas
+
+end module plydyn_domain_neighbourhood
