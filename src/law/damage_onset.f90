@@ -112,45 +112,74 @@ contains
       self%far_matrix(lane, 4) = self%ratio(lane)/toughness
    end subroutine set_far
 
-   !> How far beyond onset the modes are: 0 or more where damage starts
-   pure subroutine find_onset(self, stress, strain, shear, length, excess)
+   !> How far beyond onset the modes of some points are: 0 or more where damage starts
+   pure subroutine find_onset(self, points, columns, stress, strain, shear, length, excess)
       class(onset_type), intent(in) :: self
-      !> Trial stresses 11 and 22
-      real(wp), intent(in) :: stress(lanes, 2)
-      !> Strains 11 and 22
-      real(wp), intent(in) :: strain(lanes, 2)
+      !> Number of points; components of each strain
+      integer, intent(in) :: points, columns
+      !> Trial stresses 11, 22, 33
+      real(wp), intent(in) :: stress(lanes, 3, points)
+      !> Strains 11 and 22 in the first two columns
+      real(wp), intent(in) :: strain(lanes, columns, points)
       !> Sizes of the shear stress on its curve and of the elastic shear strain
-      real(wp), intent(in) :: shear(lanes, 2)
+      real(wp), intent(in) :: shear(lanes, 2, points)
       !> Widths of the crack band for fibres and for matrix
-      real(wp), intent(in) :: length(lanes, 2)
+      real(wp), intent(in) :: length(lanes, 2, points)
       !> Of fibres and of matrix; only the sign has a meaning
-      real(wp), intent(out) :: excess(lanes, 2)
+      real(wp), intent(out) :: excess(lanes, 2, points)
 
-      real(wp) :: by_shear, criterion, in_t, in_c, s, pull, push, toughness, work
+      integer :: m
+
+      do m = 1, points
+         call find_fibre_onset(self, stress(:, 1, m), strain(:, 1, m), length(:, 1, m), &
+            & excess(:, 1, m))
+         call find_matrix_onset(self, stress(:, 2, m), strain(:, 2, m), shear(:, :, m), &
+            & length(:, 2, m), excess(:, 2, m))
+      end do
+   end subroutine find_onset
+
+   !> How far beyond onset the fibres of a point are
+   pure subroutine find_fibre_onset(self, stress, strain, length, excess)
+      type(onset_type), intent(in) :: self
+      real(wp), intent(in) :: stress(lanes), strain(lanes), length(lanes)
+      real(wp), intent(out) :: excess(lanes)
+
+      real(wp) :: criterion, in_c, in_t, pull, push, toughness, work
       integer :: l
 
-      associate (least => self%least, ratio => self%ratio, t => in_tension, c => in_compression)
-         !$omp simd private(s, pull, push, in_t, in_c, criterion, toughness, work)
+      associate (least => self%least, t => in_tension, c => in_compression)
+         !$omp simd private(pull, push, in_t, in_c, criterion, toughness, work)
          do l = 1, lanes
-            s = stress(l, 1)
-            pull = max(s, 0.0_wp)
-            push = max(-s, 0.0_wp)
+            pull = max(stress(l), 0.0_wp)
+            push = max(-stress(l), 0.0_wp)
             criterion = self%fibre(l, t)*pull**2 + self%fibre(l, c)*push**2
             in_t = self%fibre_toughness(l, t)
             in_c = self%fibre_toughness(l, c)
-            toughness = merge(in_t, in_c, s >= 0.0_wp)
-            work = abs(s)*max(abs(strain(l, 1)), least(l, 1)*abs(s))
-            excess(l, 1) = max(criterion - 1.0_wp, ratio(l)*length(l, 1)*work - toughness)
+            toughness = merge(in_t, in_c, stress(l) >= 0.0_wp)
+            work = abs(stress(l))*max(abs(strain(l)), least(l, 1)*abs(stress(l)))
+            excess(l) = max(criterion - 1.0_wp, self%ratio(l)*length(l)*work - toughness)
          end do
+      end associate
+   end subroutine find_fibre_onset
 
+   !> How far beyond onset the matrix of a point is
+   pure subroutine find_matrix_onset(self, stress, strain, shear, length, excess)
+      type(onset_type), intent(in) :: self
+      real(wp), intent(in) :: stress(lanes), strain(lanes), shear(lanes, 2), length(lanes)
+      real(wp), intent(out) :: excess(lanes)
+
+      real(wp) :: by_shear, criterion, in_c, in_t, pull, push, s, toughness, work
+      integer :: l
+
+      associate (least => self%least, t => in_tension, c => in_compression)
          !$omp simd private(s, pull, push, by_shear, in_t, in_c, criterion, toughness, work)
          do l = 1, lanes
-            s = stress(l, 2)
+            s = stress(l)
             pull = max(s, 0.0_wp)
             push = max(-s, 0.0_wp)
             criterion = self%shear(l)*shear(l, 1)**2 + self%matrix(l, t)*pull**2 &
                & + (self%matrix(l, c)*push - self%linear(l))*push
-            work = max(s*strain(l, 2), least(l, 2)*s**2)
+            work = max(s*strain(l), least(l, 2)*s**2)
             by_shear = shear(l, 1)*shear(l, 2)
             in_t = self%matrix_toughness(l, t)
             in_c = self%matrix_toughness(l, c)
@@ -159,10 +188,10 @@ contains
             in_c = self%shear_toughness(l, c)
             toughness = toughness + by_shear*merge(in_t, in_c, s >= -idle_push*shear(l, 1))
             work = work + by_shear
-            excess(l, 2) = max(criterion - 1.0_wp, ratio(l)*length(l, 2)*work**2 - toughness)
+            excess(l) = max(criterion - 1.0_wp, self%ratio(l)*length(l)*work**2 - toughness)
          end do
       end associate
-   end subroutine find_onset
+   end subroutine find_matrix_onset
 
    !> Strains between which the damage of fibres grows, from a state at onset or beyond
    pure subroutine begin_fibre(self, lane, stress, strain, length, onset, finish)

@@ -15,7 +15,8 @@ module plydyn_law_ply_damage
       & histories_closing, histories_most, histories_open, keep_driving, matrix_damage, &
       & matrix_energy, matrix_finish, matrix_length, matrix_onset, mean_strain, own_strain, &
       & shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, to_compression
-   use plydyn_law_ply_quiet, only : quiet_type
+   use plydyn_law_ply_lanes, only : ply_lanes_type
+   use plydyn_law_ply_quiet, only : stay
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
    implicit none
    private
@@ -23,28 +24,14 @@ module plydyn_law_ply_damage
    !> A law with the constants of the lanes
    type, public, extends(law_type) :: ply_damage_type
       private
-      !> Share of the strength that crushed fibres keep, and crushed matrix: none
-      real(wp) :: plateau(lanes, 2) = 0.0_wp
-      !> Share of the strength from which their stress drops to zero
-      real(wp) :: brittle(lanes, 2) = 0.0_wp
-      !> Least part of a stiffness that remains
-      real(wp) :: residual(lanes) = 1.0_wp
-      !> 1 where damage weakens G13 and G23, else 0
-      real(wp) :: across(lanes) = 0.0_wp
-      !> The intact ply; whether the law owns all lanes
-      type(quiet_type) :: ply
-      logical :: whole = .false.
-      !> 1 in lanes where tension and compression have damage of their own; whether in any
-      real(wp) :: closes(lanes) = 0.0_wp
-      logical :: any_closes = .false.
-      !> 1 in lanes where onset is by the stress of an intact ply; whether in any
-      real(wp) :: intact(lanes) = 0.0_wp
-      logical :: any_intact = .false.
+      !> Constants of the lanes
+      type(ply_lanes_type) :: ply
       !> Damage is driven by strains that are averaged over neighbours
       logical :: averages = .false.
    contains
       procedure :: update
       procedure :: update_points
+      procedure :: advance
       procedure :: set_lane
       procedure :: set_average
       procedure :: start_history
@@ -62,20 +49,8 @@ contains
       type(ply_constants_type), intent(in) :: constants
 
       self%owns(lane) = .true.
-      self%ply%own(lane) = 1.0_wp
-      self%whole = all(self%owns)
-      call self%ply%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
-      call self%ply%curve%set_lane(lane, constants%shear(1), constants%curve)
-      call self%ply%onset%set_lane(lane, constants)
-      self%plateau(lane, 1) = constants%plateau
-      self%brittle(lane, 1) = constants%brittle
-      self%residual(lane) = constants%residual
-      self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
-      self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
-      self%any_closes = any(self%closes > 0.0_wp)
-      self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
-      self%any_intact = any(self%intact > 0.0_wp)
-      self%histories = merge(histories_closing, histories_open, self%any_closes)
+      call self%ply%set_lane(lane, constants)
+      self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
       self%energy_at(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
          & shear_energy]
       self%band_rule(lane) = constants%band_rule
@@ -126,7 +101,7 @@ contains
       real(wp) :: damage(2)
 
       damage(:) = history([fibre_damage, matrix_damage])
-      if (self%any_closes) damage(:) = max(damage, &
+      if (self%ply%any_closes) damage(:) = max(damage, &
          & history([fibre_damage, matrix_damage] + to_compression))
       values(:) = 0.0_wp
       values(shows_fibre_damage:shows_matrix_damage) = damage
@@ -145,7 +120,8 @@ contains
       call self%update_points(1, self%histories, step, strain, history, stress)
    end subroutine update
 
-   !> The same for some points of a layer: at once where the ply is intact, the others one by one
+   !> The same for some points of a layer: at once where no damage begins or grows, the
+   !> others one by one
    pure subroutine update_points(self, points, histories, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: points, histories
@@ -160,21 +136,21 @@ contains
 
       quiet(:) = .false.
       if (.not. self%averages) then
-         call self%ply%stay(points, histories, strain, history, stress, quiet)
+         call stay(self%ply, points, histories, strain, history, stress, quiet)
       end if
       do m = 1, points
          if (quiet(m)) cycle
-         if (self%whole) then
-            call advance(self, strain(:, :, m), history(:, :, m), stress(:, :, m))
+         if (self%ply%whole) then
+            call self%advance(strain(:, :, m), history(:, :, m), stress(:, :, m))
          else
             call take_own(self%ply%own, self%histories, strain(:, :, m), history(:, :, m), e, h)
-            call advance(self, e, h, s)
+            call self%advance(e, h, s)
             call give_own(self%ply%own, self%histories, h, s, history(:, :, m), stress(:, :, m))
          end if
       end do
    end subroutine update_points
 
-   !> Stress and history after a step, of all lanes
+   !> Stress and history after a step, of all lanes: the whole law, whatever happens at the point
    pure subroutine advance(self, e, h, s)
       class(ply_damage_type), intent(in) :: self
       !> Strain, history and stress
@@ -190,16 +166,16 @@ contains
          call take_mean(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), drive, &
             & drive_shear)
          call advance_damage(self, drive, drive_shear, h, now, s(:, 1:3))
-         call self%ply%secant%damaged_stress(e(:, 1:3), now%after(:, 1:2), s(:, 1:3))
+         call self%ply%secant%damaged_stress(1, 6, e, now%after(:, 1:2), s(:, 1:3))
          call find_share(e, shear(:, 2), h(:, own_strain:mean_strain - 1), now%share)
          call keep_driving(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
       else
          call advance_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
       end if
-      if (now%grows) call add_energies(self%ply%secant, self%across, e, shear(:, 2), now, &
+      if (now%grows) call add_energies(self%ply%secant, self%ply%across, e, shear(:, 2), now, &
          & s(:, 1:2), h)
-      call add_damaged(self%ply%secant, self%across, e, shear(:, 1), now, s)
-      if (self%any_closes) call swap_closed(self%closes, now%sense, h)
+      call add_damaged(self%ply%secant, self%ply%across, e, shear(:, 1), now, s)
+      if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, h)
    end subroutine advance
 
    !> Damage after a step, and the normal stresses that the strains that drive it have on what
@@ -216,8 +192,8 @@ contains
       real(wp) :: share(lanes, 2)
       logical :: begins
 
-      if (self%any_closes) call put_acting_first(self, e, h, now%sense)
-      call find_remains(self%residual, self%any_closes, h, now%sense, now%before)
+      if (self%ply%any_closes) call put_acting_first(self, e, h, now%sense)
+      call find_remains(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
       call soften(self, e, shear(:, 2), h, now, now%share, s)
       call begin_damage(self, e, shear, s, h, now, begins)
       if (.not. begins) return
@@ -239,7 +215,7 @@ contains
       integer :: l
 
       cracked(:) = h(:, matrix_finish)
-      if (self%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
+      if (self%ply%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
       size(:) = merge(0.0_wp, abs(strain), cracked > 0.0_wp)
       call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, now%grows)
       associate (modulus => self%ply%secant%shear)
@@ -263,14 +239,14 @@ contains
 
       real(wp) :: remains(lanes, 4), stress(lanes, 3)
 
-      call self%ply%secant%intact_stress(e, stress)
+      call self%ply%secant%intact_stress(1, 3, e, stress)
       sense(:, :) = stress(:, 1:2)
-      call swap_closed(self%closes, sense, h)
-      call find_remains(self%residual, self%any_closes, h, sense, remains)
-      call self%ply%secant%damaged_stress(e, remains(:, 1:2), stress)
-      call swap_closed(self%closes, sense, h)
+      call swap_closed(self%ply%closes, sense, h)
+      call find_remains(self%ply%residual, self%ply%any_closes, h, sense, remains)
+      call self%ply%secant%damaged_stress(1, 3, e, remains(:, 1:2), stress)
+      call swap_closed(self%ply%closes, sense, h)
       sense(:, :) = stress(:, 1:2)
-      call swap_closed(self%closes, sense, h)
+      call swap_closed(self%ply%closes, sense, h)
    end subroutine put_acting_first
 
    !> Let damage grow that has begun, and find the normal stresses on what remains
@@ -292,17 +268,20 @@ contains
          size(l, 1) = abs(e(l, 1))
          size(l, 2) = sqrt(e(l, 2)**2 + elastic(l)**2)
       end do
-      if (can_grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish))) then
-         now%grows = .true.
-         call grow(self%plateau, self%brittle, size, h(:, fibre_damage:matrix_finish), share)
-         ! where cracks close, another damage may meet the strain of the step at once
-         if (self%any_closes) share(:, :) = merge(1.0_wp, share, spread(self%closes > 0.0_wp, 2, 2))
-         call find_remains(self%residual, self%any_closes, h, now%sense, now%after)
-      else
-         share(:, :) = 1.0_wp
-         now%after(:, :) = now%before
-      end if
-      call self%ply%secant%damaged_stress(e, now%after(:, 1:2), stress)
+      associate (ply => self%ply, modes => h(:, fibre_damage:matrix_finish))
+         if (can_grow(ply%plateau, ply%brittle, size, modes)) then
+            now%grows = .true.
+            call grow(ply%plateau, ply%brittle, size, modes, share)
+            ! where cracks close, another damage may meet the strain of the step at once
+            if (ply%any_closes) share(:, :) = merge(1.0_wp, share, &
+               & spread(ply%closes > 0.0_wp, 2, 2))
+            call find_remains(ply%residual, ply%any_closes, h, now%sense, now%after)
+         else
+            share(:, :) = 1.0_wp
+            now%after(:, :) = now%before
+         end if
+      end associate
+      call self%ply%secant%damaged_stress(1, 3, e, now%after(:, 1:2), stress)
    end subroutine soften
 
    !> Freeze the strains of the modes that begin in this step
@@ -316,15 +295,15 @@ contains
       !> A mode begins in some lane
       logical, intent(out) :: begins
 
-      real(wp) :: in_plane(2), intact(lanes, 3), length, most, trial(lanes, 2)
+      real(wp) :: in_plane(2), intact(lanes, 3), length, most, trial(lanes, 3)
       integer :: l
 
-      trial(:, :) = stress(:, 1:2)
-      if (self%any_intact) then
-         call self%ply%secant%intact_stress(e, intact)
-         trial(:, :) = merge(intact(:, 1:2), trial, spread(self%intact > 0.0_wp, 2, 2))
+      trial(:, :) = stress
+      if (self%ply%any_intact) then
+         call self%ply%secant%intact_stress(1, 3, e, intact)
+         trial(:, :) = merge(intact, trial, spread(self%ply%intact > 0.0_wp, 2, 3))
       end if
-      call self%ply%onset%find_onset(trial, e(:, 1:2), shear, &
+      call self%ply%onset%find_onset(1, 3, trial, e, shear, &
          & abs(h(:, fibre_length:matrix_length)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)

@@ -1,12 +1,12 @@
-!> Steps without damage: stress of the intact ply, little history; all else is left alone.
+!> Steps without new damage: stress of the intact ply, little history; all else is left alone.
 program test_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
-   use plydyn_law_ply_history, only : fibre_length, histories_open, matrix_length, shear_energy, &
-      & shear_peak, shear_set
-   use plydyn_law_ply_quiet, only : quiet_type
-   use plydyn_law_shear_curve, only : shear_lanes_type
+   use plydyn_law_ply_history, only : fibre_length, histories_open, matrix_damage, matrix_finish, &
+      & matrix_length, matrix_onset, shear_energy, shear_peak, shear_set
+   use plydyn_law_ply_lanes, only : ply_lanes_type
+   use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none
@@ -16,7 +16,7 @@ program test_law_ply_quiet
       & -2.0e-3_wp]
    !> A lane that another law owns
    integer, parameter :: foreign = 3
-   type(quiet_type) :: quiet
+   type(ply_lanes_type) :: lane
    !> Points above each other
    integer, parameter :: points = 2
    real(wp) :: history(lanes, histories_open, points), stress(lanes, 6, points)
@@ -65,18 +65,25 @@ contains
       call check(history(1, shear_peak, points), 0.01_wp, 0.0_wp, "unloading changes nothing")
    end subroutine test_curve
 
-   !> Damage that begins or has begun is left to others
+   !> Damage that begins or grows is left to others
    subroutine test_loud()
       real(wp), parameter :: large(6) = [0.02_wp, 0.0_wp, 0.0_wp, 0.02_wp, 0.0_wp, 0.0_wp]
+      real(wp), parameter :: across(6) = [0.0_wp, 0.006_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
 
       call begin("not quiet")
       call rest(.true.)
       call move(large)
       call check(.not. any(stays), "beyond the strength of fibres")
       call check(maxval(abs(history(:, :fibre_length - 1, :))), 0.0_wp, 0.0_wp, "history untouched")
+      ! damage that has begun at a strain of 0.004, ends at 0.02 and has grown up to 0.0053
       history(5, matrix_length, points) = -history(5, matrix_length, points)
+      history(5, [matrix_damage, matrix_onset, matrix_finish], points) = &
+         & [0.3_wp, 0.004_wp, 0.02_wp]
       call move(small)
-      call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged")
+      call check(all(stays), "a lane of a point is damaged and its damage stays")
+      call move(across)
+      call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
+      call check(history(5, matrix_damage, points), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
       history(foreign, matrix_length, :) = -1.0_wp
       call move(small)
@@ -102,10 +109,10 @@ contains
          history(:, fibre_length:matrix_length, :) = history(:, fibre_length:matrix_length, :) &
             & *2.0_wp**mod(i, 8)
          wide(:, :) = history(:, fibre_length:matrix_length, 1)
-         call quiet%secant%intact_stress(spread(strain(1:3), 1, lanes), normal)
+         call lane%secant%intact_stress(1, 3, spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
-         shear(:, 1) = quiet%secant%shear(:, 1)*shear(:, 2)
-         call quiet%onset%find_onset(normal(:, 1:2), spread(strain(1:2), 1, lanes), shear, wide, &
+         shear(:, 1) = lane%secant%shear(:, 1)*shear(:, 2)
+         call lane%onset%find_onset(1, 2, normal, spread(strain(1:2), 1, lanes), shear, wide, &
             & excess)
          call move(strain)
          if (any(excess >= 0.0_wp)) loud = loud + 1
@@ -120,7 +127,7 @@ contains
       real(wp), intent(in) :: strain(6)
 
       stress(:, :, :) = 7.0_wp
-      call quiet%stay(points, histories_open, spread(spread(strain, 1, lanes), 3, points), &
+      call stay(lane, points, histories_open, spread(spread(strain, 1, lanes), 3, points), &
          & history, stress, stays)
    end subroutine move
 
@@ -140,13 +147,9 @@ contains
             ply%cross_strength = 40.0_wp
          end if
       end if
-      quiet%curve = shear_lanes_type()
+      lane = ply_lanes_type()
       do l = 1, lanes
-         if (l == foreign) cycle
-         quiet%own(l) = 1.0_wp
-         call quiet%secant%set_lane(l, ply%young, ply%poisson, ply%shear)
-         call quiet%curve%set_lane(l, ply%shear(1), ply%curve)
-         call quiet%onset%set_lane(l, ply)
+         if (l /= foreign) call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
       history(:, fibre_length, :) = 1.0_wp

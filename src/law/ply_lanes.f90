@@ -1,0 +1,64 @@
+!> Constants of the plies that are damaged, over the lanes of a batch.
+module plydyn_law_ply_lanes
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_onset, only : onset_type
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_secant, only : secant_type
+   use plydyn_law_shear_curve, only : shear_lanes_type
+   implicit none
+   private
+
+   !> Constants of the lanes
+   type, public :: ply_lanes_type
+      !> 1 in lanes that the law owns, else 0; 1 in the others, else 0; whether it owns all
+      real(wp) :: own(lanes) = 0.0_wp, other(lanes) = 1.0_wp
+      logical :: whole = .false.
+      !> Stiffness, curve of shear, onset of damage
+      type(secant_type) :: secant
+      type(shear_lanes_type) :: curve
+      type(onset_type) :: onset
+      !> Share of the strength that crushed fibres keep, and crushed matrix: none
+      real(wp) :: plateau(lanes, 2) = 0.0_wp
+      !> Share of the strength from which their stress drops to zero
+      real(wp) :: brittle(lanes, 2) = 0.0_wp
+      !> Least part of a stiffness that remains
+      real(wp) :: residual(lanes) = 1.0_wp
+      !> 1 where damage weakens G13 and G23, else 0
+      real(wp) :: across(lanes) = 0.0_wp
+      !> 1 in lanes where tension and compression have damage of their own; whether in any
+      real(wp) :: closes(lanes) = 0.0_wp
+      logical :: any_closes = .false.
+      !> 1 in lanes where onset is by the stress of an intact ply; whether in any
+      real(wp) :: intact(lanes) = 0.0_wp
+      logical :: any_intact = .false.
+   contains
+      procedure :: set_lane
+   end type ply_lanes_type
+
+contains
+
+   !> Give a lane its ply; it is the law's own from then on
+   pure subroutine set_lane(self, lane, constants)
+      class(ply_lanes_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Its ply, checked
+      type(ply_constants_type), intent(in) :: constants
+
+      self%own(lane) = 1.0_wp
+      self%other(lane) = 0.0_wp
+      self%whole = all(self%own > 0.0_wp)
+      call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
+      call self%curve%set_lane(lane, constants%shear(1), constants%curve)
+      call self%onset%set_lane(lane, constants)
+      self%plateau(lane, 1) = constants%plateau
+      self%brittle(lane, 1) = constants%brittle
+      self%residual(lane) = constants%residual
+      self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
+      self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
+      self%any_closes = any(self%closes > 0.0_wp)
+      self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
+      self%any_intact = any(self%intact > 0.0_wp)
+   end subroutine set_lane
+
+end module plydyn_law_ply_lanes

@@ -1,0 +1,100 @@
+!> Shear in the plane of some points, along its curve until the matrix cracks, with as little of
+!> their history as that takes.
+module plydyn_law_ply_shear
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_history, only : fibre_length, matrix_finish, matrix_length, shear_energy, &
+      & shear_peak, shear_set
+   use plydyn_law_ply_lanes, only : ply_lanes_type
+   implicit none
+   private
+
+   public :: bend, keep_shear
+
+   !> Most points in a call, a line of a quad and the thickness: work space of fixed size can be
+   !> aligned
+   integer, parameter, public :: most_points = 15
+
+   !> What a step makes of the shear; 0 in lanes of other laws
+   type, public :: shear_type
+      !> Largest strain, strain that stays, work of a ply without damage on what stays
+      real(wp), dimension(lanes, most_points) :: peak, set, work
+      !> Whether any of these changes
+      logical :: grows
+      !> Whether damage has begun at any of the points
+      logical :: begun
+   end type shear_type
+
+contains
+
+   !> Shear along its curve
+   pure subroutine bend(ply, points, histories, strain, history, shear)
+      !> Constants
+      type(ply_lanes_type), intent(in) :: ply
+      !> Number of points, `most_points` at most; history variables of each
+      integer, intent(in) :: points, histories
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      !> History, where cracks close with the damage that acts in tension first
+      real(wp), intent(in) :: history(lanes, histories, points)
+      !> What becomes of it
+      type(shear_type), intent(out) :: shear
+
+      real(wp) :: cracked, least(lanes), lowest, size(lanes, most_points)
+      integer :: l, m
+
+      least(:) = 0.0_wp
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            least(l) = min(least(l), ply%own(l)*history(l, fibre_length, m), &
+               & ply%own(l)*history(l, matrix_length, m))
+            size(l, m) = ply%own(l)*abs(strain(l, 4, m))
+            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
+            shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
+         end do
+      end do
+      lowest = 0.0_wp
+      !$omp simd reduction(min:lowest)
+      do l = 1, lanes
+         lowest = min(lowest, least(l))
+      end do
+      shear%begun = lowest < 0.0_wp
+      shear%grows = .false.
+      if (.not. ply%curve%bends) return
+      if (shear%begun) then
+         ! what has cracked is elastic
+         do m = 1, points
+            !$omp simd private(cracked)
+            do l = 1, lanes
+               cracked = history(l, matrix_finish, m)
+               size(l, m) = merge(0.0_wp, size(l, m), cracked > 0.0_wp)
+            end do
+         end do
+      end if
+      call ply%curve%advance(points, size, shear%peak, shear%set, shear%work, shear%grows)
+   end subroutine bend
+
+   !> Keep what the shear of a point has become, and what it has cost
+   pure subroutine keep_shear(ply, peak, set, work, history)
+      !> Constants
+      type(ply_lanes_type), intent(in) :: ply
+      !> As in `shear_type`
+      real(wp), intent(in) :: peak(lanes), set(lanes), work(lanes)
+      !> History of the point
+      real(wp), intent(inout) :: history(lanes, shear_energy)
+
+      real(wp) :: cost, kept
+      integer :: l
+
+      !$omp simd private(cost, kept)
+      do l = 1, lanes
+         kept = history(l, shear_peak)
+         history(l, shear_peak) = merge(peak(l), kept, ply%own(l) > 0.0_wp)
+         kept = history(l, shear_set)
+         history(l, shear_set) = merge(set(l), kept, ply%own(l) > 0.0_wp)
+         cost = ply%own(l)*work(l)
+         history(l, shear_energy) = history(l, shear_energy) + cost
+      end do
+   end subroutine keep_shear
+
+end module plydyn_law_ply_shear

@@ -1,0 +1,214 @@
+!> Points of plies that are damaged, or near to it, through a step in which no damage begins or
+!> grows: the whole law without its growth, for all points at once.
+module plydyn_law_ply_steady
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_growth, only : look_ahead
+   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_length, matrix_damage, &
+      & matrix_finish, matrix_length
+   use plydyn_law_ply_lanes, only : ply_lanes_type
+   use plydyn_law_ply_shear, only : most_points, shear_type
+   implicit none
+   private
+
+   public :: hold
+
+   !> What the stages of a step hand on, of each point
+   type :: stages_type
+      !> What remains of the stiffness along and across the fibres
+      real(wp) :: remains(lanes, 2, most_points)
+      !> Strains that drive the damage of fibres and of matrix
+      real(wp) :: drive(lanes, 2, most_points)
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp) :: shear(lanes, 2, most_points)
+      !> Widths of the crack band
+      real(wp) :: length(lanes, 2, most_points)
+      !> Normal stresses on what remains
+      real(wp) :: normal(lanes, 3, most_points)
+   end type stages_type
+
+contains
+
+   !> Stress of the points, and which of them are steady; where cracks close, those without damage
+   pure subroutine hold(ply, points, histories, strain, history, shear, stress, steady)
+      !> Constants
+      type(ply_lanes_type), intent(in) :: ply
+      !> Number of points, `most_points` at most; history variables of each
+      integer, intent(in) :: points, histories
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      !> History
+      real(wp), intent(in) :: history(lanes, histories, points)
+      !> What the step makes of the shear; gets the work of a damaged ply
+      type(shear_type), intent(inout) :: shear
+      !> Stress of the lanes that the law owns; means nothing at points that are not steady
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+      !> Where no damage begins or grows
+      logical, intent(out) :: steady(points)
+
+      type(stages_type) :: now
+
+      call prepare(ply, points, histories, strain, history, shear%set, now)
+      call ply%secant%damaged_stress(points, 6, strain, now%remains, now%normal)
+      call judge(ply, points, histories, strain, history, now, steady)
+      call give_stress(ply, points, strain, now, stress)
+      if (shear%grows) call weaken(points, now%remains, shear%work)
+   end subroutine hold
+
+   !> What remains, and the strains of the modes
+   pure subroutine prepare(ply, points, histories, strain, history, set, now)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      !> Shear strain that stays
+      real(wp), intent(in) :: set(lanes, most_points)
+      type(stages_type), intent(inout) :: now
+
+      real(wp) :: elastic
+      integer :: l, m
+
+      do m = 1, points
+         associate (own => ply%own, h => history(:, :, m), e => strain(:, :, m))
+            !$omp simd private(elastic)
+            do l = 1, lanes
+               now%remains(l, 1, m) = max(1.0_wp - own(l)*h(l, fibre_damage), ply%residual(l))
+               now%remains(l, 2, m) = max(1.0_wp - own(l)*h(l, matrix_damage), ply%residual(l))
+               elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
+               now%shear(l, 2, m) = elastic
+               now%shear(l, 1, m) = ply%secant%shear(l, 1)*elastic
+               now%drive(l, 1, m) = abs(e(l, 1))
+               now%drive(l, 2, m) = sqrt(e(l, 2)**2 + elastic**2)
+               now%length(l, 1, m) = abs(h(l, fibre_length))
+               now%length(l, 2, m) = abs(h(l, matrix_length))
+            end do
+         end associate
+      end do
+   end subroutine prepare
+
+   !> Find the points at which damage neither begins nor grows
+   pure subroutine judge(ply, points, histories, strain, history, now, steady)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      type(stages_type), intent(in) :: now
+      logical, intent(out) :: steady(points)
+
+      real(wp) :: ahead(lanes, most_points), excess(lanes, 2, most_points), most
+      real(wp) :: busy(lanes, most_points), each(lanes), trial(lanes, 3, most_points)
+      integer :: l, m
+
+      call look_ahead(points, histories, ply%plateau, ply%brittle, now%drive, history, ahead)
+      if (ply%any_intact) then
+         call find_trial(ply, points, strain, now%normal, trial)
+         call ply%onset%find_onset(points, 6, trial, strain, now%shear, now%length, excess)
+      else
+         call ply%onset%find_onset(points, 6, now%normal, strain, now%shear, now%length, excess)
+      end if
+      each(:) = 0.0_wp
+      do m = 1, points
+         associate (own => ply%own, closes => ply%closes, h => history(:, :, m))
+            !$omp simd
+            do l = 1, lanes
+               busy(l, m) = own(l)*merge(1.0_wp, 0.0_wp, ahead(l, m) > 0.0_wp &
+                  & .or. (excess(l, 1, m) >= 0.0_wp .and. .not. h(l, fibre_finish) > 0.0_wp) &
+                  & .or. (excess(l, 2, m) >= 0.0_wp .and. .not. h(l, matrix_finish) > 0.0_wp) &
+                  & .or. closes(l)*min(h(l, fibre_length), h(l, matrix_length)) < 0.0_wp)
+               each(l) = max(each(l), busy(l, m))
+            end do
+         end associate
+      end do
+      most = highest(each)
+      steady(:) = .not. most > 0.0_wp
+      if (steady(1)) return
+      do m = 1, points
+         steady(m) = .not. highest(busy(:, m)) > 0.0_wp
+      end do
+   end subroutine judge
+
+   !> Stresses that onset is by: of what remains, or of the intact ply
+   pure subroutine find_trial(ply, points, strain, normal, trial)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points
+      real(wp), intent(in) :: strain(lanes, 6, points), normal(lanes, 3, points)
+      real(wp), intent(out) :: trial(lanes, 3, points)
+
+      real(wp) :: damaged
+      integer :: k, l, m
+
+      call ply%secant%intact_stress(points, 6, strain, trial)
+      do m = 1, points
+         do k = 1, 2
+            !$omp simd private(damaged)
+            do l = 1, lanes
+               damaged = normal(l, k, m)
+               trial(l, k, m) = merge(trial(l, k, m), damaged, ply%intact(l) > 0.0_wp)
+            end do
+         end do
+      end do
+   end subroutine find_trial
+
+   !> The largest of the lanes
+   pure real(wp) function highest(each)
+      real(wp), intent(in) :: each(lanes)
+
+      integer :: l
+
+      highest = 0.0_wp
+      !$omp simd reduction(max:highest)
+      do l = 1, lanes
+         highest = max(highest, each(l))
+      end do
+   end function highest
+
+   !> Stress of the lanes that the law owns
+   pure subroutine give_stress(ply, points, strain, now, stress)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      type(stages_type), intent(in) :: now
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+
+      real(wp) :: r1, r2, s11, s22, s33, s12, s13, s23
+      integer :: l, m
+
+      do m = 1, points
+         associate (own => ply%own, other => ply%other, g => ply%secant%shear, &
+            & across => ply%across, e => strain(:, :, m), n => now%normal(:, :, m), &
+            & s => stress(:, :, m))
+            !$omp simd private(r1, r2, s11, s22, s33, s12, s13, s23)
+            do l = 1, lanes
+               r1 = now%remains(l, 1, m)
+               r2 = now%remains(l, 2, m)
+               s11 = r1*n(l, 1)
+               s22 = r2*n(l, 2)
+               s33 = n(l, 3)
+               s12 = r1*r2*sign(now%shear(l, 1, m), e(l, 4))
+               s13 = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
+               s23 = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
+               s(l, 1) = own(l)*s11 + other(l)*s(l, 1)
+               s(l, 2) = own(l)*s22 + other(l)*s(l, 2)
+               s(l, 3) = own(l)*s33 + other(l)*s(l, 3)
+               s(l, 4) = own(l)*s12 + other(l)*s(l, 4)
+               s(l, 5) = own(l)*s13 + other(l)*s(l, 5)
+               s(l, 6) = own(l)*s23 + other(l)*s(l, 6)
+            end do
+         end associate
+      end do
+   end subroutine give_stress
+
+   !> Work on the shear that stays, of what remains
+   pure subroutine weaken(points, remains, work)
+      integer, intent(in) :: points
+      real(wp), intent(in) :: remains(lanes, 2, most_points)
+      real(wp), intent(inout) :: work(lanes, most_points)
+
+      integer :: l, m
+
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            work(l, m) = work(l, m)*remains(l, 1, m)*remains(l, 2, m)
+         end do
+      end do
+   end subroutine weaken
+
+end module plydyn_law_ply_steady

@@ -1,0 +1,193 @@
+!> The quick way through a step without growth gives what the whole law gives, and takes no other
+!> step.
+program test_law_ply_steady
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
+   use plydyn_law_ply_damage, only : ply_damage_type
+   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_length, fibre_onset, &
+      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_length, &
+      & matrix_onset, shear_peak, shear_set
+   use plydyn_law_ply_lanes, only : ply_lanes_type
+   use plydyn_law_ply_quiet, only : stay
+   use ply_point, only : paper_ply
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> Random states of each ply; points above each other
+   integer, parameter :: tries = 1000, points = 3
+   !> A lane that another law owns
+   integer, parameter :: foreign = 3
+   !> Strains of the order of those at onset
+   real(wp), parameter :: reach(6) = [0.012_wp, 0.006_wp, 0.004_wp, 0.012_wp, 0.01_wp, 0.01_wp]
+   !> Round-off of stresses of hundreds to thousands
+   real(wp), parameter :: close = 1.0e-9_wp
+   !> History that no step without growth changes
+   integer, parameter :: modes(6) = [fibre_damage, fibre_onset, fibre_finish, matrix_damage, &
+      & matrix_onset, matrix_finish]
+
+   call test_plies()
+   call test_foreign()
+   call test_closing()
+   call finish()
+
+contains
+
+   !> Plies with all that the whole law looks at
+   subroutine test_plies()
+      type(ply_constants_type) :: ply
+
+      ply = paper_ply()
+      call compare(ply, "straight")
+      ply = paper_ply(curved=.true.)
+      call compare(ply, "curved")
+      ply%residual = 0.01_wp
+      ply%weakens_across = .false.
+      call compare(ply, "residual and only in the plane")
+      ply%plateau = 0.3_wp
+      call compare(ply, "plateau")
+      ply%plateau = 0.0_wp
+      ply%brittle = 0.4_wp
+      call compare(ply, "brittle")
+      ply%intact_onset = .true.
+      ply%onset = onset_hashin
+      call compare(ply, "by the intact ply, after Hashin")
+   end subroutine test_plies
+
+   !> Random states of one ply by both ways
+   subroutine compare(ply, name)
+      type(ply_constants_type), intent(in) :: ply
+      character(*), intent(in) :: name
+
+      real(wp) :: before(lanes, histories_open, points), history(lanes, histories_open, points)
+      real(wp) :: off, strain(lanes, 6, points), stress(lanes, 6, points), whole(lanes, 6)
+      integer :: i, m, quiet, wrong
+      logical :: grows, stays(points), touched
+      type(ply_damage_type) :: law
+      type(ply_lanes_type) :: lane
+
+      call begin(name)
+      call make(ply, lane, law)
+      quiet = 0
+      wrong = 0
+      off = 0.0_wp
+      do i = 1, tries
+         call choose(ply, strain, before)
+         history(:, :, :) = before
+         call stay(lane, points, histories_open, strain, history, stress, stays)
+         do m = 1, points
+            touched = any(abs(history(:, :, m) - before(:, :, m)) > 0.0_wp)
+            if (touched .and. .not. stays(m)) wrong = wrong + 1
+            call law%advance(strain(:, :, m), before(:, :, m), whole)
+            grows = any(abs(before(:, modes, m) - history(:, modes, m)) > 0.0_wp)
+            if (grows .eqv. stays(m)) wrong = wrong + 1
+            if (.not. stays(m)) cycle
+            quiet = quiet + 1
+            off = max(off, maxval(abs(stress(:, :, m) - whole)), &
+               & maxval(abs(history(:, :, m) - before(:, :, m))))
+         end do
+      end do
+      call check(wrong == 0, "leaves to the whole law where damage begins or grows, untouched")
+      call check(off, 0.0_wp, close, "the same stress and history elsewhere")
+      call check(quiet > tries*points/5 .and. quiet < tries*points*4/5, "both ways")
+   end subroutine compare
+
+   !> Lanes of other laws keep stress and history, and do not count
+   subroutine test_foreign()
+      real(wp) :: before(lanes, histories_open, points), history(lanes, histories_open, points)
+      real(wp) :: strain(lanes, 6, points), stress(lanes, 6, points)
+      integer :: l
+      logical :: stays(points)
+      type(ply_constants_type) :: ply
+      type(ply_lanes_type) :: lane
+
+      call begin("foreign")
+      ply = paper_ply(curved=.true.)
+      do l = 1, lanes
+         if (l /= foreign) call lane%set_lane(l, ply)
+      end do
+      call choose(ply, strain, before)
+      before(:, modes, :) = 0.0_wp
+      before(1, matrix_damage:matrix_finish, :) = spread([1.0_wp, 0.004_wp, 0.02_wp], 2, points)
+      before(1, matrix_length, :) = -0.1_wp
+      before(foreign, :, :) = 1.0_wp
+      strain(:, :, :) = 0.1_wp*strain
+      strain(foreign, :, :) = 0.1_wp
+      history(:, :, :) = before
+      stress(:, :, :) = 7.0_wp
+      call stay(lane, points, histories_open, strain, history, stress, stays)
+      call check(all(stays), "what they do does not count")
+      call check(stress(foreign, :, points), spread(7.0_wp, 1, 6), 0.0_wp, "their stress")
+      call check(history(foreign, :, points), before(foreign, :, points), 0.0_wp, "their history")
+      call check(abs(stress(1, 2, points)) < 1.0e-3_wp, "no stress across what has failed")
+   end subroutine test_foreign
+
+   !> Where cracks close, what is damaged is left to the whole law
+   subroutine test_closing()
+      real(wp) :: history(lanes, histories_closing, 2), strain(lanes, 6, 2), stress(lanes, 6, 2)
+      integer :: l
+      logical :: stays(2)
+      type(ply_constants_type) :: ply
+      type(ply_lanes_type) :: lane
+
+      call begin("closing")
+      ply = paper_ply()
+      ply%closes = .true.
+      do l = 1, lanes
+         call lane%set_lane(l, ply)
+      end do
+      history(:, :, :) = 0.0_wp
+      history(:, fibre_length:matrix_length, :) = 0.1_wp
+      history(2, matrix_length, 2) = -0.1_wp
+      strain(:, :, :) = 1.0e-4_wp
+      call stay(lane, 2, histories_closing, strain, history, stress, stays)
+      call check(stays(1) .and. .not. stays(2), "only what is damaged")
+   end subroutine test_closing
+
+   !> Both ways for a ply in all lanes
+   subroutine make(ply, lane, law)
+      type(ply_constants_type), intent(in) :: ply
+      type(ply_lanes_type), intent(out) :: lane
+      type(ply_damage_type), intent(out) :: law
+
+      integer :: l
+
+      do l = 1, lanes
+         call lane%set_lane(l, ply)
+         call law%set_lane(l, ply)
+      end do
+   end subroutine make
+
+   !> Strains, and histories as paths to them could have left them: where damage has begun, its
+   !> strains, and a damage between none and all
+   subroutine choose(ply, strain, history)
+      type(ply_constants_type), intent(in) :: ply
+      real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, histories_open, points)
+
+      real(wp) :: draw(6)
+      integer :: d, k, l, m
+
+      history(:, :, :) = 0.0_wp
+      do m = 1, points
+         do l = 1, lanes
+            call random_number(draw)
+            strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
+            history(l, fibre_length:matrix_length, m) = [1.0_wp, 0.1_wp]
+            call random_number(draw)
+            if (ply%curve%shape > 0) then
+               history(l, shear_peak, m) = 0.012_wp*draw(1)
+               history(l, shear_set, m) = 0.2_wp*history(l, shear_peak, m)
+            end if
+            do k = 1, 2
+               call random_number(draw)
+               if (draw(1) > 0.3_wp) cycle
+               d = merge(fibre_damage, matrix_damage, k == 1)
+               history(l, d + 1, m) = sign((0.3_wp + 0.4_wp*draw(2))*reach(k), draw(3) - 0.5_wp)
+               history(l, d + 2, m) = abs(history(l, d + 1, m))*(1.1_wp + 3.0_wp*draw(4))
+               history(l, d, m) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
+               history(l, fibre_length + k - 1, m) = -history(l, fibre_length + k - 1, m)
+            end do
+         end do
+      end do
+   end subroutine choose
+
+end program test_law_ply_steady
