@@ -43,12 +43,14 @@ contains
       integer :: i
 
       do i = 1, size(model%materials)
-         model%materials(i)%place = ""
-         if (model%materials(i)%line > 0) model%materials(i)%place = deck%source%where( &
-            & model%materials(i)%line)
-         model%materials(i)%radius_place = ""
-         if (model%materials(i)%radius_line > 0) model%materials(i)%radius_place = &
-            & deck%source%where(model%materials(i)%radius_line)
+         model%materials(i)%place = place_of(deck, model%materials(i)%line)
+         model%materials(i)%radius_place = place_of(deck, model%materials(i)%radius_line)
+      end do
+      do i = 1, size(model%contacts)
+         model%contacts(i)%place = place_of(deck, model%contacts(i)%line)
+      end do
+      do i = 1, size(model%request%profiles)
+         model%request%profiles(i)%place = place_of(deck, model%request%profiles(i)%line)
       end do
       associate (request => model%request)
          if (size(request%fields) == 0) then
@@ -65,5 +67,16 @@ contains
          end if
       end associate
    end subroutine end_model
+
+   !> File and number of a line, empty for none
+   pure function place_of(deck, line) result(place)
+      type(deck_type), intent(in) :: deck
+      !> Index of the line
+      integer, intent(in) :: line
+      character(:), allocatable :: place
+
+      place = ""
+      if (line > 0) place = deck%source%where(line)
+   end function place_of
 
 end module plydyn_input_defaults

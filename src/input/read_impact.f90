@@ -62,6 +62,7 @@ contains
       contact%face = cards%integer("FACE")
       contact%method = cards%integer("METHOD")
       contact%spacing = cards%real("SPACING")
+      contact%line = cards%line_of("METHOD")
       contacts = [contacts, contact]
    end subroutine read_contact_impactor
 
@@ -169,6 +170,7 @@ contains
          new(nth)%position(:) = cards%reals(["X", "Y"], nth)
          new(nth)%points = cards%integer("NPT", nth)
          new(nth)%interval = cards%real("DT", nth)
+         new(nth)%line = cards%line_of("X", nth)
          if (.not. catalogue%mesh_is_sound .or. .not. cards%is_fine("X", nth)) cycle
          if (is_near(mesh, new(nth)%position)) cycle
          call catalogue%refuse(cards, "X", "the place is not on the plate", &

@@ -69,6 +69,9 @@ module plydyn_model_control
       integer :: points = 5
       !> Time between two profiles
       real(wp) :: interval = 0.0_wp
+      !> Where the deck asks for it: line of all lines, 0 for none, and file and line
+      integer :: line = 0
+      character(:), allocatable :: place
    end type profile_type
 
    !> What to write, and how often; an interval of 0 means every step

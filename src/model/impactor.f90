@@ -44,6 +44,9 @@ module plydyn_model_impactor
       integer :: method = nodes_on_impactor
       !> Distance between contact nodes on the impactor, length; 0 for one made from the mesh
       real(wp) :: spacing = 0.0_wp
+      !> Where the deck says so: line of all lines, 0 for none, and file and line
+      integer :: line = 0
+      character(:), allocatable :: place
    end type contact_type
 
 end module plydyn_model_impactor

@@ -71,9 +71,9 @@ contains
          file = profile_file_type()
          call find_quads(file, domain, profiles(i)%position)
          if (size(file%quad, 2) > 0) cycle
-         call fail(error, exit_input, "*DATABASE_PROFILE "//text(profiles(i)%id)//": the place (" &
-            & //text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
-            & //") is not on the plate")
+         call fail(error, exit_input, "error: "//profiles(i)%place//": *DATABASE_PROFILE X: the " &
+            & //"place ("//text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
+            & //") is not on the plate: give one within an element")
          return
       end do
    end subroutine check_profiles

@@ -6,7 +6,7 @@ module plydyn_solver_contacts
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
    use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_model_impactor, only : points_on_plate
+   use plydyn_model_impactor, only : contact_type, points_on_plate
    use plydyn_solver_column_inertia, only : pull_column
    use plydyn_solver_supports, only : is_active
    use plydyn_state_state, only : contact_power_sum, contact_sum, state_type
@@ -67,8 +67,8 @@ contains
                & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
                & surface%facet, surface%position, impactor%centre, error)
             if (allocated(error)) then
-               error%message = "contact "//text(contact%id)//" (*CONTACT_IMPACTOR): " &
-                  & //error%message
+               error%message = place_of(contact, merge("METHOD ", "SPACING", &
+                  & contact%method == points_on_plate))//error%message
                return
             end if
             pair%position = surface%position
@@ -77,12 +77,22 @@ contains
             allocate (pair%sent(3*count(surface%own)), pair%received(size(surface%position)))
             gap = pair%pair%initial_gap(surface%position, impactor%centre)
             if (gap >= -touching*impactor%radius) cycle
-            call fail(error, exit_input, "impactor "//text(impactor%id)//" begins "//text(-gap) &
-               & //" inside part: move its centre by that much, or choose the other face")
+            call fail(error, exit_input, place_of(contact, "FACE")//"impactor " &
+               & //text(impactor%id)//" begins "//text(-gap)//" inside its part: move its centre " &
+               & //"by that much, or choose the other face")
             return
          end associate
       end do
    end subroutine new_contacts
+
+   !> Where the deck says how an impactor meets the plate: file, line and field
+   pure function place_of(contact, field) result(words)
+      type(contact_type), intent(in) :: contact
+      character(*), intent(in) :: field
+      character(:), allocatable :: words
+
+      words = "error: "//contact%place//": *CONTACT_IMPACTOR "//trim(field)//": "
+   end function place_of
 
    !> Put what contact knows from the last step into the state
    subroutine remember(self, state)
