@@ -16,7 +16,7 @@ module plydyn_output_grid
    implicit none
    private
 
-   public :: band_of_rows, new_grid, plate_quads
+   public :: band_of_rows, cell_corners, cell_levels, layer_levels, new_grid, plate_quads
 
    !> VTK's cells: 8 nodes, and 27 nodes
    integer, parameter :: linear_cell = 12, quadratic_cell = 29
@@ -55,14 +55,8 @@ contains
       integer, allocatable :: node(:), site(:, :)
       integer :: k
 
-      associate (order => domain%layers%order)
-         if (size(mesh%quad_node, 1) == 9) then
-            self%levels = merge(3, 5, order <= 2)
-         else
-            self%levels = order + 1
-         end if
-         self%below = [(sum(self%levels(:k - 1)), k=1, size(order))]
-      end associate
+      self%levels = layer_levels(domain%layers%order, size(mesh%quad_node, 1))
+      self%below = [(sum(self%levels(:k - 1)), k=1, size(self%levels))]
       call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
       self%home = plate_quads(domain)
       self%slots = new_slots(domain%comm, site, [(domain%plates(self%home(1, k))%quad( &
@@ -73,6 +67,32 @@ contains
          & + piece%points%count)), self, piece)
       call make_cells(domain, site, self, piece)
    end subroutine new_grid
+
+   !> Levels of points in a layer: those of one quadratic cell or of two, or of a linear cell for
+   !> each order
+   elemental integer function layer_levels(order, nodes) result(levels)
+      !> Order of the layer, and nodes of its quads
+      integer, intent(in) :: order, nodes
+
+      levels = order + 1
+      if (nodes == 9) levels = merge(3, 5, order <= 2)
+   end function layer_levels
+
+   !> Levels from the bottom of a cell to its top
+   pure integer function cell_levels(nodes) result(levels)
+      !> Nodes of its quad
+      integer, intent(in) :: nodes
+
+      levels = merge(2, 1, nodes == 9)
+   end function cell_levels
+
+   !> Points of a cell
+   pure integer function cell_corners(nodes) result(corners)
+      !> Nodes of its quad
+      integer, intent(in) :: nodes
+
+      corners = merge(27, 8, nodes == 9)
+   end function cell_corners
 
    !> Plate and quad of all quads of a domain, in the order of the mesh, (2, quads)
    pure function plate_quads(domain) result(home)
@@ -140,8 +160,8 @@ contains
       integer :: corners, i, k, span
       integer, allocatable :: layer(:), level(:)
 
-      span = merge(2, 1, size(site, 1) == 9)
-      corners = merge(27, 8, span == 2)
+      span = cell_levels(size(site, 1))
+      corners = cell_corners(size(site, 1))
       ! layer of each sheet of cells, and the levels of all layers below it
       layer = [(spread(k, 1, (self%levels(k) - 1)/span), k=1, size(self%levels))]
       level = [([(self%below(k) + i, i=0, self%levels(k) - 2, span)], k=1, size(self%levels))]

@@ -1,7 +1,8 @@
 !> Field states of the interfaces between plies: a surface for each, with points of its own.
 !>
-!> Points lie surface by surface from the bottom up, in each the nodes of all quads. So do cells, in
-!> each the quads of the deck that have the interface.
+!> Points lie surface by surface from the bottom up, in each the nodes of all quads, part by part:
+!> where two parts meet, each has its own. So do cells, in each the quads of the deck that have the
+!> interface.
 module plydyn_output_interface_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
@@ -20,6 +21,9 @@ module plydyn_output_interface_fields
    implicit none
    private
 
+   !> Components of the fields: displacement, opening, damage, mix of modes, energy; and all of them
+   integer, parameter :: components(5) = [3, 3, 1, 1, 1]
+   integer, parameter, public :: interface_numbers = sum(components)
    !> VTK's cells: quads of 4 and of 9 nodes
    integer, parameter :: linear_cell = 9, quadratic_cell = 28
 
@@ -59,11 +63,10 @@ contains
       if (size(domain%interfaces) == 0) return
       self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
          & "dissipated"]
-      self%components = [3, 3, 1, 1, 1]
+      self%components = components
       call arrange(self, domain)
       associate (mesh => model%mesh)
-         call number_sites(spread(1, 1, size(mesh%quad_id)), mesh%quad_node, size(mesh%node_id), &
-            & site, node)
+         call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
          self%home = plate_quads(domain)
          self%slots = new_slots(domain%comm, site, [(domain%plates(self%home(1, i))%quad( &
             & self%home(2, i)), i=1, size(self%home, 2))], size(self%layer))
@@ -251,7 +254,7 @@ contains
    end function face_motion
 
    !> Damage, mix of modes and energy at the points of this rank: of the nearest point of each quad,
-   !> averaged by area over the quads that meet there, (values, points)
+   !> averaged by area over the quads of its part that meet there, (values, points)
    function point_values(self, domain, state) result(values)
       type(interface_fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain

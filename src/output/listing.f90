@@ -8,8 +8,8 @@ module plydyn_output_listing
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
-   use plydyn_output_components, only : field_components
    use plydyn_output_damage_listing, only : write_damage
+   use plydyn_output_field_size, only : fields_bytes, interfaces_bytes
    use plydyn_output_job, only : job_type, no_unit
    use plydyn_output_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_output_progress, only : duration_text
@@ -22,8 +22,8 @@ module plydyn_output_listing
 
    public :: write_end, write_listing, write_restart
 
-   !> Bytes in a megabyte, and in a real of the results file
-   real(wp), parameter :: megabyte = 1.0e6_wp, stored_real = 4.0_wp
+   !> Bytes in a megabyte
+   real(wp), parameter :: megabyte = 1.0e6_wp
 
 contains
 
@@ -230,24 +230,18 @@ contains
       freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties))
    end function independent_freedoms
 
-   !> Memory, file size and time to come
+   !> Memory, sizes of files and time to come
    subroutine write_effort(unit, model, domain, seconds_per_step)
       integer, intent(in) :: unit
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: seconds_per_step
 
-      real(wp) :: points, states, steps
-      integer :: i
+      real(wp) :: steps
 
       call write_section(unit, "Effort")
       steps = domain%control%end_time/domain%step
       if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
-      points = 0.0_wp
-      do i = 1, size(domain%layers%order)
-         points = points + domain%columns%nodes*merge(3, 5, domain%layers%order(i) <= 2)
-      end do
-      states = 1.0_wp + domain%control%end_time/model%request%field_interval
       write (unit, "(a,f0.0)") "steps                         ", steps
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
       write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
@@ -256,8 +250,12 @@ contains
          write (unit, "(a,f0.1,a)") "memory of histories           ", &
             & history_bytes(domain)/megabyte, " MB"
       end if
-      write (unit, "(a,f0.1,a)") "file of fields                ", states*points*stored_real &
-         & *sum(field_components(model%request%fields))/megabyte, " MB"
+      write (unit, "(a,f0.3,a)") "file of fields                ", &
+         & fields_bytes(model, domain)/megabyte, " MB"
+      if (size(domain%interfaces) > 0) then
+         write (unit, "(a,f0.3,a)") "file of interfaces            ", &
+            & interfaces_bytes(model, domain)/megabyte, " MB"
+      end if
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
    end subroutine write_effort
 

@@ -97,6 +97,8 @@ def averaged_parts() -> Deck:
         plies = [(part, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
         deck.add("PART_COMPOSITE_LONG", "laminate", (part, 0), *plies)
         deck.add("SECTION_LAYERWISE", (part, 0, 1))
+        deck.add("INTERFACE_COHESIVE", (part, 0, 0, 99))
+    deck.add("MAT_COHESIVE_ELASTIC", (99, 0.0, 0, 0, 5.0e4, 1.0e5))
     deck.hold(mesh.boundary(), "z")
     centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 1.5 * PLY + 0.01)
     deck.sphere(Sphere(RADIUS, 5.0e-6, centre, (1.0e2, 0.0, -8.0e3)))

@@ -1,7 +1,9 @@
 !> Checks of the unit tests: each names what must hold, `finish` counts and decides the exit.
 !>
-!> The only module of the project with variables: a test program is one process with one tally.
+!> The only module of the project with variables: a test program is one process with one tally. It
+!> writes its files beside itself, into the build, whatever folder it is started from.
 module testing
+   use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -18,6 +20,16 @@ module testing
       module procedure :: check_reals
    end interface check
 
+   !> POSIX: go to a folder
+   interface
+      function c_chdir(path) bind(C, name="chdir") result(status)
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int) :: status
+      end function c_chdir
+   end interface
+
    !> Significant digits of the values in a message
    integer, parameter :: digits_shown = 15
 
@@ -33,8 +45,26 @@ contains
       !> Procedure or phenomenon under test
       character(*), intent(in) :: name
 
+      if (.not. allocated(subject)) then
+         subject = "test"
+         call enter_own_folder()
+      end if
       subject = name
    end subroutine begin
+
+   !> Go to the folder of the program
+   subroutine enter_own_folder()
+      character(:), allocatable :: path
+      integer :: length, slash
+
+      call get_command_argument(0, length=length)
+      allocate (character(length) :: path)
+      call get_command_argument(0, path)
+      slash = index(path, "/", back=.true.)
+      if (slash == 0) return
+      call record(c_chdir(path(:slash)//c_null_char) == 0, "the folder of the program", &
+         & "cannot be entered")
+   end subroutine enter_own_folder
 
    !> A condition that must hold
    subroutine check_condition(condition, what)
