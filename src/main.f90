@@ -13,6 +13,7 @@ program plydyn
    use plydyn_output_listing, only : write_listing, write_restart
    use plydyn_output_places, only : new_places
    use plydyn_output_ranks_listing, only : write_ranks
+   use plydyn_output_tell_job, only : tell_job
    use plydyn_output_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_tell_archive, only : tell_archive
@@ -99,8 +100,8 @@ contains
       type(run_type) :: parts
 
       call begin_job(comm, command, job)
-      if (comm%is_root()) call dump%open(command%restart, error)
-      call comm%tell(error)
+      call dump%open(command%restart, error)
+      call comm%share(error)
       if (allocated(error)) return
       if (comm%is_root()) call dump%read_job(job, error)
       call comm%tell(error)
@@ -221,9 +222,12 @@ contains
       type(journal_type) :: journal
       type(watch_type) :: watch
 
+      ! the listing has told of it
+      if (allocated(parts%whole)) deallocate (parts%whole)
+      call tell_job(comm, job)
       associate (model => parts%model, domain => parts%domain, state => parts%state)
          call watch%start(comm, job, model%request, most_seconds)
-         call journal%open(job, model, domain, parts%whole, parts%assembly, error)
+         call journal%open(job, model, domain, parts%state_parts, error)
          if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
             call journal%begin(domain, state, error)
          end if

@@ -2,17 +2,18 @@
 !>
 !> One file of HDF5 holds the decks word for word, the state, and how far every file of results had
 !> been written. It is written beside its place and renamed when it is whole and on the disk, so
-!> that a kill at any moment leaves the one before. Arrays are in the order of the whole model.
+!> that a kill at any moment leaves the one before. Arrays are in the order of the whole model: of
+!> those that ranks have parts of, each writes a band.
 module plydyn_output_dump
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_output, fail
-   use plydyn_base_files, only : remove_file, rename_file, secure_file
+   use plydyn_base_files, only : remove_file, secure_file
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_output_h5, only : h5_file_type, store_byte, store_double, store_integer
+   use plydyn_output_h5, only : h5_file_type, slab_type, store_double, store_integer
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
-   use plydyn_parallel_comm, only : comm_type
+   use plydyn_output_state_parts, only : part_type, state_parts_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -36,6 +37,8 @@ module plydyn_output_dump
    type, extends(exchange_type) :: state_writer_type
       !> The file
       type(h5_file_type) :: file
+      !> What this rank has of it
+      type(state_parts_type) :: parts
       !> The first thing that went wrong
       type(error_type), allocatable :: error
    contains
@@ -45,23 +48,25 @@ module plydyn_output_dump
 
 contains
 
-   !> Write a restart file, in place of one that was there
-   subroutine write_dump(path, job, places, state, error)
+   !> Write a restart file, in place of one that was there; all ranks must come here
+   subroutine write_dump(path, job, places, parts, state, error)
       !> Path of the file
       character(*), intent(in) :: path
-      !> The job
+      !> The job, the same on all ranks
       type(job_type), intent(in) :: job
-      !> How far the files of results have been written
+      !> How far the files of results have been written, the same on all ranks
       type(places_type), intent(in) :: places
-      !> The state, with the memory of contacts
+      !> Which places of the arrays this rank has
+      type(state_parts_type), intent(in) :: parts
+      !> Its state, with the memory of contacts
       type(state_type), intent(inout) :: state
-      !> Why the file is not there; one that was there before still is
+      !> Why the file is not there, the same on all ranks; one that was there before still is
       type(error_type), allocatable, intent(out) :: error
 
       type(state_writer_type) :: writer
-      logical :: good
 
-      call writer%file%create(path//in_the_making, comm_type(), error)
+      writer%parts = parts
+      call writer%file%create(path//in_the_making, parts%comm, error)
       if (allocated(error)) return
       call write_run(writer%file, job, places, error)
       if (.not. allocated(error)) call write_decks(writer%file, job%archive, error)
@@ -71,14 +76,25 @@ contains
          if (allocated(writer%error)) call move_alloc(writer%error, error)
       end if
       if (.not. allocated(error)) call writer%file%close(error)
-      if (.not. allocated(error)) then
-         call secure_file(path//in_the_making, good)
-         if (good) call rename_file(path//in_the_making, path, good)
-         if (good) return
-         call fail(error, exit_output, "cannot bring the restart file "//path//" to its disk")
-      end if
-      call remove_file(path//in_the_making)
+      if (.not. allocated(error)) call put_in_place(writer%file, path, error)
+      if (allocated(error) .and. parts%comm%is_root()) call remove_file(path//in_the_making)
    end subroutine write_dump
+
+   !> Give a whole file its name, once all that any rank wrote is on the disk
+   subroutine put_in_place(file, path, error)
+      type(h5_file_type), intent(inout) :: file
+      character(*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      ! each rank: what it wrote may be held back by the machine that it runs on
+      call secure_file(file%path, good)
+      call file%agree(good)
+      if (good) call file%rename(path, error)
+      if (.not. good .or. allocated(error)) call fail(error, exit_output, &
+         & "cannot bring the restart file "//path//" to its disk")
+   end subroutine put_in_place
 
    !> What kind of file this is, and where the files of results were
    subroutine write_run(file, job, places, error)
@@ -128,7 +144,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: group, name
-      integer :: b, d, i
+      integer :: b, d
 
       call file%make_group(deck_group, error)
       if (allocated(error)) return
@@ -139,8 +155,7 @@ contains
          do d = 1, size(archive%bundles(b)%documents)
             associate (document => archive%bundles(b)%documents(d))
                name = group//"/"//text(d)
-               call file%write_values(name, [(ichar(document%content(i:i)), &
-                  & i=1, len(document%content))], store_byte, error)
+               call file%write_bytes(name, document%content, error)
                if (allocated(error)) return
                call file%write_text(name, "path", document%path, error)
                if (allocated(error)) return
@@ -155,8 +170,22 @@ contains
       character(*), intent(in) :: name
       real(wp), allocatable, intent(inout) :: values(:)
 
-      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
-         & store_double, self%error)
+      real(wp), allocatable :: band(:)
+      type(part_type) :: part
+      type(slab_type) :: slab
+
+      if (allocated(self%error)) return
+      if (self%parts%is_divided(name)) then
+         part = self%parts%part(name)
+         allocate (band(part%counted%count), source=0.0_wp)
+         call part%counted%gather(values, band)
+         call self%file%write_values(state_group//"/"//name, band, store_double, self%error, &
+            & part%slab())
+      else
+         slab = of_root(self%parts, size(values))
+         call self%file%write_values(state_group//"/"//name, values(:slab%count), store_double, &
+            & self%error, slab)
+      end if
    end subroutine write_reals
 
    !> Write an array, unless something went wrong before
@@ -165,8 +194,25 @@ contains
       character(*), intent(in) :: name
       integer, allocatable, intent(inout) :: values(:)
 
-      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
-         & store_integer, self%error)
+      type(slab_type) :: slab
+
+      if (allocated(self%error)) return
+      slab = of_root(self%parts, size(values))
+      call self%file%write_values(state_group//"/"//name, values(:slab%count), store_integer, &
+         & self%error, slab)
    end subroutine write_integers
+
+   !> What the root writes for all: its numbers, as many as it has
+   type(slab_type) function of_root(parts, numbers) result(slab)
+      type(state_parts_type), intent(in) :: parts
+      !> How many numbers this rank has
+      integer, intent(in) :: numbers
+
+      integer :: length(1)
+
+      length(1) = numbers
+      call parts%comm%tell(length)
+      slab = slab_type(whole=length(1), count=merge(length(1), 0, parts%comm%is_root()))
+   end function of_root
 
 end module plydyn_output_dump

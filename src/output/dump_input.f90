@@ -1,4 +1,4 @@
-!> Restart files being read.
+!> Restart files being read. Ranks open the file one by one, and read what they need.
 module plydyn_output_dump_input
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_archive, only : archive_type, bundle_type
@@ -7,13 +7,19 @@ module plydyn_output_dump_input
    use plydyn_base_text, only : text
    use plydyn_output_dump, only : deck_group, dump_format, dump_kind, ending_mark, run_group, &
       & state_group
+   use plydyn_output_h5, only : slab_type
    use plydyn_output_h5_input, only : h5_input_type
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : new_places, place_type
+   use plydyn_output_state_parts, only : part_type, state_parts_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type
    implicit none
    private
+
+   !> Arrays that belong to supports and loads
+   character(*), parameter :: conditions(3) = [character(16) :: "load_factor", "support_force", &
+      & "support_velocity"]
 
    !> A restart file being read
    type, public, extends(exchange_type) :: dump_input_type
@@ -22,6 +28,10 @@ module plydyn_output_dump_input
       type(h5_input_type) :: file
       !> Its path
       character(:), allocatable :: path
+      !> Which places of the arrays this rank reads
+      type(state_parts_type) :: parts
+      !> Whether supports and loads are those of the file
+      logical :: with_conditions = .true.
       !> The first thing that went wrong
       type(error_type), allocatable :: error
    contains
@@ -158,31 +168,31 @@ contains
       logical, intent(out) :: good
 
       character(:), allocatable :: content, path
-      integer, allocatable :: codes(:)
-      integer :: i
 
-      allocate (codes(max(0, self%file%extent(name))))
-      call self%file%read_integers(name, codes, good)
+      call self%file%read_bytes(name, content, good)
       if (.not. good) return
       call self%file%read_text(name, "path", path, good)
-      content = repeat(" ", size(codes))
-      do i = 1, size(codes)
-         content(i:i) = char(codes(i))
-      end do
       call bundle%add_document(path, content)
    end subroutine read_document
 
-   !> Read the state and close the file
-   subroutine read_state(self, state, error)
+   !> Read the state and close the file; all ranks must come here
+   subroutine read_state(self, parts, with_conditions, state, error)
       class(dump_input_type), intent(inout) :: self
+      !> Which places of the arrays this rank reads
+      type(state_parts_type), intent(in) :: parts
+      !> Whether supports and loads are those of the file; if not, they are left alone
+      logical, intent(in) :: with_conditions
       !> The state, with the arrays of the model allocated; those that are not take any length
       type(state_type), intent(inout) :: state
-      !> The file is damaged or not for this model
+      !> The file is damaged or not for this model; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      self%parts = parts
+      self%with_conditions = with_conditions
       call exchange_state(self, state)
       call self%file%close()
       if (allocated(self%error)) call move_alloc(self%error, error)
+      call parts%comm%share(error)
    end subroutine read_state
 
    !> Read an array, unless something went wrong before
@@ -193,6 +203,11 @@ contains
 
       logical :: good
 
+      if (.not. self%with_conditions .and. any(conditions == name)) return
+      if (self%parts%is_divided(name)) then
+         call read_part(self, name, values)
+         return
+      end if
       if (allocated(self%error)) return
       if (.not. allocated(values)) then
          allocate (values(max(0, self%file%extent(state_group//"/"//name))))
@@ -200,6 +215,29 @@ contains
       call self%file%read_reals(state_group//"/"//name, values, good)
       if (.not. good) call complain(self, name)
    end subroutine read_reals
+
+   !> Read a band of an array, and get from other ranks what this one has. After an error, too: all
+   !> ranks bring their bands to those that wait for them
+   subroutine read_part(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), intent(inout), contiguous :: values(:)
+
+      real(wp), allocatable :: band(:, :)
+      type(part_type) :: part
+      type(slab_type) :: slab
+      logical :: good
+
+      part = self%parts%part(name)
+      slab = part%slab()
+      allocate (band(1, slab%count), source=0.0_wp)
+      if (.not. allocated(self%error)) then
+         good = self%file%extent(state_group//"/"//name) == slab%whole
+         if (good) call self%file%read_slab(state_group//"/"//name, 0_int64, slab, band, good)
+         if (.not. good) call complain(self, name)
+      end if
+      call part%had%scatter(band(1, :), values)
+   end subroutine read_part
 
    !> Read an array, unless something went wrong before
    subroutine read_integers(self, name, values)

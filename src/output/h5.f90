@@ -11,8 +11,8 @@ module plydyn_output_h5
    use plydyn_base_precision, only : wp
    use plydyn_output_h5_file, only : h5_base_type
    use plydyn_output_h5_raw_file, only : half_index
-   use plydyn_output_h5_raw, only : append_rows, create_series, is_integer, is_long, is_real, &
-      & numbers_type, slab_type, store_byte, store_double, store_integer, store_long, &
+   use plydyn_output_h5_raw, only : append_rows, create_series, is_byte, is_integer, is_long, &
+      & is_real, numbers_type, slab_type, store_byte, store_double, store_integer, store_long, &
       & store_single, write_dataset
    implicit none
    private
@@ -30,6 +30,7 @@ module plydyn_output_h5
       !> Write a dataset whole
       generic :: write_values => write_integer_list, write_integer_table, write_real_list, &
          & write_real_table
+      procedure :: write_bytes
       procedure :: make_series
       procedure :: reserve_rows
       !> Add rows to a dataset made by `make_series`
@@ -115,6 +116,21 @@ contains
       call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
          & this%slab_of(size(values, 2), slab), error)
    end subroutine write_real_table
+
+   !> Dataset of the characters of a text, which is the same on all ranks
+   subroutine write_bytes(this, name, content, error)
+      !> The file
+      class(h5_file_type), intent(inout) :: this
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> What to write
+      character(*), intent(in), target :: content
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      call this%write_all(name, numbers_type(c_loc(content), [len(content)], is_byte, store_byte), &
+         & this%slab_of(len(content)), error)
+   end subroutine write_bytes
 
    !> Make sure of room, and write a dataset
    subroutine write_all(this, name, numbers, slab, error)

@@ -11,7 +11,7 @@ module plydyn_output_h5_input
       & h5tclose_f, h5tget_size_f, hid_t, &
       & hsize_t, size_t
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw, only : is_integer, is_real, select_slab, slab_type, &
+   use plydyn_output_h5_raw, only : is_byte, is_integer, is_real, select_slab, slab_type, &
       & type_in_memory
    implicit none
    private
@@ -25,6 +25,7 @@ module plydyn_output_h5_input
       procedure :: open => open_input
       procedure :: has
       procedure :: extent
+      procedure :: read_bytes
       procedure :: read_integers
       procedure :: read_reals
       procedure :: read_slab
@@ -93,6 +94,24 @@ contains
       call h5dclose_f(dataset, status(6))
       if (all(status >= 0) .and. product(rows) <= huge(extent)) extent = int(product(rows))
    end function extent
+
+   !> Read a dataset of characters
+   subroutine read_bytes(self, name, content, good)
+      class(h5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> What is in it
+      character(:), allocatable, intent(out), target :: content
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: length
+
+      length = self%extent(name)
+      good = length >= 0
+      allocate (character(max(0, length)) :: content)
+      if (length > 0) call read_all(self%id, name, is_byte, c_loc(content), good)
+   end subroutine read_bytes
 
    !> Read a dataset of integers
    subroutine read_integers(self, name, values, good)

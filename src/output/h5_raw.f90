@@ -20,7 +20,7 @@ module plydyn_output_h5_raw
       & h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, &
       & size_t
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw_file, only : create_transfer, handle_type
+   use plydyn_output_h5_raw_file, only : handle_type
    implicit none
    private
 
@@ -28,8 +28,9 @@ module plydyn_output_h5_raw
       & append_rows, select_slab
    public :: type_in_memory
 
-   !> Kinds of number in memory: default integers, long integers, reals of the working precision
-   integer, parameter, public :: is_integer = 1, is_long = 2, is_real = 3
+   !> Kinds of number in memory: default integers, long integers, reals of the working precision,
+   !> and characters
+   integer, parameter, public :: is_integer = 1, is_long = 2, is_real = 3, is_byte = 4
    !> Ways to store a number in the file, whatever it is in memory
    integer, parameter, public :: store_byte = 1, store_integer = 2, store_long = 3, &
       & store_single = 4, store_double = 5
@@ -40,7 +41,7 @@ module plydyn_output_h5_raw
       type(c_ptr) :: address
       !> Extent of the array; of no size for a single number
       integer, allocatable :: extent(:)
-      !> `is_integer`, `is_long` or `is_real`
+      !> One of `is_…`
       integer :: number = is_real
       !> One of `store_…`
       integer :: storage = store_double
@@ -158,17 +159,16 @@ contains
       call create_space(extent, space, status(2))
       call h5dcreate_f(file%id, name, type_in_file(numbers%storage), space, dataset, status(3), &
          & plan)
-      call write_slab(file, dataset, 0_hsize_t, numbers, slab, status(4))
+      call write_slab(dataset, 0_hsize_t, numbers, slab, status(4))
       call h5dclose_f(dataset, status(5))
       call h5sclose_f(space, status(6))
       call h5pclose_f(plan, status(7))
       good = all(status >= 0)
    end subroutine write_dataset
 
-   !> Write a slab of the rows of a dataset
-   subroutine write_slab(file, dataset, before, numbers, slab, status)
-      !> The file
-      type(handle_type), intent(in) :: file
+   !> Write a slab of the rows of a dataset. Each rank brings its own to the file: a slab is a few
+   !> long pieces, which need no buffer to be put together in, and nobody waits for one that fails
+   subroutine write_slab(dataset, before, numbers, slab, status)
       !> Handle of the dataset
       integer(hid_t), intent(in) :: dataset
       !> Rows of the dataset before all that are written now
@@ -180,19 +180,17 @@ contains
       !> Negative when it went wrong
       integer, intent(out) :: status
 
-      integer(hid_t) :: memory, space, transfer
-      integer :: calls(7)
+      integer(hid_t) :: memory, space
+      integer :: calls(5)
 
       status = 0
       if (slab%whole*slab%levels == 0) return
       call h5dget_space_f(dataset, space, calls(1))
       call select_slab(space, before, slab, memory, calls(2))
-      call create_transfer(file, transfer, calls(3))
-      call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, calls(4), memory, &
-         & space, transfer)
-      call h5pclose_f(transfer, calls(5))
-      call h5sclose_f(memory, calls(6))
-      call h5sclose_f(space, calls(7))
+      call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, calls(3), memory, &
+         & space)
+      call h5sclose_f(memory, calls(4))
+      call h5sclose_f(space, calls(5))
       status = minval(calls)
    end subroutine write_slab
 
@@ -290,7 +288,7 @@ contains
 
       call h5dopen_f(file%id, name, dataset, status(1))
       call grow(dataset, numbers%extent, slab, before, status(2))
-      call write_slab(file, dataset, before, numbers, slab, status(3))
+      call write_slab(dataset, before, numbers, slab, status(3))
       call h5dclose_f(dataset, status(4))
       good = all(status >= 0)
    end subroutine append_rows
@@ -364,10 +362,12 @@ contains
 
    !> The library's type of numbers in memory
    integer(hid_t) function type_in_memory(number)
-      !> `is_integer`, `is_long` or `is_real`
+      !> One of `is_…`
       integer, intent(in) :: number
 
       select case (number)
+      case (is_byte)
+         type_in_memory = h5t_std_u8le
       case (is_integer)
          type_in_memory = h5kind_to_type(kind(0), h5_integer_kind)
       case (is_long)

@@ -4,16 +4,15 @@
 !> same way in both cases, so that its bytes do not tell how many ranks there were.
 module plydyn_output_h5_raw_file
    use hdf5, only : h5dont_atexit_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_close_strong_f, &
-      & h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fd_mpio_collective_f, h5fflush_f, &
-      & h5open_f, h5p_dataset_xfer_f, h5p_file_access_f, h5p_file_create_f, &
-      & h5pclose_f, h5pcreate_f, h5pset_all_coll_metadata_ops_f, h5pset_coll_metadata_write_f, &
-      & h5pset_dxpl_mpio_f, h5pset_fapl_mpio_f, h5pset_fclose_degree_f, h5pset_file_locking_f, &
-      & h5pset_istore_k_f, hid_t
+      & h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5open_f, h5p_file_access_f, &
+      & h5p_file_create_f, h5pclose_f, h5pcreate_f, h5pset_all_coll_metadata_ops_f, &
+      & h5pset_coll_metadata_write_f, h5pset_fapl_mpio_f, h5pset_fclose_degree_f, &
+      & h5pset_file_locking_f, h5pset_istore_k_f, hid_t
    use mpi_f08, only : mpi_comm_world, mpi_info_null
    implicit none
    private
 
-   public :: close_file, create_file, create_transfer, flush_file
+   public :: close_file, create_file, flush_file
 
    !> Half the entries in a node of the index of chunks: a dataset of up to twice as many chunks
    !> has one node, which a kill in the midst of a flush cannot leave half split
@@ -74,23 +73,6 @@ contains
       call h5pset_all_coll_metadata_ops_f(access, .true., calls(3))
       status = minval(calls)
    end subroutine share
-
-   !> How data are brought to a file: by all ranks together where it is shared
-   subroutine create_transfer(file, transfer, status)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Handle of the transfer
-      integer(hid_t), intent(out) :: transfer
-      !> Negative when it went wrong
-      integer, intent(out) :: status
-
-      integer :: calls(2)
-
-      calls(2) = 0
-      call h5pcreate_f(h5p_dataset_xfer_f, transfer, calls(1))
-      if (file%is_shared) call h5pset_dxpl_mpio_f(transfer, h5fd_mpio_collective_f, calls(2))
-      status = minval(calls)
-   end subroutine create_transfer
 
    !> Hand all that was written to the operating system: it outlives this process
    subroutine flush_file(file, good)

@@ -8,31 +8,39 @@ module plydyn_output_tell_job
    implicit none
    private
 
-   public :: tell_job
+   public :: tell_job, tell_places
 
    !> Numbers of a place
    integer, parameter :: numbers = 3
 
 contains
 
-   !> Let all ranks have the names of the job, and the places in its files
+   !> Let all ranks have the names of the job, its count of restart files, and the places in its
+   !> files
    subroutine tell_job(comm, job)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> The root's in, the same on all ranks out
       type(job_type), intent(inout) :: job
 
+      integer :: dumps(1)
+
       call comm%tell(job%path)
       call comm%tell(job%deck)
       call comm%tell(job%version)
-      if (comm%ranks > 1) call tell_places(comm, job%path, job%places)
+      dumps(1) = job%dumps
+      call comm%tell(dumps)
+      job%dumps = dumps(1)
+      call tell_places(comm, job%path, job%places)
    end subroutine tell_job
 
    !> Let all ranks have the places
    subroutine tell_places(comm, path, places)
+      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Path of the results without endings
       character(*), intent(in) :: path
+      !> The root's in, the same on all ranks out
       type(places_type), intent(inout) :: places
 
       character(:), allocatable :: ending
@@ -40,6 +48,7 @@ contains
       real(wp) :: table(numbers)
       integer :: count(1), i
 
+      if (comm%ranks == 1) return
       count(1) = size(places%list)
       call comm%tell(count)
       if (.not. comm%is_root()) places = new_places(path)

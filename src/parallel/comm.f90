@@ -6,8 +6,8 @@ module plydyn_parallel_comm
    use mpi_f08, only : mpi_allgatherv, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_character, &
       & mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_double_precision, mpi_finalize, &
       & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_land, mpi_logical, mpi_max, &
-      & mpi_sum, mpi_thread_funneled
-   use plydyn_base_error, only : error_type
+      & mpi_min, mpi_sum, mpi_thread_funneled
+   use plydyn_base_error, only : error_type, fail
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -34,6 +34,7 @@ module plydyn_parallel_comm
       procedure :: tell_reals
       procedure :: tell_text
       procedure :: tell_error
+      procedure :: share => share_error
       generic :: tell => tell_integers, tell_reals, tell_text, tell_error
    end type comm_type
 
@@ -220,5 +221,28 @@ contains
       end if
       call self%tell(error%message)
    end subroutine tell_error
+
+   !> Let all ranks have the same error: that of the first of them that has one, if any does
+   subroutine share_error(self, error)
+      class(comm_type), intent(in) :: self
+      !> This rank's error in, the same on all ranks out
+      type(error_type), allocatable, intent(inout) :: error
+
+      character(:), allocatable :: words
+      integer :: first, number(2)
+
+      if (self%ranks == 1) return
+      first = merge(self%rank, self%ranks, allocated(error))
+      call mpi_allreduce(mpi_in_place, first, 1, mpi_integer, mpi_min, mpi_comm_world)
+      if (first == self%ranks) return
+      if (first == self%rank) then
+         number(:) = [error%code, len(error%message)]
+         words = error%message
+      end if
+      call mpi_bcast(number, size(number), mpi_integer, first, mpi_comm_world)
+      if (first /= self%rank) words = repeat(" ", number(2))
+      call mpi_bcast(words, number(2), mpi_character, first, mpi_comm_world)
+      call fail(error, number(1), words)
+   end subroutine share_error
 
 end module plydyn_parallel_comm

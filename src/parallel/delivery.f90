@@ -14,7 +14,7 @@ module plydyn_parallel_delivery
    implicit none
    private
 
-   public :: band_start, new_delivery
+   public :: band_of, band_start, new_delivery, starts
 
    !> How the parts come to their rows; all ranks take part in everything
    type, public :: delivery_type
@@ -43,6 +43,18 @@ contains
       first = int(int(rows, int64)*rank/ranks)
    end function band_start
 
+   !> The rank, from 0, in whose band a row lies
+   elemental integer function band_of(row, rows, ranks) result(rank)
+      !> The row, from 1
+      integer, intent(in) :: row
+      !> Rows of all bands
+      integer, intent(in) :: rows
+      !> How many ranks there are
+      integer, intent(in) :: ranks
+
+      rank = int((int(row, int64)*ranks - 1)/rows)
+   end function band_of
+
    !> Prepare for parts of rows
    function new_delivery(comm, rows, row, key) result(self)
       !> The ranks
@@ -62,7 +74,7 @@ contains
       allocate (self%to(0:comm%ranks - 1), self%from(0:comm%ranks - 1))
       self%to(:) = 0
       do i = 1, size(row)
-         keeper(i) = int((int(row(i), int64)*comm%ranks - 1)/rows)
+         keeper(i) = band_of(row(i), rows, comm%ranks)
          self%to(keeper(i)) = self%to(keeper(i)) + 1
       end do
       self%sent = sorted_order(keeper)
@@ -98,6 +110,7 @@ contains
 
    !> Where each of several runs begins, from 0
    pure function starts(length)
+      !> Length of each
       integer, intent(in) :: length(:)
       integer :: starts(size(length))
       integer :: i

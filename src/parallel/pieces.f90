@@ -1,26 +1,30 @@
-!> Arrays of the whole model on the root, of which every rank has pieces.
+!> Arrays of the whole model in bands of consecutive places, one on each rank, of which every rank
+!> has pieces wherever they lie: from the pieces to the bands, and back to all that have them.
+!>
+!> No rank ever has the whole array. Nothing is copied on the way but into the band and out of it.
 module plydyn_parallel_pieces
-   use mpi_f08, only : mpi_comm_world, mpi_datatype, mpi_double_precision, mpi_integer, mpi_irecv, &
-      & mpi_isend, mpi_recv, mpi_request, mpi_send, mpi_status_ignore, mpi_statuses_ignore, &
-      & mpi_type_commit, mpi_type_indexed, mpi_waitall
+   use mpi_f08, only : mpi_alltoall, mpi_alltoallv, mpi_comm_world, mpi_datatype, &
+      & mpi_datatype_null, mpi_double_precision, mpi_integer, mpi_irecv, mpi_isend, mpi_request, &
+      & mpi_statuses_ignore, mpi_type_commit, mpi_type_indexed, mpi_waitall, operator(==)
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_delivery, only : band_of, band_start, starts
    implicit none
    private
 
    public :: new_pieces
 
-   !> Tags of lists and of values
-   integer, parameter :: list_tag = 2, value_tag = 3
-   integer, parameter :: root = 0
+   !> Tag of messages
+   integer, parameter :: value_tag = 3
 
    !> The pieces of an array
    type, public :: pieces_type
-      private
-      !> Where they are here
-      type(mpi_datatype) :: here
-      !> Where those of each rank are in the array of the whole model; on the root only
-      type(mpi_datatype), allocatable :: there(:)
+      !> Length of the whole array, places before the band of this rank, and places in it
+      integer :: whole = 0, first = 0, count = 0
+      !> Where pieces are here that belong to the band of each rank, and where those of each rank
+      !> are in the band of this one; null where there are none. Not allocated with one rank
+      type(mpi_datatype), allocatable, private :: here(:), there(:)
    contains
       procedure :: gather
       procedure :: scatter
@@ -29,89 +33,150 @@ module plydyn_parallel_pieces
 contains
 
    !> Say which pieces this rank has; all ranks must come here
-   function new_pieces(comm, piece) result(self)
+   function new_pieces(comm, whole, piece) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
+      !> Length of the whole array
+      integer, intent(in) :: whole
       !> First place here, first place in the whole model and length of each piece, (3, pieces)
       integer, intent(in) :: piece(:, :)
       type(pieces_type) :: self
 
-      integer, allocatable :: list(:, :)
-      integer :: count(1), r
+      integer :: from(0:comm%ranks - 1), r, to(0:comm%ranks - 1)
+      integer, allocatable :: band(:), got(:, :), own(:, :)
 
-      self%here = piece_type(piece(1, :), piece(3, :))
-      if (.not. comm%is_root()) then
-         count(1) = size(piece, 2)
-         list = piece
-         call mpi_send(count, 1, mpi_integer, root, list_tag, mpi_comm_world)
-         call mpi_send(list, size(list), mpi_integer, root, list_tag, mpi_comm_world)
-         return
-      end if
-      allocate (self%there(0:comm%ranks - 1))
-      self%there(0) = piece_type(piece(2, :), piece(3, :))
-      do r = 1, comm%ranks - 1
-         call mpi_recv(count, 1, mpi_integer, r, list_tag, mpi_comm_world, mpi_status_ignore)
-         if (allocated(list)) deallocate (list)
-         allocate (list(3, count(1)))
-         call mpi_recv(list, size(list), mpi_integer, r, list_tag, mpi_comm_world, &
-            & mpi_status_ignore)
-         self%there(r) = piece_type(list(2, :), list(3, :))
-      end do
+      self%whole = whole
+      self%first = band_start(whole, comm%rank, comm%ranks)
+      self%count = band_start(whole, comm%rank + 1, comm%ranks) - self%first
+      if (comm%ranks == 1) return
+      own = cut(joined(piece), whole, comm%ranks)
+      band = band_of(own(2, :), whole, comm%ranks)
+      own = own(:, sorted_order(band))
+      to(:) = [(count(band == r), r=0, comm%ranks - 1)]
+      call mpi_alltoall(to, 1, mpi_integer, from, 1, mpi_integer, mpi_comm_world)
+      allocate (got(3, sum(from)))
+      call mpi_alltoallv(own, 3*to, 3*starts(to), mpi_integer, got, 3*from, 3*starts(from), &
+         & mpi_integer, mpi_comm_world)
+      call make_types(own(1, :), own(3, :), to, self%here)
+      call make_types(got(2, :) - self%first, got(3, :), from, self%there)
    end function new_pieces
 
-   !> Type of messages from or to some pieces of an array
-   function piece_type(first, length) result(kind)
+   !> Make one piece of those that follow each other both here and in the whole model
+   pure function joined(piece) result(longer)
+      integer, intent(in) :: piece(:, :)
+      integer, allocatable :: longer(:, :)
+
+      integer :: i, list(3, size(piece, 2)), n
+
+      n = 0
+      do i = 1, size(piece, 2)
+         if (n > 0) then
+            if (all(list(:2, n) + list(3, n) == piece(:2, i))) then
+               list(3, n) = list(3, n) + piece(3, i)
+               cycle
+            end if
+         end if
+         n = n + 1
+         list(:, n) = piece(:, i)
+      end do
+      longer = list(:, :n)
+   end function joined
+
+   !> Cut pieces where bands end
+   pure function cut(piece, whole, ranks) result(parts)
+      integer, intent(in) :: piece(:, :), whole, ranks
+      integer, allocatable :: parts(:, :)
+
+      integer :: before, i, length, n
+
+      ! bands that the first and the last place of a piece lie in, and those between
+      allocate (parts(3, sum(1 + band_of(piece(2, :) + piece(3, :) - 1, whole, ranks) &
+         & - band_of(piece(2, :), whole, ranks))))
+      n = 0
+      do i = 1, size(piece, 2)
+         before = 0
+         do while (before < piece(3, i))
+            associate (place => piece(2, i) + before)
+               length = min(piece(3, i) - before, 1 - place &
+                  & + band_start(whole, 1 + band_of(place, whole, ranks), ranks))
+               n = n + 1
+               parts(:, n) = [piece(1, i) + before, place, length]
+            end associate
+            before = before + length
+         end do
+      end do
+   end function cut
+
+   !> Make types of messages from or to some pieces of an array, one for each rank
+   subroutine make_types(first, length, pieces, kind)
+      !> First place and length of each piece, rank by rank
       integer, intent(in) :: first(:), length(:)
-      type(mpi_datatype) :: kind
+      !> Pieces for each rank
+      integer, intent(in) :: pieces(0:)
+      type(mpi_datatype), allocatable, intent(out) :: kind(:)
 
-      call mpi_type_indexed(size(first), length, first - 1, mpi_double_precision, kind)
-      call mpi_type_commit(kind)
-   end function piece_type
+      integer :: before, r
 
-   !> Bring the pieces of all ranks to the root
-   subroutine gather(self, values, whole)
+      allocate (kind(0:size(pieces) - 1))
+      before = 0
+      do r = 0, size(pieces) - 1
+         kind(r) = mpi_datatype_null
+         if (pieces(r) == 0) cycle
+         call mpi_type_indexed(pieces(r), length(before + 1:), first(before + 1:) - 1, &
+            & mpi_double_precision, kind(r))
+         call mpi_type_commit(kind(r))
+         before = before + pieces(r)
+      end do
+   end subroutine make_types
+
+   !> Bring the pieces of all ranks to the bands; all ranks of several must come here
+   subroutine gather(self, values, band)
       class(pieces_type), intent(in) :: self
       !> The array of this rank
       real(wp), intent(in), contiguous, asynchronous :: values(:)
-      !> That of the whole model, on the root
-      real(wp), intent(inout), contiguous, asynchronous :: whole(:)
+      !> Its band, (`count`); places that no rank has stay as they are
+      real(wp), intent(inout), contiguous, asynchronous :: band(:)
 
-      type(mpi_request), allocatable :: request(:)
-      integer :: r
+      type(mpi_request) :: request(2*size(self%here))
+      integer :: n, r
 
-      allocate (request(0:0))
-      if (allocated(self%there)) then
-         deallocate (request)
-         allocate (request(0:size(self%there)))
-         do r = 0, size(self%there) - 1
-            call mpi_irecv(whole, 1, self%there(r), r, value_tag, mpi_comm_world, request(r + 1))
-         end do
-      end if
-      call mpi_isend(values, 1, self%here, root, value_tag, mpi_comm_world, request(0))
-      call mpi_waitall(size(request), request, mpi_statuses_ignore)
+      n = 0
+      do r = 0, size(self%here) - 1
+         if (self%there(r) == mpi_datatype_null) cycle
+         n = n + 1
+         call mpi_irecv(band, 1, self%there(r), r, value_tag, mpi_comm_world, request(n))
+      end do
+      do r = 0, size(self%here) - 1
+         if (self%here(r) == mpi_datatype_null) cycle
+         n = n + 1
+         call mpi_isend(values, 1, self%here(r), r, value_tag, mpi_comm_world, request(n))
+      end do
+      call mpi_waitall(n, request, mpi_statuses_ignore)
    end subroutine gather
 
-   !> Take the pieces of this rank from the root
-   subroutine scatter(self, whole, values)
+   !> Take the pieces of this rank from the bands; all ranks of several must come here
+   subroutine scatter(self, band, values)
       class(pieces_type), intent(in) :: self
-      !> The array of the whole model, on the root
-      real(wp), intent(in), contiguous, asynchronous :: whole(:)
-      !> That of this rank
+      !> The band of this rank, (`count`)
+      real(wp), intent(in), contiguous, asynchronous :: band(:)
+      !> Its array
       real(wp), intent(inout), contiguous, asynchronous :: values(:)
 
-      type(mpi_request), allocatable :: request(:)
-      integer :: r
+      type(mpi_request) :: request(2*size(self%here))
+      integer :: n, r
 
-      allocate (request(0:0))
-      if (allocated(self%there)) then
-         deallocate (request)
-         allocate (request(0:size(self%there)))
-         do r = 0, size(self%there) - 1
-            call mpi_isend(whole, 1, self%there(r), r, value_tag, mpi_comm_world, request(r + 1))
-         end do
-      end if
-      call mpi_irecv(values, 1, self%here, root, value_tag, mpi_comm_world, request(0))
-      call mpi_waitall(size(request), request, mpi_statuses_ignore)
+      n = 0
+      do r = 0, size(self%here) - 1
+         if (self%here(r) == mpi_datatype_null) cycle
+         n = n + 1
+         call mpi_irecv(values, 1, self%here(r), r, value_tag, mpi_comm_world, request(n))
+      end do
+      do r = 0, size(self%here) - 1
+         if (self%there(r) == mpi_datatype_null) cycle
+         n = n + 1
+         call mpi_isend(band, 1, self%there(r), r, value_tag, mpi_comm_world, request(n))
+      end do
+      call mpi_waitall(n, request, mpi_statuses_ignore)
    end subroutine scatter
 
 end module plydyn_parallel_pieces

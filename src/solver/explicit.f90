@@ -73,7 +73,7 @@ contains
          if (allocated(error)) return
          call check_health(domain, state, error)
          if (allocated(error)) then
-            call journal%conclude(domain, state, error)
+            call journal%conclude(domain, state)
             return
          end if
          call watch%look(domain, contacts, state, journal, error)

@@ -1,4 +1,7 @@
 !> Guards that stop a run which has gone wrong, and name the culprit.
+!>
+!> All ranks come to the same guards, since energies are those of the whole model. Each looks at the
+!> points that it has; of several culprits that of the least number of the user is named.
 module plydyn_solver_health
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_error, only : error_type, exit_run, fail
@@ -22,15 +25,25 @@ module plydyn_solver_health
    !> Names of the directions
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
+   !> A point that may be the culprit
+   type :: suspect_type
+      !> Speed, or whatever is looked at; less than none for no point
+      real(wp) :: badness = -1.0_wp
+      !> The user's number of the node, and layer and direction there
+      integer :: node_id = huge(1), layer = 1, direction = 1
+   contains
+      procedure :: name => suspect_name
+   end type suspect_type
+
 contains
 
-   !> Numbers that are not finite, and an energy balance past its limit
+   !> Numbers that are not finite, and an energy balance past its limit; all ranks must come here
    subroutine check_health(domain, state, error)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
-      !> What is wrong, where and when
+      !> What is wrong, where and when; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. ieee_is_finite(state%energies%total())) then
@@ -98,25 +111,18 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      integer :: c, i, k, n, t
+      type(suspect_type) :: suspect
+      integer :: i
 
       do i = 1, size(state%impactors)
          if (all(ieee_is_finite(state%impactors(i)%velocity))) cycle
          words = ": velocity of impactor "//text(domain%impactors(i)%id)
          return
       end do
+      suspect = worst_point(domain, merge(0.0_wp, 1.0_wp, ieee_is_finite(state%acceleration( &
+         & :domain%columns%freedoms))))
       words = ": energies, while no acceleration is"
-      do n = 1, domain%columns%nodes
-         do k = 1, size(domain%columns%home, 2)
-            do t = 1, domain%columns%levels(k)
-               do c = 1, 3
-                  if (ieee_is_finite(state%acceleration(domain%columns%freedom(k, t, c, n)))) cycle
-                  words = ": acceleration along "//axis(c)//point_name(domain, k, n)
-                  return
-               end do
-            end do
-         end do
-      end do
+      if (suspect%badness > 0.0_wp) words = ": acceleration along "//suspect%name(domain)
    end function culprit
 
    !> The point that moves fastest
@@ -125,38 +131,73 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      integer :: c, k, n, t, worst(3)
-      real(wp) :: speed
+      type(suspect_type) :: suspect
 
-      speed = -1.0_wp
-      worst(:) = 1
+      suspect = worst_point(domain, abs(state%velocity))
+      words = ": fastest is the motion along "//suspect%name(domain)//", "//text(suspect%badness)
+   end function fastest
+
+   !> The point of the whole model with the largest number; of several alike that of the node with
+   !> the least number of the user, and there the lowest
+   type(suspect_type) function worst_point(domain, badness) result(worst)
+      type(domain_type), intent(in) :: domain
+      !> Numbers at the places of the arrays of motion
+      real(wp), intent(in) :: badness(:)
+
+      real(wp) :: greatest(1), place(2)
+      type(suspect_type) :: here
+
+      here = worst_here(domain, badness)
+      greatest(1) = here%badness
+      call domain%comm%find_greatest(greatest)
+      worst%badness = greatest(1)
+      ! the least is the greatest below zero
+      greatest(1) = -huge(1.0_wp)
+      if (here%badness >= worst%badness) greatest(1) = -real(here%node_id, wp)
+      call domain%comm%find_greatest(greatest)
+      worst%node_id = nint(-greatest(1))
+      ! ranks that meet at the node have the same motion there
+      place(:) = 0.0_wp
+      if (here%badness >= worst%badness .and. here%node_id == worst%node_id) then
+         place(:) = [here%direction, here%layer]
+      end if
+      call domain%comm%find_greatest(place)
+      worst%direction = nint(place(1))
+      worst%layer = nint(place(2))
+   end function worst_point
+
+   !> The same of the points that this rank has
+   pure type(suspect_type) function worst_here(domain, badness) result(worst)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: badness(:)
+
+      integer :: c, k, n, t
+
       do n = 1, domain%columns%nodes
          do k = 1, size(domain%columns%home, 2)
             do t = 1, domain%columns%levels(k)
                do c = 1, 3
-                  associate (v => state%velocity(domain%columns%freedom(k, t, c, n)))
-                     if (abs(v) <= speed) cycle
-                     speed = abs(v)
-                     worst(:) = [c, k, n]
+                  associate (own => badness(domain%columns%freedom(k, t, c, n)))
+                     if (own > worst%badness .or. (own >= worst%badness &
+                        & .and. domain%node_id(n) < worst%node_id)) then
+                        worst = suspect_type(own, domain%node_id(n), k, c)
+                     end if
                   end associate
                end do
             end do
          end do
       end do
-      words = ": fastest is the motion along "//axis(worst(1)) &
-         & //point_name(domain, worst(2), worst(3))//", "//text(speed)
-   end function fastest
+   end function worst_here
 
-   !> Where a point is, in the user's numbers
-   function point_name(domain, layer, node) result(words)
+   !> Direction and place of a point, in the user's numbers
+   function suspect_name(self, domain) result(words)
+      class(suspect_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: layer, node
       character(:), allocatable :: words
 
-      words = " at node "//text(domain%node_id(node))
+      words = axis(self%direction)//" at node "//text(self%node_id)
       if (size(domain%bricks) > 0) return
-      words = words//", ply "//text(domain%layers%ply(layer)) &
-         & //" from the bottom"
-   end function point_name
+      words = words//", ply "//text(domain%layers%ply(self%layer))//" from the bottom"
+   end function suspect_name
 
 end module plydyn_solver_health

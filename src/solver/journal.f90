@@ -1,5 +1,5 @@
-!> What is written about a run: fields by all ranks together, histories by the root, to which the
-!> others tell the few numbers that are due. For a restart file they bring all their parts.
+!> What is written about a run: fields and restart files by all ranks together, histories by the
+!> root, to which the others tell the few numbers that are due.
 module plydyn_solver_journal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -12,11 +12,10 @@ module plydyn_solver_journal
    use plydyn_output_listing, only : write_end
    use plydyn_output_places, only : new_places, places_type
    use plydyn_output_rows, only : new_rows, rows_type
-   use plydyn_output_tell_job, only : tell_job
+   use plydyn_output_state_parts, only : state_parts_type
+   use plydyn_output_tell_job, only : tell_places
    use plydyn_output_writer, only : writer_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_solver_assembly, only : assembly_type
-   use plydyn_solver_health, only : check_health
    use plydyn_state_state, only : impactors_sum, output_sum, rows_sum, state_type
    implicit none
    private
@@ -34,11 +33,8 @@ module plydyn_solver_journal
       type(field_states_type) :: fields
       !> Where the run is; on the root's screen
       type(life_line_type) :: life_line
-      !> The whole model; on the root of several ranks
-      type(domain_type), allocatable :: whole
-      type(state_type) :: state
-      !> How the parts come together; with several ranks
-      type(assembly_type) :: assembly
+      !> Which places of the arrays of the whole model this rank has
+      type(state_parts_type) :: parts
    contains
       procedure :: open => open_journal
       procedure :: announce
@@ -56,31 +52,24 @@ module plydyn_solver_journal
 contains
 
    !> Create all files, or go on with those of an earlier run
-   subroutine open_journal(self, job, model, domain, whole, assembly, error)
+   subroutine open_journal(self, job, model, domain, parts, error)
       class(journal_type), intent(inout) :: self
-      !> The job
+      !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> The model
       type(model_type), intent(in) :: model
       !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> The whole model; allocated on the root of several ranks, which takes it over
-      type(domain_type), allocatable, intent(inout) :: whole
-      !> How the parts come together
-      type(assembly_type), intent(in) :: assembly
+      !> Which places of the arrays of the whole model this rank has
+      type(state_parts_type), intent(in) :: parts
       !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      type(job_type) :: same
-
       self%comm = domain%comm
-      self%assembly = assembly
-      same = job
-      call tell_job(self%comm, same)
-      self%path = same%path
-      call move_alloc(whole, self%whole)
-      call self%writer%open(same, model, domain, error)
-      if (.not. allocated(error)) call self%fields%open(same, model, domain, error)
+      self%parts = parts
+      self%path = job%path
+      call self%writer%open(job, model, domain, error)
+      if (.not. allocated(error)) call self%fields%open(job, model, domain, error)
       if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
    end subroutine open_journal
 
@@ -169,26 +158,18 @@ contains
       call self%fields%plot(domain, state, error)
    end subroutine plot
 
-   !> Write the fields of a run that is stopped, and find the cause in the whole model
-   subroutine conclude(self, domain, state, error)
+   !> Write the fields of a run that went wrong, if that can be done: what stopped it is worse than
+   !> a state that cannot be written
+   subroutine conclude(self, domain, state)
       class(journal_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
-      !> What stopped the run, as this rank knows it; out the same on all ranks
-      type(error_type), allocatable, intent(inout) :: error
 
-      type(error_type), allocatable :: better, plot_error
+      type(error_type), allocatable :: plot_error
 
-      ! what stopped the run is worse than a state that cannot be written
       call self%plot(domain, state, plot_error)
-      if (self%comm%ranks > 1) call self%assembly%gather(state, self%state)
-      if (allocated(self%whole)) then
-         call check_health(self%whole, self%state, better)
-         if (allocated(better)) call move_alloc(better, error)
-      end if
-      call self%comm%tell(error)
    end subroutine conclude
 
    !> Write the line of life, due or not
@@ -203,7 +184,7 @@ contains
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
       class(journal_type), intent(inout) :: self
-      !> Gets the places; those of histories on the root only
+      !> Gets the places, the same on all ranks
       type(places_type), intent(out) :: places
       !> Why something is not on the disk; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
@@ -211,15 +192,17 @@ contains
       places = new_places(self%path)
       if (self%comm%is_root()) call self%writer%keep(places, error)
       call self%comm%tell(error)
-      if (.not. allocated(error)) call self%fields%mark(places, error)
+      if (allocated(error)) return
+      call tell_places(self%comm, self%path, places)
+      call self%fields%mark(places, error)
    end subroutine keep
 
-   !> Write a restart file
+   !> Write a restart file; all ranks must come here
    subroutine dump(self, path, job, state, error)
       class(journal_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
-      !> The job
+      !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> The state, with the memory of contacts
       type(state_type), intent(inout) :: state
@@ -229,14 +212,7 @@ contains
       type(places_type) :: places
 
       call self%keep(places, error)
-      if (allocated(error)) return
-      if (self%comm%ranks == 1) then
-         call write_dump(path, job, places, state, error)
-         return
-      end if
-      call self%assembly%gather(state, self%state)
-      if (self%comm%is_root()) call write_dump(path, job, places, self%state, error)
-      call self%comm%tell(error)
+      if (.not. allocated(error)) call write_dump(path, job, places, self%parts, state, error)
    end subroutine dump
 
    !> Say in the listing how the run ended

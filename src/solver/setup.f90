@@ -14,8 +14,8 @@ module plydyn_solver_setup
    use plydyn_model_model, only : model_type
    use plydyn_output_profile, only : check_profiles
    use plydyn_output_ranks_listing, only : rank_numbers
+   use plydyn_output_state_parts, only : new_state_parts, state_parts_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_solver_assembly, only : assembly_type, new_assembly
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_start, only : new_state
    use plydyn_state_state, only : state_type
@@ -32,11 +32,11 @@ module plydyn_solver_setup
       type(domain_type), allocatable :: domain
       type(contacts_type) :: contacts
       type(state_type) :: state
-      !> Elements and supports of the whole model, on the root of several ranks; see
-      !> `build_outline`
+      !> Elements and supports of the whole model, on the root of several ranks until the listing
+      !> tells of them; see `build_outline`
       type(domain_type), allocatable :: whole
-      !> How the parts of several ranks come together
-      type(assembly_type) :: assembly
+      !> Which places of the arrays of the whole model this rank has
+      type(state_parts_type) :: state_parts
       !> What each rank has; see `write_ranks`. None with one rank
       real(wp), allocatable :: ranks(:, :)
    end type run_type
@@ -72,7 +72,7 @@ contains
       call comm%tell(error)
       if (allocated(error)) return
       call count_ranks(comm, self%domain, share, self%ranks)
-      if (comm%ranks > 1) self%assembly = new_assembly(self%domain, share)
+      self%state_parts = new_state_parts(self%domain, share)
       call new_contacts(self%domain, self%contacts, error)
       if (allocated(error)) return
       self%state = new_state(self%model, self%domain)

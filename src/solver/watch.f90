@@ -51,7 +51,7 @@ contains
       class(watch_type), intent(inout) :: self
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> The job
+      !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> What the deck asks for
       type(request_type), intent(in) :: request

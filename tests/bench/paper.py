@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 # sums of a step, limbs of each (src/base/exact_sum.f90), bytes of a word
 SUMS_OF_A_STEP = 17 * 25 * 8
-# bytes of a place in space, and of displacement, velocity and acceleration in one direction
-PLACE, MOTION = 24, 24
+# bytes of a place in space
+PLACE = 24
 # points of a face that are near an impactor: a few quads around it
 NEAR = 100
 # share of a step that goes into moving points, not into forces: manual/performance.md, `step large`

@@ -150,7 +150,6 @@ def weak_rows(
         step = paper.step_of(division, costs, network)
         hit = paper.step_of(division, costs, network, hit=True)
         alone, alone_hit = alone or step.total, alone_hit or hit.total
-        state = paper.MOTION * freedoms / network.bandwidth if ranks > 1 else 0.0
         rows.append(
             [
                 f"{ranks}",
@@ -160,7 +159,6 @@ def weak_rows(
                 f"{MICRO * hit.total:.0f}",
                 f"{100 * alone_hit / hit.total:.0f} %",
                 f"{GIGA * costs.memory.of_rank(ranks) * freedoms:.2f}",
-                f"{1.0e3 * state:.1f}",
             ]
         )
     return rows
@@ -203,7 +201,7 @@ def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> li
         table(
             [
                 *("ranks", "million DOF", "step [us]", "efficiency", "step hit [us]"),
-                *("efficiency hit", "a rank but the root [GB]", "motion to the root [ms]"),
+                *("efficiency hit", "a rank but the root [GB]"),
             ],
             weak_rows(costs, known, network),
         ),

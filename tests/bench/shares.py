@@ -60,6 +60,8 @@ def memory(
 ) -> tuple[list[list[str]], paper.Bytes]:
     """Memory of ranks on a panel, a row for each number, and what follows for all but the root."""
     deck = jobs.stopped(jobs.panel_deck(quads, folder), STEPS)
+    dump = f"*DATABASE_BINARY_RUNRSF\n{STEPS}\n*END"
+    deck.write_text(deck.read_text().replace("*END", dump))
     rows, each = [], {}
     for count in ranks:
         most = jobs.memory(SOLVER, deck, launcher_of(launcher, count), patient())

@@ -15,7 +15,7 @@ from broken import CYCLES, averaged, averaged_parts, bricks, impact, metal, unli
 from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
-from ranks import launch, results
+from ranks import launch, peaks, results
 from spread import solid, springs, tied
 
 NORMAL, INPUT, FAILED = 0, 2, 3
@@ -107,6 +107,33 @@ def test_memory_is_shared_out(failing: bool, tmp_path: Path) -> None:
         assert total < 1.15 * whole
 
 
+def test_restart_file_takes_no_memory_of_the_whole(tmp_path: Path) -> None:
+    """What a rank needs more for a restart file is in proportion to its part, also on the root.
+
+    A band of the longest array and a copy of the accelerations are less than what each of three
+    ranks has of mesh, motion and histories. The state of the whole model would be twice that and
+    more. The library's own buffers, and what differs from run to run, are some megabytes.
+    """
+    ranks, own, buffers = 3, 0.0, 8.0
+    more = {}
+    for dumps in (False, True):
+        deck = Deck("panel of plies with histories", 1.0, end_cycle=2)
+        deck.control()
+        deck.mesh(regular(48.0, 48.0, 48, 48, 9))
+        weak_plies(deck)
+        deck.add("INITIAL_VELOCITY", (0,), (0.0, 0.0, 1.0e3))
+        if dumps:
+            deck.add("DATABASE_BINARY_RUNRSF", (2,))
+        folder = tmp_path / str(dumps)
+        folder.mkdir()
+        path = deck.write(folder / "job.k")
+        more[dumps] = peaks(ranks, "run", path, "-o", folder)
+        own, _ = memory(path, ranks)
+    assert (tmp_path / "True" / "job.runrsf").stat().st_size > 2.0e6 * own, "most of it is state"
+    for rank in range(ranks):
+        assert more[True][rank] - more[False][rank] < own + buffers, more
+
+
 @pytest.mark.parametrize("case", ["springs", "failing interfaces", "averages over neighbours"])
 def test_ranks_have_threads(case: str, tmp_path: Path) -> None:
     """Four ranks of one thread, two of two and one of one do the same."""
@@ -122,6 +149,7 @@ def test_ranks_have_threads(case: str, tmp_path: Path) -> None:
         (1, 3, "failing interfaces"),
         (3, 1, "failing interfaces"),
         (2, 4, "failing interfaces"),
+        (4, 3, "failing interfaces"),
         (2, 3, "averages over neighbours"),
     ],
 )
@@ -189,8 +217,26 @@ def test_ellipse_without_neighbours_is_refused_on_ranks(tmp_path: Path) -> None:
     assert several.stderr.count(alone.stderr.strip()) == 1
 
 
-def test_culprit_is_found_on_any_rank(tmp_path: Path) -> None:
-    """A number that is none is told as by one rank, whichever has it."""
+# places of motion along y of the lower point of the second ply: of the last node, and of many, in
+# columns of three directions, two points of a layer and eight lanes behind the front
+COLUMN, FRONT = 48, 6
+LAST = 17 - COLUMN
+MANY = slice(FRONT + 30 * COLUMN + 17, 120 * COLUMN, COLUMN)
+
+
+@pytest.mark.parametrize(
+    "array, places, value, words",
+    [
+        ("state/displacement", LAST, np.nan, "the motion is no longer finite"),
+        ("state/displacement", MANY, np.nan, "the motion is no longer finite"),
+        ("state/velocity", LAST, 1.0e9, "the energy balance is off"),
+        ("state/velocity", MANY, 1.0e9, "the energy balance is off"),
+    ],
+)
+def test_culprit_is_found_on_any_rank(
+    array: str, places: int | slice, value: float, words: str, tmp_path: Path
+) -> None:
+    """What went wrong is told as by one rank, whichever has it, and also where many have it."""
     deck = impact(1, "springs")
     deck.add("DATABASE_BINARY_RUNRSF", (CYCLES,))
     folder = tmp_path / "job"
@@ -198,11 +244,44 @@ def test_culprit_is_found_on_any_rank(tmp_path: Path) -> None:
     small = tmp_path / "small.k"
     small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n5.0e-5,\n*END\n")
     with h5py.File(folder / "job.runrsf", "r+") as file:
-        file["state/displacement"][-30] = np.nan
+        file[array][places] = value
     told = []
-    for ranks in (1, 3):
+    for ranks in (1, 2, 3):
         done = launch(ranks, "restart", folder / "job.runrsf", small)
         assert done.returncode == FAILED, done.stdout + done.stderr
-        told.append([line for line in done.stderr.splitlines() if "no longer finite" in line])
-    assert told[0] == told[1]
+        told.append([line for line in done.stderr.splitlines() if words in line])
     assert len(told[0]) == 1
+    assert " at node " in told[0][0]
+    assert told == [told[0]] * 3
+
+
+def test_broken_restart_file_is_told_once(tmp_path: Path) -> None:
+    """A file that is cut, foreign, or of another model: all ranks end with the message of one."""
+    deck = impact(1, "springs")
+    deck.add("DATABASE_BINARY_RUNRSF", (CYCLES,))
+    run(deck.write(tmp_path / "job.k"), tmp_path / "job", 2)
+    good = tmp_path / "job" / "job.runrsf"
+    for name, words in (
+        ("cut", "is no restart file, or not a whole one"),
+        ("foreign", "is a file of HDF5, but no restart file of plydyn"),
+        ("velocity", "does not hold the velocity of the model"),
+        ("support_force", "does not hold the support_force of the model"),
+        ("clock", "does not hold the clock of the model"),
+        ("nowhere", "there is no restart file"),
+    ):
+        path = tmp_path / "job" / name
+        if name == "cut":
+            path.write_bytes(good.read_bytes()[: good.stat().st_size // 2])
+        elif name == "foreign":
+            with h5py.File(path, "w") as file:
+                file["nothing"] = 1
+        elif name != "nowhere":
+            shutil.copy(good, path)
+            with h5py.File(path, "r+") as file:
+                short = file[f"state/{name}"][1:]
+                del file[f"state/{name}"]
+                file[f"state/{name}"] = short
+        alone, several = (launch(ranks, "restart", path, seconds=60.0) for ranks in (1, 3))
+        assert alone.returncode == several.returncode == INPUT, name
+        assert words in alone.stderr
+        assert several.stderr.count(alone.stderr.strip()) == 1

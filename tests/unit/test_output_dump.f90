@@ -10,6 +10,7 @@ program test_output_dump
    use plydyn_output_h5, only : h5_file_type
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : new_places, place_type
+   use plydyn_output_state_parts, only : state_parts_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    use testing, only : begin, check, check_error, finish
@@ -18,10 +19,12 @@ program test_output_dump
    character(*), parameter :: path = "test_output_dump.dump01"
    type(error_type), allocatable :: error
    type(job_type) :: job
+   type(state_parts_type) :: alone
    type(state_type) :: state
 
    call write_one()
    call read_one()
+   call other_conditions()
    call other_model()
    call other_files()
    call remove_file(path)
@@ -47,11 +50,11 @@ contains
       call bundle%add_document("empty.k", "")
       call job%archive%add_bundle(bundle)
       call fill(state)
-      call write_dump(path, job, job%places, state, error)
+      call write_dump(path, job, job%places, alone, state, error)
       call check(.not. allocated(error), "writes")
       inquire (file=path//".part", exist=exists)
       call check(.not. exists, "leaves nothing beside")
-      call write_dump("no/such/folder/x", job, job%places, state, error)
+      call write_dump("no/such/folder/x", job, job%places, alone, state, error)
       call check_error(error, "no/such/folder/x", "a folder that is not there")
    end subroutine write_one
 
@@ -101,7 +104,7 @@ contains
       call check(len(found%archive%bundles(1)%documents(2)%content), 0, "an empty file too")
       call check(found%archive%parameters == job%archive%parameters, "and parameters")
       call like(other)
-      call dump%read_state(other, error)
+      call dump%read_state(alone, .true., other, error)
       call check(.not. allocated(error), "tells its state")
       call check(other%displacement, state%displacement, 0.0_wp, "motion")
       call check(other%energies%momentum, state%energies%momentum, 0.0_wp, "energies")
@@ -120,6 +123,22 @@ contains
       deallocate (other%contacts(1)%places, other%contacts(1)%numbers)
    end subroutine like
 
+   !> A state whose supports and loads are not those of the file
+   subroutine other_conditions()
+      type(dump_input_type) :: dump
+      type(state_type) :: other
+
+      call begin("read_state with other supports")
+      call like(other)
+      deallocate (other%support_force)
+      allocate (other%support_force(3), source=1.0_wp)
+      call dump%open(path, error)
+      call dump%read_state(alone, .false., other, error)
+      call check(.not. allocated(error), "goes on")
+      call check(other%support_force, spread(1.0_wp, 1, 3), 0.0_wp, "leaves them alone")
+      call check(other%displacement, state%displacement, 0.0_wp, "takes the motion")
+   end subroutine other_conditions
+
    !> A state of another size
    subroutine other_model()
       type(dump_input_type) :: dump
@@ -129,7 +148,7 @@ contains
       call like(other)
       other%velocity = [other%velocity, 1.0_wp]
       call dump%open(path, error)
-      call dump%read_state(other, error)
+      call dump%read_state(alone, .true., other, error)
       call check_error(error, "does not hold the velocity", "another number of points")
    end subroutine other_model
 

@@ -2,7 +2,7 @@
 program test_parallel_delivery
    use plydyn_base_precision, only : wp
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_parallel_delivery, only : band_start, delivery_type, new_delivery
+   use plydyn_parallel_delivery, only : band_of, band_start, delivery_type, new_delivery
    use testing, only : begin, check, finish
    implicit none
 
@@ -15,7 +15,7 @@ contains
    !> Every row lies in one band
    subroutine bands()
       integer, parameter :: rows = 10
-      integer :: r, ranks
+      integer :: i, r, ranks
 
       call begin("band_start")
       do ranks = 1, 13
@@ -24,9 +24,12 @@ contains
          do r = 1, ranks
             call check(band_start(rows, r, ranks) - band_start(rows, r - 1, ranks) &
                & <= (rows + ranks - 1)/ranks, "no band is longer than its share, rounded up")
+            call check(all(band_of([(i, i=band_start(rows, r - 1, ranks) + 1, &
+               & band_start(rows, r, ranks))], rows, ranks) == r - 1), "its rows are in it")
          end do
       end do
       call check(band_start(2000000000, 3, 4) == 1500000000, "many rows")
+      call check(band_of(1500000001, 2000000000, 4) == 3, "and the first of a band of many")
    end subroutine bands
 
    !> 1 + 2**-53 - 1 is 0 and 1 - 1 + 2**-53 is not: the order shows

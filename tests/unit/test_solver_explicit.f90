@@ -160,7 +160,7 @@ contains
       job%deck = "none"
       job%version = "test"
       job%places = new_places(job%path)
-      call journal%open(job, model, parts%domain, parts%whole, parts%assembly, error)
+      call journal%open(job, model, parts%domain, parts%state_parts, error)
       if (allocated(error)) return
       call watch%start(alone, job, model%request, huge(1.0_wp))
       call run(parts%domain, parts%contacts, state, journal, watch, error)

@@ -1,0 +1,60 @@
+!> Who is named when a run goes wrong.
+program test_solver_health
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_model, only : model_type
+   use plydyn_solver_health, only : check_health
+   use plydyn_solver_start, only : new_state
+   use plydyn_state_state, only : state_type
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   type(domain_type) :: domain
+   type(error_type), allocatable :: error
+   type(model_type) :: model
+   type(state_type) :: start, state
+
+   model = rectangle_model(rectangle_mesh(3, 2, 2, 10.0_wp, 10.0_wp, 0.0_wp), &
+      & [0.0_wp, 90.0_wp], 0.25_wp, [1, 1])
+   model%control%end_time = 1.0_wp
+   ! numbers of the user that fall where places rise: 990, 980, 970 ...
+   model%mesh%node_id = 1000 - model%mesh%node_id
+   call build_domain(model, domain, error)
+   start = new_state(model, domain)
+   start%cycle = 3
+   start%step = 1.0_wp
+   start%first_step = 1.0_wp
+
+   call begin("check_health")
+   state = start
+   call check_health(domain, state, error)
+   call check(.not. allocated(error), "nothing is wrong")
+
+   state = start
+   state%energies%reference = 1.0_wp
+   state%energies%internal = 2.0_wp
+   state%velocity(domain%columns%freedom(1, 2, 3, 4)) = -5.0_wp
+   state%velocity(domain%columns%freedom(2, 1, 2, 7)) = 6.0_wp
+   call check_health(domain, state, error)
+   call check_error(error, "fastest is the motion along y at node 930, ply 2 from the bottom, 6", &
+      & "the fastest is named")
+   state%velocity(domain%columns%freedom(1, 1, 1, 9)) = -6.0_wp
+   call check_health(domain, state, error)
+   call check_error(error, "fastest is the motion along x at node 910, ply 1 from the bottom, 6", &
+      & "of two that are as fast that of the least number")
+
+   state = start
+   state%energies%internal = ieee_value(1.0_wp, ieee_quiet_nan)
+   call check_health(domain, state, error)
+   call check_error(error, "energies, while no acceleration is", "no point is to blame")
+   state%acceleration(domain%columns%freedom(1, 2, 3, 4)) = ieee_value(1.0_wp, ieee_quiet_nan)
+   state%acceleration(domain%columns%freedom(2, 2, 3, 5)) = ieee_value(1.0_wp, ieee_quiet_nan)
+   call check_health(domain, state, error)
+   call check_error(error, "acceleration along z at node 950, ply 2 from the bottom", &
+      & "of two that are no numbers that of the least number")
+   call finish()
+end program test_solver_health
