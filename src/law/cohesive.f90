@@ -13,6 +13,7 @@
 !> free of friction, so that both energies only grow and their sum is the work that is lost.
 module plydyn_law_cohesive
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, find_toughness, least_ratio
    implicit none
    private
 
@@ -20,9 +21,6 @@ module plydyn_law_cohesive
 
    !> Places of the two modes in pairs of constants
    integer, parameter, public :: normal = 1, shear = 2
-
-   !> Toughness between the pure modes: Benzeggagh and Kenane, or a sum of powers of G/G_c
-   integer, parameter, public :: benzeggagh_kenane = 1, power_law = 2
 
    !> History of a point, zero for an intact one: damage from 0 to 1; energies per area lost in
    !> fracture, lost because a falling penalty lets go what it held, and lost in friction; slip of
@@ -37,9 +35,6 @@ module plydyn_law_cohesive
    !> Share of the stiffness that a falling penalty keeps
    real(wp), parameter, public :: penalty_floor = 0.1_wp
 
-   !> Smallest share of a mode whose power is taken
-   real(wp), parameter :: smallest = 1.0e-60_wp
-
    !> Constants of an interface as an engineer gives them; pairs are normal, shear
    type, public :: cohesive_constants_type
       !> Traction per opening and per sliding
@@ -48,7 +43,7 @@ module plydyn_law_cohesive
       real(wp) :: strength(2) = 0.0_wp
       !> Energies G_Ic and G_IIc per crack area
       real(wp) :: toughness(2) = 0.0_wp
-      !> Toughness of mixed modes, `benzeggagh_kenane` or `power_law`, and its exponent
+      !> Toughness of mixed modes, a law of `cohesive_toughness`, and its exponent
       integer :: criterion = benzeggagh_kenane
       real(wp) :: exponent = 1.0_wp
       !> Replace the shear stiffness by K_n (G_Ic/G_IIc) (S/N)**2, for which the energy lost depends
@@ -72,6 +67,8 @@ module plydyn_law_cohesive
       !> As in the constants
       real(wp) :: toughness(2) = 0.0_wp, exponent = 1.0_wp
       integer :: criterion = benzeggagh_kenane
+      !> Part of the damage d by which the load at which it grows is at least 1/(1 - part*d)
+      real(wp) :: part = 0.0_wp
       !> Least share of the stiffness that closed faces keep
       real(wp) :: floor = 1.0_wp
       !> Coefficient of friction, and the stiffness of failed faces before they slide
@@ -96,6 +93,8 @@ contains
       self%toughness(:) = constants%toughness
       self%criterion = constants%criterion
       self%exponent = constants%exponent
+      self%part = max(1.0_wp - 1.0_wp/least_ratio(self%criterion, self%exponent, &
+         & self%toughness, self%onset), 0.0_wp)
       self%friction = constants%friction
       self%histories = fracture_only
       if (constants%falling_penalty) then
@@ -180,61 +179,96 @@ contains
          highest = max(highest, beyond(l))
       end do
       if (highest <= 0.0_wp) return
-      do q = 1, points
-         call degrade(self, opening(:, :, q), history(:, :, q), traction(:, :, q))
-      end do
+      call degrade(self, points, opening, history, traction)
    end subroutine update_points
 
-   !> Damage, what it costs and what it leaves of the traction
-   pure subroutine degrade(self, opening, history, traction)
+   !> Damage, what it costs and what it leaves of the tractions
+   pure subroutine degrade(self, points, opening, history, traction)
       class(cohesive_type), intent(in) :: self
-      !> Opening
-      real(wp), intent(in) :: opening(lanes, 3)
-      !> History of the point, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%histories)
-      !> Traction, of the intact interface in
-      real(wp), intent(inout) :: traction(lanes, 3)
+      !> Number of points
+      integer, intent(in) :: points
+      !> Openings
+      real(wp), intent(in) :: opening(lanes, 3, points)
+      !> Histories, old in and new out
+      real(wp), intent(inout) :: history(lanes, self%histories, points)
+      !> Tractions, of the intact interface in
+      real(wp), intent(inout) :: traction(lanes, 3, points)
 
-      real(wp) :: before(lanes), energy(lanes, 2), highest, load(lanes)
-      integer :: l
+      real(wp) :: before(lanes, points)
+      integer :: q
+      logical :: grows(points)
 
-      ! damage grows where the load is past the onset and something is left
-      highest = 0.0_wp
-      !$omp simd reduction(max: highest)
-      do l = 1, lanes
-         energy(l, normal) = traction(l, 3)*max(opening(l, 3), 0.0_wp)
-         energy(l, shear) = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
-         load(l) = self%onset(normal)*energy(l, normal) + self%onset(shear)*energy(l, shear)
-         before(l) = history(l, damage_at)
-         highest = max(highest, min(load(l) - 1.0_wp, 1.0_wp - before(l)))
+      call look_ahead(self, points, opening, history, traction, before, grows)
+      do q = 1, points
+         if (.not. grows(q)) cycle
+         call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, :, q))
+         if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
+            call let_go(self, before(:, q), opening(:, :, q), history(:, :, q))
+         end if
       end do
-      if (highest > 0.0_wp) call grow_damage(self, energy, load, history)
-      call weaken(history(:, damage_at), self%floor, traction)
-      if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
-         call let_go(self, before, opening, history)
-      end if
-      if (self%friction > 0.0_wp) call rub(self, before, opening, history, traction)
+      do q = 1, points
+         call weaken(history(:, damage_at, q), self%floor, traction(:, :, q))
+         if (self%friction > 0.0_wp) call rub(self, before(:, q), opening(:, :, q), &
+            & history(:, :, q), traction(:, :, q))
+      end do
    end subroutine degrade
 
-   !> New damage and the energy that it took
-   pure subroutine grow_damage(self, energy, load, history)
+   !> Where damage can grow: something is left, and the load is past the least at which what is
+   !> there would grow with any mix of modes. That needs no power of the mix
+   pure subroutine look_ahead(self, points, opening, history, traction, before, grows)
       class(cohesive_type), intent(in) :: self
-      !> Twice the elastic energies of both modes of the intact interface
-      real(wp), intent(in) :: energy(lanes, 2)
-      !> Square of the load, 1 at the onset
-      real(wp), intent(in) :: load(lanes)
+      integer, intent(in) :: points
+      real(wp), intent(in) :: opening(lanes, 3, points)
+      real(wp), intent(in) :: history(lanes, self%histories, points)
+      real(wp), intent(in) :: traction(lanes, 3, points)
+      !> Damage
+      real(wp), intent(out) :: before(lanes, points)
+      !> Whether it can grow in some lane
+      logical, intent(out) :: grows(points)
+
+      real(wp) :: ahead(lanes), damage, highest, load
+      integer :: l, q
+
+      do q = 1, points
+         !$omp simd private(damage, load)
+         do l = 1, lanes
+            load = self%onset(normal)*traction(l, 3, q)*max(opening(l, 3, q), 0.0_wp) &
+               & + self%onset(shear)*(traction(l, 1, q)*opening(l, 1, q) &
+               & + traction(l, 2, q)*opening(l, 2, q))
+            damage = history(l, damage_at, q)
+            before(l, q) = damage
+            ahead(l) = min(load*(1.0_wp - self%part*damage)**2 - 1.0_wp, 1.0_wp - damage)
+         end do
+         highest = 0.0_wp
+         !$omp simd reduction(max: highest)
+         do l = 1, lanes
+            highest = max(highest, ahead(l))
+         end do
+         grows(q) = highest > 0.0_wp
+      end do
+   end subroutine look_ahead
+
+   !> New damage and the energy that it took
+   pure subroutine grow_damage(self, opening, traction, history)
+      class(cohesive_type), intent(in) :: self
+      !> Opening, and traction of the intact interface
+      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
       !> Damage and energy of fracture
       real(wp), intent(inout) :: history(lanes, 2)
 
-      real(wp) :: after, before, f(lanes), left, mix(lanes), r, toughness(lanes)
+      real(wp) :: across, after, along, before, f(lanes), left, mix(lanes), r, toughness(lanes)
       integer :: l
 
-      !$omp simd
+      !$omp simd private(across, along)
       do l = 1, lanes
-         mix(l) = energy(l, shear)/(energy(l, normal) + energy(l, shear) + tiny(1.0_wp))
-         f(l) = max(sqrt(load(l)), 1.0_wp)
+         ! twice the elastic energies of both modes of the intact interface
+         across = traction(l, 3)*max(opening(l, 3), 0.0_wp)
+         along = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
+         mix(l) = along/(across + along + tiny(1.0_wp))
+         ! the load, 1 at the onset
+         f(l) = max(sqrt(self%onset(normal)*across + self%onset(shear)*along), 1.0_wp)
       end do
-      call find_toughness(self, mix, toughness)
+      call find_toughness(self%criterion, self%exponent, self%toughness, mix, toughness)
       !$omp simd private(after, before, left, r)
       do l = 1, lanes
          ! final over onset opening of a straight path with this mix
@@ -258,38 +292,10 @@ contains
 
       real(wp) :: toughness(lanes)
 
-      call find_toughness(self, spread(mix, 1, lanes), toughness)
+      call find_toughness(self%criterion, self%exponent, self%toughness, &
+         & spread(mix, 1, lanes), toughness)
       toughness_of = toughness(1)
    end function toughness_of
-
-   !> Energies per crack area at mixes of modes
-   pure subroutine find_toughness(self, mix, toughness)
-      class(cohesive_type), intent(in) :: self
-      !> Share of the energy that is of shear, from 0 to 1
-      real(wp), intent(in) :: mix(lanes)
-      !> Energy per crack area
-      real(wp), intent(out) :: toughness(lanes)
-
-      real(wp) :: opening, sliding
-      integer :: l
-
-      associate (pure => self%toughness, exponent => self%exponent)
-         if (self%criterion == benzeggagh_kenane) then
-            !$omp simd
-            do l = 1, lanes
-               toughness(l) = pure(normal) + (pure(shear) - pure(normal)) &
-                  & *exp(exponent*log(max(mix(l), smallest)))
-            end do
-         else
-            !$omp simd private(opening, sliding)
-            do l = 1, lanes
-               opening = exp(exponent*log(max(1.0_wp - mix(l), smallest)/pure(normal)))
-               sliding = exp(exponent*log(max(mix(l), smallest)/pure(shear)))
-               toughness(l) = exp(-log(opening + sliding)/exponent)
-            end do
-         end if
-      end associate
-   end subroutine find_toughness
 
    !> Tractions of the damaged interface from those of the intact one
    pure subroutine weaken(damage, floor, traction)

@@ -3,8 +3,9 @@ program test_law_cohesive
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_cohesive, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
-      & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, power_law, &
-      & shear, slip_at, stretch_at
+      & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, shear, &
+      & slip_at, stretch_at
+   use plydyn_law_cohesive_toughness, only : power_law
    use testing, only : begin, check, finish
    implicit none
 
@@ -21,6 +22,7 @@ program test_law_cohesive
    call test_falling_penalty()
    call test_friction()
    call test_initial_damage()
+   call test_growth()
    call finish()
 
 contains
@@ -301,5 +303,52 @@ contains
       call check(maxval(abs(traction)), 0.0_wp, 0.0_wp, "of 1 is a delamination")
       call check(history(1, fracture_at), 0.0_wp, 0.0_wp, "which takes no energy")
    end subroutine test_initial_damage
+
+   !> No growth is overlooked where the load falls, rises again and changes its mode: damage is the
+   !> largest that a straight path to any of the openings so far would have left
+   subroutine test_growth()
+      integer, parameter :: paths = 200, steps = 30
+      !> Opening and sliding at which all fails, more or less
+      real(wp), parameter :: reach(2) = [0.01_wp, 0.02_wp]
+      type(cohesive_constants_type) :: constants
+      type(cohesive_type) :: law
+      real(wp) :: draw(3), expected, history(lanes, most), off, size(2), traction(lanes, 3)
+      integer :: i, k
+
+      call begin("growth")
+      off = 0.0_wp
+      do i = 1, paths
+         constants = table_6()
+         if (mod(i, 2) == 0) constants%criterion = power_law
+         call random_number(draw)
+         constants%exponent = 0.5_wp + 2.0_wp*draw(1)
+         law = new_cohesive(constants)
+         history(:, :) = 0.0_wp
+         expected = 0.0_wp
+         do k = 1, steps
+            call random_number(draw)
+            size(:) = reach*draw(1:2)*draw(3)*k/steps
+            call law%update(opened(size(2), size(1)), history(:, :law%histories), traction)
+            expected = max(expected, straight_damage(law, size))
+            off = max(off, maxval(abs(history(:, damage_at) - expected)))
+         end do
+      end do
+      call check(off, 0.0_wp, 1.0e-12_wp, "of the straight path that leads furthest")
+   end subroutine test_growth
+
+   !> Damage at the end of a straight path from an intact point
+   pure real(wp) function straight_damage(law, size) result(damage)
+      type(cohesive_type), intent(in) :: law
+      !> Opening and sliding
+      real(wp), intent(in) :: size(2)
+
+      real(wp) :: energy(2), f, mix, r
+
+      energy(:) = law%stiffness*size**2
+      mix = energy(2)/sum(energy)
+      f = sqrt(dot_product(law%onset, energy))
+      r = 2.0_wp*law%toughness_of(mix)*f**2/sum(energy)
+      damage = min(max(r*(f - 1.0_wp)/(f*(r - 1.0_wp)), 0.0_wp), 1.0_wp)
+   end function straight_damage
 
 end program test_law_cohesive
