@@ -11,7 +11,7 @@ module plydyn_domain_build
    use plydyn_domain_build_elements, only : build_elements, build_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces, count_loads
-   use plydyn_domain_chunks, only : set_targets
+   use plydyn_domain_chunks, only : give_held, set_targets
    use plydyn_domain_columns, only : new_columns, new_solid_columns
    use plydyn_domain_division, only : column_owners, divide_bricks, divide_plane, division_type
    use plydyn_domain_domain, only : domain_type
@@ -138,6 +138,7 @@ contains
       call renumber_chunks(numbering, domain)
       call set_targets(domain)
       call build_supports(model, numbering, domain)
+      call give_held(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
       call build_surfaces(model, numbering, owner, domain)

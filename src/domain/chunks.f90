@@ -9,7 +9,7 @@ module plydyn_domain_chunks
    implicit none
    private
 
-   public :: border_nodes, divide_quads, give_borders, quad_centres, set_targets
+   public :: border_nodes, divide_quads, give_borders, give_held, quad_centres, set_targets
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -124,26 +124,41 @@ contains
       !> With the columns of all chunks; the chunks get their borders
       type(domain_type), intent(inout) :: domain
 
-      integer :: b, c, chunk_of(domain%columns%count), many(size(domain%chunks))
+      integer :: chunk(size(domain%borders, 2)), c, i
 
+      chunk(:) = chunks_of(domain, domain%borders(1, :))
       do c = 1, size(domain%chunks)
-         chunk_of(domain%chunks(c)%own) = c
-         chunk_of(domain%chunks(c)%guests) = c
-      end do
-      many(:) = 0
-      do b = 1, size(domain%borders, 2)
-         c = chunk_of(domain%borders(1, b))
-         many(c) = many(c) + 1
-      end do
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%borders = spread(0, 1, many(c))
-      end do
-      do b = size(domain%borders, 2), 1, -1
-         c = chunk_of(domain%borders(1, b))
-         domain%chunks(c)%borders(many(c)) = b
-         many(c) = many(c) - 1
+         domain%chunks(c)%borders = pack([(i, i=1, size(chunk))], chunk == c)
       end do
    end subroutine give_borders
+
+   !> Let every chunk hold the points of the columns that it moves
+   pure subroutine give_held(domain)
+      !> With the columns of all chunks, and held points; the chunks get theirs
+      type(domain_type), intent(inout) :: domain
+
+      integer :: chunk(size(domain%held)), c, i
+
+      chunk(:) = chunks_of(domain, domain%columns%column_of(domain%held))
+      do c = 1, size(domain%chunks)
+         domain%chunks(c)%held = pack([(i, i=1, size(chunk))], chunk == c)
+      end do
+   end subroutine give_held
+
+   !> Chunks that move some columns
+   pure function chunks_of(domain, column) result(chunk)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: column(:)
+      integer :: chunk(size(column))
+
+      integer :: c, mover(domain%columns%count)
+
+      do c = 1, size(domain%chunks)
+         mover(domain%chunks(c)%own) = c
+         mover(domain%chunks(c)%guests) = c
+      end do
+      chunk(:) = mover(column)
+   end function chunks_of
 
    !> Columns that take the forces of a chunk of quads
    pure subroutine aim_quads(chunk, column, node, target)

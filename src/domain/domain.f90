@@ -110,8 +110,8 @@ module plydyn_domain_domain
       integer, allocatable :: own(:)
       !> Columns of nodes that are counted by another rank, and move with this chunk here
       integer, allocatable :: guests(:)
-      !> Those of the domain's borders that are at any of these
-      integer, allocatable :: borders(:)
+      !> Those of the domain's borders, and of its held points, that are at any of these
+      integer, allocatable :: borders(:), held(:)
    end type chunk_type
 
    !> Everything the loop reads

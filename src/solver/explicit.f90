@@ -6,10 +6,10 @@ module plydyn_solver_explicit
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_energies, only : balance, begin_work, change_step
-   use plydyn_solver_forces, only : add_loads, find_internal_forces
+   use plydyn_solver_forces, only : add_loads, deal_chunks, find_internal_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_motion, only : accelerate, advance
+   use plydyn_solver_motion, only : accelerate, advance, count_sums
    use plydyn_solver_supports, only : hold_supports, move_supports, resist_columns
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
@@ -81,7 +81,8 @@ contains
       end do
    end subroutine run
 
-   !> Forces of plies, interfaces and loads over the masses (the paper's eq. 6)
+   !> Forces of plies, interfaces and loads over the masses (the paper's eq. 6), by all threads
+   !> together: each takes chunks of quads, and then moves the points that are its own
    subroutine find_accelerations(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -89,12 +90,15 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (force => state%acceleration)
+         call deal_chunks(domain)
+         !$omp parallel default(shared)
          call find_internal_forces(domain, state%step_before, state%displacement, &
             & state%velocity, state%history, force)
          call add_loads(domain, state%time, state%load_factor, force)
          call hold_supports(domain, state%time, force, state%support_force)
-         call accelerate(domain, state%step_before, state%velocity, force, state%chunk_sums, &
-            & state%tally)
+         call accelerate(domain, state%step_before, state%velocity, force, state%chunk_sums)
+         !$omp end parallel
+         call count_sums(state%chunk_sums, state%tally)
          call resist_columns(domain, force, state%support_force)
       end associate
    end subroutine find_accelerations

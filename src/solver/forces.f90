@@ -15,13 +15,25 @@ module plydyn_solver_forces
    implicit none
    private
 
-   public :: add_interface_forces, add_loads, count_load_power, find_internal_forces
+   public :: add_interface_forces, add_loads, count_load_power, deal_chunks, find_internal_forces
+
+   !> Whose turn it is with chunks that other ranks wait for, and with the others
+   type(turns_type) :: outer, inner
 
 contains
 
+   !> Deal the chunks out to the threads, before all of them come to `find_internal_forces`
+   subroutine deal_chunks(domain)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      call deal(outer, 1, domain%outer)
+      call deal(inner, domain%outer + 1, size(domain%chunks))
+   end subroutine deal_chunks
+
    !> Internal forces of plies and interfaces, or of bricks, on all points, chunk by chunk, and then
    !> the sums at the nodes where chunks meet. What other ranks need comes first, and is on its way
-   !> while the other chunks are taken
+   !> while the other chunks are taken. All threads come here together
    subroutine find_internal_forces(domain, step, displacement, velocity, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -35,14 +47,13 @@ contains
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       type(messages_type) :: messages
-      type(turns_type), save :: inner, outer
       integer :: c, i
 
-      if (size(domain%averages) > 0) call borrow_strains(domain, history)
-      call deal(outer, 1, domain%outer)
-      call deal(inner, domain%outer + 1, size(domain%chunks))
-      !$omp parallel default(shared) private(c, i)
       if (size(domain%averages) > 0) then
+         !$omp master
+         call borrow_strains(domain, history)
+         !$omp end master
+         !$omp barrier
          !$omp do schedule(dynamic)
          do c = 1, size(domain%chunks)
             call find_chunk_averages(domain, domain%chunks(c), history)
@@ -74,7 +85,6 @@ contains
          end associate
       end do
       !$omp end do nowait
-      !$omp end parallel
    end subroutine find_internal_forces
 
    !> Get the strains of other ranks' points that are averaged here, and lend those of this rank
@@ -206,19 +216,22 @@ contains
       end do
    end subroutine add_interface_forces
 
-   !> Add the loads at some time
+   !> Add the loads at some time. All threads come here together
    subroutine add_loads(domain, time, factor, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Time
       real(wp), intent(in) :: time
       !> Value of each load's curve then
-      real(wp), intent(out) :: factor(:)
+      real(wp), intent(inout), contiguous :: factor(:)
       !> Force on all points
-      real(wp), intent(inout) :: force(:)
+      real(wp), intent(inout), contiguous :: force(:)
 
       integer :: i, k
 
+      if (size(domain%loads) == 0) return
+      !$omp barrier
+      !$omp single
       do k = 1, size(domain%loads)
          associate (load => domain%loads(k))
             factor(k) = domain%curves(load%curve)%at(time)
@@ -227,6 +240,7 @@ contains
             end do
          end associate
       end do
+      !$omp end single
    end subroutine add_loads
 
    !> Add the power of the loads to a sum

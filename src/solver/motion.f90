@@ -11,7 +11,7 @@ module plydyn_solver_motion
    implicit none
    private
 
-   public :: accelerate, advance
+   public :: accelerate, advance, count_sums
 
    !> Sums of a block, lane by lane: momentum along x, y, z, then these
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
@@ -80,8 +80,8 @@ contains
 
    !> Forces to accelerations, in place, with the sums that the energies need.
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
-   !> their accelerations are the same to the last bit.
-   subroutine accelerate(domain, step, velocity, force, chunk_sums, tally)
+   !> their accelerations are the same to the last bit. All threads come here together.
+   subroutine accelerate(domain, step, velocity, force, chunk_sums)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
@@ -91,33 +91,28 @@ contains
       !> Force in, acceleration out
       real(wp), intent(inout), contiguous :: force(:)
       !> Sums over the points that each chunk has first, the same for any number of threads
-      type(sums_type), intent(out) :: chunk_sums(:)
-      !> Gets the sums over all points of this rank that no other counts
-      type(exact_sums_type), intent(inout) :: tally
+      type(sums_type), intent(inout) :: chunk_sums(:)
 
       type(sums_type) :: counted_elsewhere
       integer :: c, k
 
       if (size(domain%far_ties, 2) > 0) then
-         !$omp parallel do schedule(static) default(shared) private(k)
+         !$omp barrier
+         !$omp do schedule(static)
          do k = 1, size(domain%far_ties, 2)
             force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
          end do
-         !$omp end parallel do
+         !$omp end do
       end if
-      !$omp parallel do schedule(static) default(shared) private(c, counted_elsewhere)
+      !$omp do schedule(static)
       do c = 1, size(domain%chunks)
+         chunk_sums(c) = sums_type()
          call accelerate_columns(domain, domain%chunks(c)%own, 0.5_wp*step, velocity, force, &
             & chunk_sums(c))
          call accelerate_columns(domain, domain%chunks(c)%guests, 0.5_wp*step, velocity, force, &
             & counted_elsewhere)
       end do
-      !$omp end parallel do
-      do c = 1, size(domain%chunks)
-         call count_sums(chunk_sums(c), tally)
-      end do
-      ! a rank may have no chunk
-      if (size(domain%chunks) > 0) call tally%add(speed_sum, maxval(chunk_sums%fastest))
+      !$omp end do nowait
    end subroutine accelerate
 
    !> `accelerate` for some columns
@@ -175,19 +170,28 @@ contains
       end do
    end function speed_of_column
 
-   !> Add sums over some points to those over all
-   pure subroutine count_sums(sums, tally)
-      type(sums_type), intent(in) :: sums
+   !> Add the sums of all chunks
+   pure subroutine count_sums(chunk_sums, tally)
+      !> As from `accelerate`
+      type(sums_type), intent(in) :: chunk_sums(:)
+      !> Gets the sums over all points of this rank that no other counts
       type(exact_sums_type), intent(inout) :: tally
-      integer :: c
 
-      do c = 1, 3
-         call tally%add(momentum_sum + c, sums%momentum(c))
+      integer :: c, i
+
+      do c = 1, size(chunk_sums)
+         associate (sums => chunk_sums(c))
+            do i = 1, 3
+               call tally%add(momentum_sum + i, sums%momentum(i))
+            end do
+            call tally%add(kinetic_sum, sums%twice_kinetic)
+            call tally%add(added_sum, sums%twice_added)
+            call tally%add(pull_sum, sums%pull)
+            call tally%add(power_sum, sums%power)
+         end associate
       end do
-      call tally%add(kinetic_sum, sums%twice_kinetic)
-      call tally%add(added_sum, sums%twice_added)
-      call tally%add(pull_sum, sums%pull)
-      call tally%add(power_sum, sums%power)
+      ! a rank may have no chunk
+      if (size(chunk_sums) > 0) call tally%add(speed_sum, maxval(chunk_sums%fastest))
    end subroutine count_sums
 
    !> Inertia that the points of a column share, where the scheme adds any

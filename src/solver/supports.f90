@@ -25,23 +25,33 @@ contains
       end do
    end function support_points
 
-   !> Take held and prescribed points out of the free motion, and keep the force they would feel
+   !> Take held and prescribed points out of the free motion, and keep the force they would feel.
+   !> All threads come here together
    subroutine hold_supports(domain, time, force, support_force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Time of these forces
       real(wp), intent(in) :: time
       !> Force on all points; becomes zero on these
-      real(wp), intent(inout) :: force(:)
+      real(wp), intent(inout), contiguous :: force(:)
       !> What it was: held points first, then those of each motion, zero while that does not act
-      real(wp), intent(out) :: support_force(:)
+      real(wp), intent(inout), contiguous :: support_force(:)
 
-      integer :: first, i, m
+      integer :: c, first, i, m
 
-      do i = 1, size(domain%held)
-         support_force(i) = force(domain%held(i))
-         force(domain%held(i)) = 0.0_wp
+      !$omp do schedule(static)
+      do c = 1, size(domain%chunks)
+         associate (held => domain%chunks(c)%held)
+            do i = 1, size(held)
+               support_force(held(i)) = force(domain%held(held(i)))
+               force(domain%held(held(i))) = 0.0_wp
+            end do
+         end associate
       end do
+      !$omp end do nowait
+      if (size(domain%motions) == 0) return
+      !$omp barrier
+      !$omp single
       first = size(domain%held)
       do m = 1, size(domain%motions)
          associate (motion => domain%motions(m), n => size(domain%motions(m)%freedom))
@@ -53,6 +63,7 @@ contains
             first = first + n
          end associate
       end do
+      !$omp end single
    end subroutine hold_supports
 
    !> Add what held points feel of the inertia that they share with free ones of their columns
