@@ -2,6 +2,7 @@
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use plydyn_base_error, only : error_type, exit_normal, exit_output
+   use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
    use plydyn_command, only : command_type, read_command, usage
@@ -31,6 +32,7 @@ program plydyn
    type(error_type), allocatable :: error
    character(:), allocatable :: pages
 
+   call keep_arrays_on_pages()
    call start_ranks(comm)
    call read_command(command, error)
    call stop_on(comm, error)

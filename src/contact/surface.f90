@@ -7,7 +7,8 @@
 module plydyn_contact_surface
    use plydyn_base_precision, only : wp
    use plydyn_contact_neighbours, only : find_neighbours, sides
-   use plydyn_fem_shape, only : shape_functions, shape_second_derivatives
+   use plydyn_fem_shape, only : jet_eta, jet_eta_eta, jet_size, jet_value, jet_xi, jet_xi_eta, &
+      & jet_xi_xi, shape_jets
    implicit none
    private
 
@@ -16,8 +17,9 @@ module plydyn_contact_surface
    !> Steps of Newton's method in one facet, and facets walked through, before giving up
    integer, parameter :: most_steps = 30, most_walks = 100
 
-   !> A step this small, in local coordinates, is the last: the error after it is its square
-   real(wp), parameter :: last_step = 1.0e-5_wp
+   !> A step this small, in local coordinates, is the last: the error after it is its square, and
+   !> that of the gap the square of this
+   real(wp), parameter :: last_step = 1.0e-4_wp
 
    !> Local coordinate from which a place is on a side
    real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
@@ -66,16 +68,6 @@ module plydyn_contact_surface
       !> The point lies beyond the border of the surface: nothing is under it
       logical :: beside = .false.
    end type foot_type
-
-   !> A facet at one place: where, and how it bends
-   type :: frame_type
-      !> Position, length
-      real(wp) :: position(3) = 0.0_wp
-      !> Derivatives of the position along xi and eta
-      real(wp) :: tangent(3, 2) = 0.0_wp
-      !> Second derivatives along xi xi, eta eta and xi eta
-      real(wp) :: bend(3, 3) = 0.0_wp
-   end type frame_type
 
 contains
 
@@ -199,16 +191,15 @@ contains
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
-      real(wp) :: x(3, self%nodes), squared, last, step(2)
-      type(frame_type) :: frame
+      real(wp) :: frame(jet_size, 3), last, squared, step(2), x(3, self%nodes)
       integer :: iteration
 
       x(:, :) = position(:, self%facet(:, foot%facet))
       last = 0.5_wp*huge(1.0_wp)
       step(:) = 1.0_wp
       do iteration = 1, most_steps
-         frame = frame_at(x, foot%place)
-         foot%gap_vector(:) = point - frame%position
+         frame(:, :) = frame_at(self%nodes, x, foot%place)
+         foot%gap_vector(:) = point - frame(jet_value, :)
          if (maxval(abs(step)) <= last_step .or. iteration == most_steps) exit
          squared = dot_product(foot%gap_vector, foot%gap_vector)
          if (squared > (1.0_wp + round_off)*last) then
@@ -227,29 +218,32 @@ contains
    !> Newton step towards the closest point, kept inside the facet
    pure function newton_step(frame, gap_vector, place) result(step)
       !> The facet at the place
-      type(frame_type), intent(in) :: frame
+      real(wp), intent(in) :: frame(jet_size, 3)
       !> From there to the point, length
       real(wp), intent(in) :: gap_vector(3)
       !> Place in the facet
       real(wp), intent(in) :: place(2)
       real(wp) :: step(2)
 
-      real(wp) :: slope(2), metric(3), curve(3), determinant
+      real(wp) :: along_gap(jet_size), curve(3), determinant, metric(3)
 
-      slope(:) = matmul(gap_vector, frame%tangent)
-      metric(1) = dot_product(frame%tangent(:, 1), frame%tangent(:, 1))
-      metric(2) = dot_product(frame%tangent(:, 2), frame%tangent(:, 2))
-      metric(3) = dot_product(frame%tangent(:, 1), frame%tangent(:, 2))
-      curve(:) = metric - matmul(gap_vector, frame%bend)
+      along_gap(:) = frame(:, 1)*gap_vector(1) + frame(:, 2)*gap_vector(2) &
+         & + frame(:, 3)*gap_vector(3)
+      metric(1) = dot_product(frame(jet_xi, :), frame(jet_xi, :))
+      metric(2) = dot_product(frame(jet_eta, :), frame(jet_eta, :))
+      metric(3) = dot_product(frame(jet_xi, :), frame(jet_eta, :))
+      curve(:) = metric - along_gap([jet_xi_xi, jet_eta_eta, jet_xi_eta])
       determinant = curve(1)*curve(2) - curve(3)**2
       if (any(curve(:2) < regular*metric(:2)) .or. determinant < regular*product(metric(:2))) then
          ! not convex here: Gauss-Newton
          curve(:) = metric
          determinant = curve(1)*curve(2) - curve(3)**2
       end if
-      step(1) = (curve(2)*slope(1) - curve(3)*slope(2))/determinant
-      step(2) = (curve(1)*slope(2) - curve(3)*slope(1))/determinant
-      call keep_inside(place, slope, curve, step)
+      associate (slope => along_gap(jet_xi:jet_eta))
+         step(1) = (curve(2)*slope(1) - curve(3)*slope(2))/determinant
+         step(2) = (curve(1)*slope(2) - curve(3)*slope(1))/determinant
+         call keep_inside(place, slope, curve, step)
+      end associate
    end function newton_step
 
    !> Cut a step at the side that it crosses first, and go on along that side
@@ -280,7 +274,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: self
       !> The facet at the foot
-      type(frame_type), intent(in) :: frame
+      real(wp), intent(in) :: frame(jet_size, 3)
       !> Facet, place and gap vector in, all out
       type(foot_type), intent(inout) :: foot
       !> Side with a neighbour beyond which the point lies, 0 for none
@@ -289,7 +283,7 @@ contains
       real(wp) :: over(sides), towards(sides)
       integer :: s
 
-      foot%normal(:) = self%side*unit_normal(frame%tangent)
+      foot%normal(:) = self%side*unit_normal(frame(jet_xi, :), frame(jet_eta, :))
       foot%gap = dot_product(foot%gap_vector, foot%normal)
       foot%beside = .false.
       side = 0
@@ -297,7 +291,8 @@ contains
       if (all(towards < at_side)) return
 
       ! how far beyond each side the point lies, in local coordinates
-      over(2:3) = matmul(foot%gap_vector, frame%tangent)/sum(frame%tangent**2, dim=1)
+      over(2) = dot_product(foot%gap_vector, frame(jet_xi, :))/sum(frame(jet_xi, :)**2)
+      over(3) = dot_product(foot%gap_vector, frame(jet_eta, :))/sum(frame(jet_eta, :)**2)
       over(1) = -over(3)
       over(4) = -over(2)
       over(:) = merge(over, 0.0_wp, towards >= at_side)
@@ -314,37 +309,38 @@ contains
    end subroutine finish_foot
 
    !> Unit vector across two tangents
-   pure function unit_normal(tangent) result(normal)
-      !> Tangents along xi and eta, length
-      real(wp), intent(in) :: tangent(3, 2)
+   pure function unit_normal(along_xi, along_eta) result(normal)
+      !> Tangents, length
+      real(wp), intent(in) :: along_xi(3), along_eta(3)
       real(wp) :: normal(3)
 
-      normal(1) = tangent(2, 1)*tangent(3, 2) - tangent(3, 1)*tangent(2, 2)
-      normal(2) = tangent(3, 1)*tangent(1, 2) - tangent(1, 1)*tangent(3, 2)
-      normal(3) = tangent(1, 1)*tangent(2, 2) - tangent(2, 1)*tangent(1, 2)
+      normal(1) = along_xi(2)*along_eta(3) - along_xi(3)*along_eta(2)
+      normal(2) = along_xi(3)*along_eta(1) - along_xi(1)*along_eta(3)
+      normal(3) = along_xi(1)*along_eta(2) - along_xi(2)*along_eta(1)
       normal(:) = normal/norm2(normal)
    end function unit_normal
 
-   !> Position, tangents and second derivatives of a facet
-   pure function frame_at(x, place) result(frame)
-      !> Points of the facet, (3, nodes), length
-      real(wp), intent(in) :: x(:, :)
+   !> Position, tangents and second derivatives of a facet, (jet_size, 3)
+   pure function frame_at(nodes, x, place) result(frame)
+      !> Points of the facet: how many, and where, length
+      integer, intent(in) :: nodes
+      real(wp), intent(in) :: x(3, nodes)
       !> Place in the facet
       real(wp), intent(in) :: place(2)
-      type(frame_type) :: frame
+      real(wp) :: frame(jet_size, 3)
 
-      real(wp) :: n(size(x, 2)), dn(2, size(x, 2)), ddn(3, size(x, 2))
-      integer :: i
+      real(wp) :: jet(jet_size, nodes)
+      integer :: i, k
 
-      call shape_functions(size(x, 2), place(1), place(2), n, dn)
-      call shape_second_derivatives(size(x, 2), place(1), place(2), ddn)
-      do i = 1, size(x, 2)
-         frame%position(:) = frame%position + n(i)*x(:, i)
-         frame%tangent(:, 1) = frame%tangent(:, 1) + dn(1, i)*x(:, i)
-         frame%tangent(:, 2) = frame%tangent(:, 2) + dn(2, i)*x(:, i)
-         frame%bend(:, 1) = frame%bend(:, 1) + ddn(1, i)*x(:, i)
-         frame%bend(:, 2) = frame%bend(:, 2) + ddn(2, i)*x(:, i)
-         frame%bend(:, 3) = frame%bend(:, 3) + ddn(3, i)*x(:, i)
+      call shape_jets(nodes, place(1), place(2), jet)
+      frame(:, :) = 0.0_wp
+      do i = 1, nodes
+         !$omp simd
+         do k = 1, jet_size
+            frame(k, 1) = frame(k, 1) + jet(k, i)*x(1, i)
+            frame(k, 2) = frame(k, 2) + jet(k, i)*x(2, i)
+            frame(k, 3) = frame(k, 3) + jet(k, i)*x(3, i)
+         end do
       end do
    end function frame_at
 

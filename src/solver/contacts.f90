@@ -291,12 +291,14 @@ contains
       real(wp), intent(in) :: inverse_mass(:, :), correction(:, :)
       type(state_type), intent(inout) :: state
 
-      real(wp) :: jump, mass
+      real(wp) :: jump, mass, power, work
       integer :: c, i, k
 
       do i = 1, size(points)
          k = points(i)
          if (surface%freedom(1, k) == 0) cycle
+         power = 0.0_wp
+         work = 0.0_wp
          do c = 1, 3
             if (inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
@@ -304,11 +306,8 @@ contains
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/inverse_mass(c, k)
                jump = correction(c, k)/state%step
-               if (surface%own(k)) then
-                  call state%tally%add(contact_sum, &
-                     & mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump))
-                  call state%tally%add(contact_power_sum, mass*a*jump)
-               end if
+               work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
+               power = power + mass*a*jump
                v = v + jump
                u = u + correction(c, k)
             end associate
@@ -317,6 +316,9 @@ contains
                   & correction(c, k), state)
             end if
          end do
+         if (.not. surface%own(k)) cycle
+         call state%tally%add(contact_sum, work)
+         call state%tally%add(contact_power_sum, power)
       end do
    end subroutine push_plate
 

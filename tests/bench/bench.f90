@@ -5,6 +5,7 @@
 program bench
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_exact_sum, only : new_exact_sums
+   use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
@@ -33,6 +34,7 @@ program bench
    character(32) :: chosen
    integer :: order, side
 
+   call keep_arrays_on_pages()
    call set_threads(1)
    call get_command_argument(1, chosen)
    vectors(:, :) = 1.0_wp

@@ -1,0 +1,35 @@
+!> Large arrays lie where the arrays of the domain expect them.
+program test_base_memory
+   use, intrinsic :: iso_c_binding, only : c_intptr_t, c_loc
+   use plydyn_base_memory, only : keep_arrays_on_pages
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : front
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> Bytes of a line of the cache, and of a number
+   integer, parameter :: line = 64, bytes = 8
+   !> Numbers in an array of 160 kB, and in one of 16 MB, of which the C library learns
+   integer, parameter :: middle = 20000, huge_one = 2000000
+
+   call check_columns()
+   call finish()
+
+contains
+
+   !> The first number behind the front begins a line, after a larger array was given back, too
+   subroutine check_columns()
+      real(wp), allocatable, target :: array(:), larger(:)
+      integer(c_intptr_t) :: address
+
+      call begin("keep_arrays_on_pages")
+      call keep_arrays_on_pages()
+      allocate (larger(huge_one), source=1.0_wp)
+      call check(sum(larger), real(huge_one, wp), 1.0e-9_wp, "the larger array is used")
+      deallocate (larger)
+      allocate (array(middle), source=1.0_wp)
+      address = transfer(c_loc(array(1)), address) + front*bytes
+      call check(int(modulo(address, int(line, c_intptr_t))), 0, "columns begin on a line")
+   end subroutine check_columns
+
+end program test_base_memory
