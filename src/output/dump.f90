@@ -10,7 +10,7 @@ module plydyn_output_dump
    use plydyn_base_files, only : remove_file, secure_file
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_output_h5, only : h5_file_type, slab_type, store_double, store_integer
+   use plydyn_output_h5, only : h5_file_type, store_double, store_integer
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
    use plydyn_output_state_parts, only : part_type, state_parts_type
@@ -172,7 +172,6 @@ contains
 
       real(wp), allocatable :: band(:)
       type(part_type) :: part
-      type(slab_type) :: slab
 
       if (allocated(self%error)) return
       if (self%parts%is_divided(name)) then
@@ -182,9 +181,7 @@ contains
          call self%file%write_values(state_group//"/"//name, band, store_double, self%error, &
             & part%slab())
       else
-         slab = of_root(self%parts, size(values))
-         call self%file%write_values(state_group//"/"//name, values(:slab%count), store_double, &
-            & self%error, slab)
+         call self%file%write_values(state_group//"/"//name, values, store_double, self%error)
       end if
    end subroutine write_reals
 
@@ -194,25 +191,8 @@ contains
       character(*), intent(in) :: name
       integer, allocatable, intent(inout) :: values(:)
 
-      type(slab_type) :: slab
-
-      if (allocated(self%error)) return
-      slab = of_root(self%parts, size(values))
-      call self%file%write_values(state_group//"/"//name, values(:slab%count), store_integer, &
-         & self%error, slab)
+      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
+         & store_integer, self%error)
    end subroutine write_integers
-
-   !> What the root writes for all: its numbers, as many as it has
-   type(slab_type) function of_root(parts, numbers) result(slab)
-      type(state_parts_type), intent(in) :: parts
-      !> How many numbers this rank has
-      integer, intent(in) :: numbers
-
-      integer :: length(1)
-
-      length(1) = numbers
-      call parts%comm%tell(length)
-      slab = slab_type(whole=length(1), count=merge(length(1), 0, parts%comm%is_root()))
-   end function of_root
 
 end module plydyn_output_dump

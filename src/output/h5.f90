@@ -1,9 +1,8 @@
 !> Files of HDF5 being written, with errors as values: datasets, and datasets that grow.
 !>
 !> Arrays keep the order of their memory: `values(components, rows)` here is a table of rows by
-!> components for C and Python. Where several ranks write a file, each of them gives the rows that
-!> it has, and says by a slab where they go; without a slab all ranks give the same, and the root
-!> writes it.
+!> components for C and Python. Where several ranks write a file, each of them brings the rows that
+!> it has, and says by a slab where they go; without one the root writes, whatever the others have.
 module plydyn_output_h5
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
@@ -11,9 +10,10 @@ module plydyn_output_h5
    use plydyn_base_precision, only : wp
    use plydyn_output_h5_file, only : h5_base_type
    use plydyn_output_h5_raw_file, only : half_index
-   use plydyn_output_h5_raw, only : append_rows, create_series, is_byte, is_integer, is_long, &
-      & is_real, numbers_type, slab_type, store_byte, store_double, store_integer, store_long, &
-      & store_single, write_dataset
+   use plydyn_output_h5_numbers, only : is_byte, is_integer, is_long, is_real, numbers_type, &
+      & room_type, slab_type, store_byte, store_double, store_integer, store_long, store_single
+   use plydyn_output_h5_raw, only : make_dataset, write_dataset
+   use plydyn_output_h5_raw_series, only : add_rows, append_rows, create_series
    implicit none
    private
 
@@ -36,7 +36,7 @@ module plydyn_output_h5
       !> Add rows to a dataset made by `make_series`
       generic :: append => append_longs, append_reals, append_real_rows
       procedure, private :: write_integer_list, write_integer_table, write_real_list, &
-         & write_real_table, append_longs, append_reals, append_real_rows, write_all, slab_of
+         & write_real_table, append_longs, append_reals, append_real_rows, write_all, append_all
    end type h5_file_type
 
 contains
@@ -57,7 +57,7 @@ contains
       type(slab_type), intent(in), optional :: slab
 
       call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
-         & this%slab_of(size(values, 1), slab), error)
+         & error, slab)
    end subroutine write_integer_list
 
    !> Dataset of a table of integers
@@ -76,7 +76,7 @@ contains
       type(slab_type), intent(in), optional :: slab
 
       call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
-         & this%slab_of(size(values, 2), slab), error)
+         & error, slab)
    end subroutine write_integer_table
 
    !> Dataset of a list of reals
@@ -95,7 +95,7 @@ contains
       type(slab_type), intent(in), optional :: slab
 
       call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
-         & this%slab_of(size(values, 1), slab), error)
+         & error, slab)
    end subroutine write_real_list
 
    !> Dataset of a table of reals
@@ -114,7 +114,7 @@ contains
       type(slab_type), intent(in), optional :: slab
 
       call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
-         & this%slab_of(size(values, 2), slab), error)
+         & error, slab)
    end subroutine write_real_table
 
    !> Dataset of the characters of a text, which is the same on all ranks
@@ -129,44 +129,76 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call this%write_all(name, numbers_type(c_loc(content), [len(content)], is_byte, store_byte), &
-         & this%slab_of(len(content)), error)
+         & error)
    end subroutine write_bytes
 
    !> Make sure of room, and write a dataset
-   subroutine write_all(this, name, numbers, slab, error)
+   subroutine write_all(this, name, numbers, error, slab)
       class(h5_file_type), intent(inout) :: this
       character(*), intent(in) :: name
-      !> What this rank writes, and where it goes
+      !> What this rank writes
       type(numbers_type), intent(in) :: numbers
-      type(slab_type), intent(in) :: slab
       type(error_type), allocatable, intent(out) :: error
+      !> Where it goes
+      type(slab_type), intent(in), optional :: slab
 
       !> Most bytes of a number
       integer(int64), parameter :: most_bytes = 8
-      integer :: width
+      integer :: whole(size(numbers%extent))
       logical :: good
+      type(room_type) :: room
 
-      width = product(numbers%extent(:size(numbers%extent) - 1))
-      call this%reserve(most_bytes*width*slab%whole*slab%levels, error)
+      whole(:) = extent_of_all(numbers, slab)
+      call this%reserve(most_bytes*product(int(whole, int64)), error)
       if (allocated(error)) return
-      call write_dataset(this%handle, name, numbers, slab, good)
+      good = .true.
+      if (this%is_alone() .or. .not. present(slab)) then
+         if (this%is_root()) call write_dataset(this%handle, name, numbers, good)
+      else
+         if (this%is_root()) call make_dataset(this%handle, name, whole, numbers%storage, room, &
+            & good)
+         call this%confirm(good, name, error)
+         if (allocated(error)) return
+         call this%bring(numbers, slab, room, good)
+      end if
       call this%confirm(good, name, error)
    end subroutine write_all
 
-   !> The slab that is asked for, or the one by which the root writes all
-   pure type(slab_type) function slab_of(this, rows, slab)
-      class(h5_file_type), intent(in) :: this
-      !> Rows there are
-      integer, intent(in) :: rows
+   !> Add rows to a dataset for which there is room
+   subroutine append_all(this, name, numbers, error, slab)
+      class(h5_file_type), intent(inout) :: this
+      character(*), intent(in) :: name
+      !> What this rank adds
+      type(numbers_type), intent(in) :: numbers
+      type(error_type), allocatable, intent(out) :: error
+      !> Where it goes among the rows that all ranks add
       type(slab_type), intent(in), optional :: slab
 
-      slab_of = slab_type(whole=rows, count=rows)
-      if (present(slab)) then
-         slab_of = slab
-      else if (.not. this%is_root()) then
-         slab_of%count = 0
+      logical :: good
+      type(room_type) :: room
+
+      good = .true.
+      if (this%is_alone() .or. .not. present(slab)) then
+         if (this%is_root()) call append_rows(this%handle, name, numbers, good)
+      else
+         if (this%is_root()) call add_rows(this%handle, name, extent_of_all(numbers, slab), room, &
+            & good)
+         call this%confirm(good, name, error)
+         if (allocated(error)) return
+         call this%bring(numbers, slab, room, good)
       end if
-   end function slab_of
+      call this%confirm(good, name, error)
+   end subroutine append_all
+
+   !> Extent of what all ranks write together
+   pure function extent_of_all(numbers, slab) result(whole)
+      type(numbers_type), intent(in) :: numbers
+      type(slab_type), intent(in), optional :: slab
+      integer :: whole(size(numbers%extent))
+
+      whole(:) = numbers%extent
+      if (present(slab)) whole(size(whole)) = slab%whole*slab%levels
+   end function extent_of_all
 
    !> Make a dataset of no rows to which rows can be added
    subroutine make_series(this, name, width, rows_per_chunk, storage, error)
@@ -186,7 +218,9 @@ contains
       logical :: good
 
       this%series = this%series + 1
-      call create_series(this%handle, name, width, max(1, rows_per_chunk), storage, good)
+      good = .true.
+      if (this%is_root()) call create_series(this%handle, name, width, max(1, rows_per_chunk), &
+         & storage, good)
       call this%confirm(good, name, error)
    end subroutine make_series
 
@@ -222,11 +256,8 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_long, &
-         & store_long), this%slab_of(size(values, 1), slab), good)
-      call this%confirm(good, name, error)
+      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_long, store_long), &
+         & error, slab)
    end subroutine append_longs
 
    !> Add reals: a list of whole rows
@@ -242,11 +273,8 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_real, &
-         & store_double), this%slab_of(size(values, 1), slab), good)
-      call this%confirm(good, name, error)
+      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
+         & store_double), error, slab)
    end subroutine append_reals
 
    !> Add rows of reals
@@ -262,11 +290,8 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      logical :: good
-
-      call append_rows(this%handle, name, numbers_type(c_loc(values), shape(values), is_real, &
-         & store_double), this%slab_of(size(values, 2), slab), good)
-      call this%confirm(good, name, error)
+      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
+         & store_double), error, slab)
    end subroutine append_real_rows
 
 end module plydyn_output_h5

@@ -5,17 +5,20 @@
 !> with all that was flushed, and no lock, so that a running job can be looked at. Objects inside
 !> a file are named by their path, such as `VTKHDF/Steps/Values`.
 !>
-!> Several ranks call all procedures together, and get the same error. A rank that has no room on
-!> the disk would let the others wait for ever in the midst of the library: so `reserve` makes sure
-!> of it before they go there.
+!> Several ranks call all procedures together, and get the same error. The root alone has the file
+!> open with the library, and makes all things in it; to long datasets each rank brings its numbers
+!> by itself, where the root says that there is room for them. So no rank ever waits for one whose
+!> disk has failed but where all agree on what happened.
 module plydyn_output_h5_file
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_files, only : has_room, rename_file
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw, only : create_group, is_integer, is_real, numbers_type, &
-      & store_double, store_long, write_attribute, write_text_attribute
+   use plydyn_output_band_file, only : band_file_type
+   use plydyn_output_h5_numbers, only : is_integer, is_real, numbers_type, room_type, slab_type, &
+      & store_double, store_long
+   use plydyn_output_h5_raw, only : create_group, write_attribute, write_text_attribute
    use plydyn_output_h5_raw_file, only : close_file, create_file, flush_file, handle_type
    use plydyn_output_text_file, only : try_text
    use plydyn_parallel_comm, only : comm_type
@@ -29,8 +32,10 @@ module plydyn_output_h5_file
    type, public :: h5_base_type
       !> Path of the file
       character(:), allocatable :: path
-      !> Its handle; for extensions
+      !> Its handle, of the root; for extensions
       type(handle_type) :: handle
+      !> The file as each of several ranks writes it
+      type(band_file_type), private :: bands
       !> The ranks that write it
       type(comm_type), private :: comm
       !> True between `create` and `close` or the first failure
@@ -39,7 +44,9 @@ module plydyn_output_h5_file
       procedure :: create
       procedure :: is_open
       procedure :: is_root
+      procedure :: is_alone
       procedure :: agree
+      procedure :: bring
       procedure :: reserve
       procedure :: rename
       procedure :: make_group
@@ -67,11 +74,14 @@ contains
 
       this%path = trim(path)
       this%comm = comm
-      this%handle%is_shared = comm%ranks > 1
       if (comm%is_root()) call try_text(this%path, error)
       call comm%tell(error)
       if (allocated(error)) return
-      call create_file(this%path, this%handle, this%opened)
+      this%opened = .true.
+      if (comm%is_root()) call create_file(this%path, this%handle, this%opened)
+      call this%confirm(this%opened, "the file", error)
+      if (allocated(error) .or. this%is_alone()) return
+      call this%bands%open(this%path, this%opened)
       call this%confirm(this%opened, "the file", error)
    end subroutine create
 
@@ -88,6 +98,56 @@ contains
 
       is_root = this%comm%is_root()
    end function is_root
+
+   !> Whether one rank alone writes the file
+   pure logical function is_alone(this)
+      class(h5_base_type), intent(in) :: this
+
+      is_alone = this%comm%ranks == 1
+   end function is_alone
+
+   !> Bring the rows of each of several ranks to the file
+   subroutine bring(this, numbers, slab, room, good)
+      !> The file
+      class(h5_base_type), intent(in) :: this
+      !> What this rank has
+      type(numbers_type), intent(in) :: numbers
+      !> Which rows these are
+      type(slab_type), intent(in) :: slab
+      !> Where all rows lie, as the root knows
+      type(room_type), intent(in) :: room
+      !> True when all went well here
+      logical, intent(out) :: good
+
+      type(room_type) :: same
+
+      same = room
+      call tell_room(this%comm, same)
+      call this%bands%write(numbers, slab, same, good)
+   end subroutine bring
+
+   !> Let all ranks know where rows lie
+   subroutine tell_room(comm, room)
+      type(comm_type), intent(in) :: comm
+      !> The root's in, the same on all ranks out; none of its numbers needs all digits of a real
+      type(room_type), intent(inout) :: room
+
+      integer, parameter :: others = 3
+      integer :: runs(1)
+      real(wp), allocatable :: told(:)
+
+      if (comm%is_root()) runs(1) = size(room%start)
+      call comm%tell(runs)
+      allocate (told(others + runs(1)))
+      if (comm%is_root()) told(:) = [real(wp) :: room%row_bytes, room%rows_per_run, room%before, &
+         & room%start]
+      call comm%tell(told)
+      if (comm%is_root()) return
+      room%row_bytes = nint(told(1), int64)
+      room%rows_per_run = nint(told(2), int64)
+      room%before = nint(told(3), int64)
+      room%start = nint(told(others + 1:), int64)
+   end subroutine tell_room
 
    !> Whether all went well on all ranks that write the file
    subroutine agree(this, good)
@@ -146,7 +206,8 @@ contains
 
       logical :: good
 
-      call create_group(this%handle, name, good)
+      good = .true.
+      if (this%is_root()) call create_group(this%handle, name, good)
       call this%confirm(good, name, error)
    end subroutine make_group
 
@@ -165,11 +226,14 @@ contains
 
       logical :: good
 
-      ! the library has no text without length: a single null reads as none
-      if (len_trim(value) > 0) then
-         call write_text_attribute(this%handle, place, name, trim(value), good)
-      else
-         call write_text_attribute(this%handle, place, name, achar(0), good)
+      good = .true.
+      if (this%is_root()) then
+         ! the library has no text without length: a single null reads as none
+         if (len_trim(value) > 0) then
+            call write_text_attribute(this%handle, place, name, trim(value), good)
+         else
+            call write_text_attribute(this%handle, place, name, achar(0), good)
+         end if
       end if
       call this%confirm(good, place//"/"//name, error)
    end subroutine write_text
@@ -189,7 +253,8 @@ contains
 
       logical :: good
 
-      call write_attribute(this%handle, place, name, &
+      good = .true.
+      if (this%is_root()) call write_attribute(this%handle, place, name, &
          & numbers_type(c_loc(value), [integer ::], is_integer, store_long), good)
       call this%confirm(good, place//"/"//name, error)
    end subroutine write_integer
@@ -209,7 +274,8 @@ contains
 
       logical :: good
 
-      call write_attribute(this%handle, place, name, &
+      good = .true.
+      if (this%is_root()) call write_attribute(this%handle, place, name, &
          & numbers_type(c_loc(value), shape(value), is_integer, store_long), good)
       call this%confirm(good, place//"/"//name, error)
    end subroutine write_integers
@@ -229,7 +295,8 @@ contains
 
       logical :: good
 
-      call write_attribute(this%handle, place, name, &
+      good = .true.
+      if (this%is_root()) call write_attribute(this%handle, place, name, &
          & numbers_type(c_loc(value), [integer ::], is_real, store_double), good)
       call this%confirm(good, place//"/"//name, error)
    end subroutine write_real
@@ -242,7 +309,13 @@ contains
 
       logical :: good
 
-      call flush_file(this%handle, good)
+      good = .true.
+      if (.not. this%is_alone()) then
+         ! first the numbers, of which the root then says that they are there
+         call this%bands%secure(good)
+         call this%comm%agree(good)
+      end if
+      if (good .and. this%is_root()) call flush_file(this%handle, good)
       call this%confirm(good, "what is not yet on the disk", error)
    end subroutine flush_all
 
@@ -252,11 +325,14 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: good
+      logical :: good, is_closed
 
       if (.not. this%opened) return
       this%opened = .false.
-      call close_file(this%handle, good)
+      call this%bands%close(good)
+      is_closed = .true.
+      if (this%is_root()) call close_file(this%handle, is_closed)
+      good = good .and. is_closed
       call this%confirm(good, "what is not yet on the disk", error)
    end subroutine close_whole
 
@@ -279,7 +355,7 @@ contains
       call this%comm%agree(all_good)
       if (all_good) return
       this%opened = .false.
-      this%handle = handle_type(is_shared=this%handle%is_shared)
+      this%handle = handle_type()
       call fail(error, exit_output, "cannot write "//quantity//" to "//this%path &
          & //": its disk must have room and be writable")
    end subroutine confirm

@@ -11,8 +11,8 @@ module plydyn_output_h5_input
       & h5tclose_f, h5tget_size_f, hid_t, &
       & hsize_t, size_t
    use plydyn_base_precision, only : wp
-   use plydyn_output_h5_raw, only : is_byte, is_integer, is_real, select_slab, slab_type, &
-      & type_in_memory
+   use plydyn_output_h5_numbers, only : is_byte, is_integer, is_real, slab_type
+   use plydyn_output_h5_raw, only : select_slab, type_in_memory
    implicit none
    private
 

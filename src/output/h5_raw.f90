@@ -4,56 +4,29 @@
 !> Each procedure makes one thing in a file and says whether every call went well; the module
 !> `plydyn_output_h5` turns that into errors. Numbers come as an address, the kind of number that
 !> lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken when
-!> a thing is made, and never filled in advance: it lies in the same place for any number of ranks.
+!> a thing is made, and never filled in advance: others than the library may bring numbers there.
 module plydyn_output_h5_raw
-   use, intrinsic :: iso_c_binding, only : c_loc, c_ptr
+   use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aexists_f, &
       & h5aopen_f, h5awrite_f, h5d_alloc_time_early_f, h5d_fill_time_never_f, h5dclose_f, &
-      & h5dcreate_f, h5dget_space_f, h5dopen_f, h5dset_extent_f, h5dwrite_f, h5gclose_f, &
-      & h5gcreate_f, h5kind_to_type, h5oclose_f, h5oopen_f, h5p_dataset_create_f, h5pclose_f, &
-      & h5pcreate_f, h5pset_alloc_time_f, h5pset_chunk_f, h5pset_fill_time_f, &
-      & h5pset_obj_track_times_f, h5s_scalar_f, h5s_select_set_f, h5s_unlimited_f, h5sclose_f, &
-      & h5screate_f, h5screate_simple_f, h5sget_simple_extent_dims_f, &
-      & h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, h5sselect_none_f, h5t_ieee_f32le, &
-      & h5t_ieee_f64le, h5t_native_character, h5t_std_i32le, h5t_std_i64le, h5t_std_u8le, &
-      & h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, &
-      & size_t
+      & h5dcreate_f, h5dget_offset_f, h5dwrite_f, h5gclose_f, h5gcreate_f, h5kind_to_type, &
+      & h5oclose_f, h5oopen_f, h5p_dataset_create_f, h5pclose_f, h5pcreate_f, &
+      & h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_obj_track_times_f, h5s_scalar_f, &
+      & h5s_select_set_f, h5sclose_f, h5screate_f, h5screate_simple_f, &
+      & h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, &
+      & h5sselect_none_f, h5t_ieee_f32le, h5t_ieee_f64le, h5t_native_character, h5t_std_i32le, &
+      & h5t_std_i64le, h5t_std_u8le, h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, h5tset_size_f, &
+      & h5tset_strpad_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp
+   use plydyn_output_h5_numbers, only : bytes_of, is_byte, is_integer, is_long, numbers_type, &
+      & room_type, slab_type, store_byte, store_integer, store_long, store_single
    use plydyn_output_h5_raw_file, only : handle_type
    implicit none
    private
 
-   public :: create_group, write_text_attribute, write_attribute, write_dataset, create_series, &
-      & append_rows, select_slab
-   public :: type_in_memory
-
-   !> Kinds of number in memory: default integers, long integers, reals of the working precision,
-   !> and characters
-   integer, parameter, public :: is_integer = 1, is_long = 2, is_real = 3, is_byte = 4
-   !> Ways to store a number in the file, whatever it is in memory
-   integer, parameter, public :: store_byte = 1, store_integer = 2, store_long = 3, &
-      & store_single = 4, store_double = 5
-
-   !> Numbers in memory, and how they are stored
-   type, public :: numbers_type
-      !> Where they are
-      type(c_ptr) :: address
-      !> Extent of the array; of no size for a single number
-      integer, allocatable :: extent(:)
-      !> One of `is_…`
-      integer :: number = is_real
-      !> One of `store_…`
-      integer :: storage = store_double
-   end type numbers_type
-
-   !> The rows that a rank has of those that all ranks write: the same ones of each level
-   type, public :: slab_type
-      !> Rows of a level, and levels
-      integer :: whole = 0, levels = 1
-      !> Rows of a level before those of this rank, and how many this rank has
-      integer :: first = 0, count = 0
-   end type slab_type
+   public :: create_group, write_text_attribute, write_attribute, write_dataset, make_dataset
+   public :: create_plan, select_slab, type_in_file, type_in_memory
 
 contains
 
@@ -137,62 +110,75 @@ contains
       good = all(status >= 0)
    end subroutine write_attribute
 
-   !> Create a dataset and write all of it, each rank its slab
-   subroutine write_dataset(file, name, numbers, slab, good)
+   !> Create a dataset and write all of it
+   subroutine write_dataset(file, name, numbers, good)
       !> The file
       type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> What this rank writes
+      !> What to write
       type(numbers_type), intent(in) :: numbers
-      !> Its place among the rows
-      type(slab_type), intent(in) :: slab
       !> True when all went well
       logical, intent(out) :: good
 
-      integer(hid_t) :: dataset, plan, space
-      integer :: extent(size(numbers%extent)), status(7)
+      integer(hid_t) :: dataset
+      integer :: status(3)
 
-      extent(:) = numbers%extent
-      extent(size(extent)) = slab%whole*slab%levels
-      call create_plan(plan, status(1))
-      call create_space(extent, space, status(2))
-      call h5dcreate_f(file%id, name, type_in_file(numbers%storage), space, dataset, status(3), &
-         & plan)
-      call write_slab(dataset, 0_hsize_t, numbers, slab, status(4))
-      call h5dclose_f(dataset, status(5))
-      call h5sclose_f(space, status(6))
-      call h5pclose_f(plan, status(7))
+      call create_dataset(file, name, numbers%extent, numbers%storage, dataset, status(1))
+      status(2) = 0
+      if (all(numbers%extent > 0)) call h5dwrite_f(dataset, type_in_memory(numbers%number), &
+         & numbers%address, status(2))
+      call h5dclose_f(dataset, status(3))
       good = all(status >= 0)
    end subroutine write_dataset
 
-   !> Write a slab of the rows of a dataset. Each rank brings its own to the file: a slab is a few
-   !> long pieces, which need no buffer to be put together in, and nobody waits for one that fails
-   subroutine write_slab(dataset, before, numbers, slab, status)
-      !> Handle of the dataset
-      integer(hid_t), intent(in) :: dataset
-      !> Rows of the dataset before all that are written now
-      integer(hsize_t), intent(in) :: before
-      !> What to write
-      type(numbers_type), intent(in) :: numbers
-      !> Where it goes
-      type(slab_type), intent(in) :: slab
+   !> Create a dataset whose numbers are brought by others
+   subroutine make_dataset(file, name, extent, storage, room, good)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> Its extent, and how it is stored
+      integer, intent(in) :: extent(:), storage
+      !> Where its rows lie
+      type(room_type), intent(out) :: room
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer(hid_t) :: dataset
+      integer(int64) :: first
+      integer :: status(3)
+
+      call create_dataset(file, name, extent, storage, dataset, status(1))
+      first = 0
+      status(2) = 0
+      if (all(extent > 0)) call h5dget_offset_f(dataset, first, status(2))
+      call h5dclose_f(dataset, status(3))
+      good = all(status >= 0)
+      room = room_type(row_bytes=bytes_of(storage)*product(extent(:size(extent) - 1)), &
+         & start=[first])
+   end subroutine make_dataset
+
+   !> Create a dataset
+   subroutine create_dataset(file, name, extent, storage, dataset, status)
+      type(handle_type), intent(in) :: file
+      character(*), intent(in) :: name
+      integer, intent(in) :: extent(:), storage
+      !> Its handle
+      integer(hid_t), intent(out) :: dataset
       !> Negative when it went wrong
       integer, intent(out) :: status
 
-      integer(hid_t) :: memory, space
+      integer(hid_t) :: plan, space
       integer :: calls(5)
 
-      status = 0
-      if (slab%whole*slab%levels == 0) return
-      call h5dget_space_f(dataset, space, calls(1))
-      call select_slab(space, before, slab, memory, calls(2))
-      call h5dwrite_f(dataset, type_in_memory(numbers%number), numbers%address, calls(3), memory, &
-         & space)
-      call h5sclose_f(memory, calls(4))
-      call h5sclose_f(space, calls(5))
+      call create_plan(plan, calls(1))
+      call create_space(extent, space, calls(2))
+      call h5dcreate_f(file%id, name, type_in_file(storage), space, dataset, calls(3), plan)
+      call h5sclose_f(space, calls(4))
+      call h5pclose_f(plan, calls(5))
       status = minval(calls)
-   end subroutine write_slab
+   end subroutine create_dataset
 
    !> Select a slab in the space of a dataset, and make the space in memory for it
    subroutine select_slab(space, before, slab, memory, status)
@@ -232,100 +218,6 @@ contains
       end if
       status = minval(calls)
    end subroutine select_slab
-
-   !> Create a dataset of no rows that can grow
-   subroutine create_series(file, name, width, rows_per_chunk, storage, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> Numbers in a row; 0 for a list of numbers
-      integer, intent(in) :: width
-      !> Rows that lie together in the file
-      integer, intent(in) :: rows_per_chunk
-      !> One of `store_…`
-      integer, intent(in) :: storage
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hsize_t) :: chunk(2), none(2), most(2)
-      integer(hid_t) :: dataset, plan, space
-      integer :: status(7), rank, first
-
-      ! a list has the second extent only
-      rank = merge(2, 1, width > 0)
-      first = 3 - rank
-      chunk(:) = int([width, rows_per_chunk], hsize_t)
-      none(:) = [chunk(1), 0_hsize_t]
-      most(:) = [chunk(1), h5s_unlimited_f]
-      call create_plan(plan, status(1))
-      call h5pset_chunk_f(plan, rank, chunk(first:), status(2))
-      call h5screate_simple_f(rank, none(first:), space, status(3), most(first:))
-      call h5dcreate_f(file%id, name, type_in_file(storage), space, dataset, status(4), plan)
-      call h5dclose_f(dataset, status(5))
-      call h5sclose_f(space, status(6))
-      call h5pclose_f(plan, status(7))
-      good = all(status >= 0)
-   end subroutine create_series
-
-   !> Add rows at the end of a dataset that can grow, each rank its slab; the storage is as it was
-   !> created
-   subroutine append_rows(file, name, numbers, slab, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> What this rank adds: whole rows
-      type(numbers_type), intent(in) :: numbers
-      !> Its place among the rows that all ranks add
-      type(slab_type), intent(in) :: slab
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hsize_t) :: before
-      integer(hid_t) :: dataset
-      integer :: status(4)
-
-      call h5dopen_f(file%id, name, dataset, status(1))
-      call grow(dataset, numbers%extent, slab, before, status(2))
-      call write_slab(dataset, before, numbers, slab, status(3))
-      call h5dclose_f(dataset, status(4))
-      good = all(status >= 0)
-   end subroutine append_rows
-
-   !> Make room at the end of a dataset
-   subroutine grow(dataset, added, slab, before, status)
-      !> Handle of the dataset
-      integer(hid_t), intent(in) :: dataset
-      !> Extent of the numbers to add: a table of the dataset's width, or a list
-      integer, intent(in) :: added(:)
-      !> Its place among the rows that all ranks add
-      type(slab_type), intent(in) :: slab
-      !> Rows before the room
-      integer(hsize_t), intent(out) :: before
-      !> Negative when the numbers do not fit or a call failed
-      integer, intent(out) :: status
-
-      integer(hsize_t) :: most(2), rows(2)
-      integer(hid_t) :: space
-      integer :: calls(5), rank
-
-      status = -1
-      rows(:) = 0
-      before = 0
-      call h5dget_space_f(dataset, space, calls(1))
-      call h5sget_simple_extent_ndims_f(space, rank, calls(2))
-      if (rank < 1 .or. rank > 2) return
-      call h5sget_simple_extent_dims_f(space, rows, most, calls(3))
-      call h5sclose_f(space, calls(4))
-      if (size(added) == 2 .and. added(1) /= rows(1)) return
-      if (slab%count > 0 .and. product(rows(:rank - 1))*slab%count*slab%levels &
-         & /= product(added)) return
-      before = rows(rank)
-      rows(rank) = before + slab%whole*slab%levels
-      call h5dset_extent_f(dataset, rows, calls(5))
-      status = minval(calls)
-   end subroutine grow
 
    !> Space of an attribute or dataset of fixed extent
    subroutine create_space(extent, space, status)

@@ -1,14 +1,9 @@
-!> Calls of HDF5 that make and end files, on one rank or on several that write one file together.
-!>
-!> One rank writes as the system lets it, several write by MPI. The library lays out a file in the
-!> same way in both cases, so that its bytes do not tell how many ranks there were.
+!> Calls of HDF5 that make and end files, on the one rank that has them open.
 module plydyn_output_h5_raw_file
    use hdf5, only : h5dont_atexit_f, h5eset_auto_f, h5f_acc_trunc_f, h5f_close_strong_f, &
       & h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5open_f, h5p_file_access_f, &
-      & h5p_file_create_f, h5pclose_f, h5pcreate_f, h5pset_all_coll_metadata_ops_f, &
-      & h5pset_coll_metadata_write_f, h5pset_fapl_mpio_f, h5pset_fclose_degree_f, &
+      & h5p_file_create_f, h5pclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
       & h5pset_file_locking_f, h5pset_istore_k_f, hid_t
-   use mpi_f08, only : mpi_comm_world, mpi_info_null
    implicit none
    private
 
@@ -22,8 +17,6 @@ module plydyn_output_h5_raw_file
    type, public :: handle_type
       !> Handle of the library; negative for none
       integer(hid_t) :: id = -1_hid_t
-      !> Whether several ranks write the file: then all of them make the same calls
-      logical :: is_shared = .false.
    end type handle_type
 
 contains
@@ -32,13 +25,13 @@ contains
    subroutine create_file(path, file, good)
       !> Path of the file
       character(*), intent(in) :: path
-      !> Says whether it is shared; gets its handle
-      type(handle_type), intent(inout) :: file
+      !> Its handle
+      type(handle_type), intent(out) :: file
       !> True when all went well
       logical, intent(out) :: good
 
       integer(hid_t) :: access, creation
-      integer :: status(11)
+      integer :: status(10)
 
       ! at the program's end the library is not to tidy up: after a failure it would crash, and
       ! whoever wants a file whole closes it; asked a second time it refuses, which is as well
@@ -48,31 +41,13 @@ contains
       call h5pcreate_f(h5p_file_access_f, access, status(3))
       call h5pset_fclose_degree_f(access, h5f_close_strong_f, status(4))
       call h5pset_file_locking_f(access, .false., .true., status(5))
-      call share(access, file%is_shared, status(6))
-      call h5pcreate_f(h5p_file_create_f, creation, status(7))
-      call h5pset_istore_k_f(creation, half_index, status(8))
-      call h5fcreate_f(path, h5f_acc_trunc_f, file%id, status(9), creation, access)
-      call h5pclose_f(creation, status(10))
-      call h5pclose_f(access, status(11))
+      call h5pcreate_f(h5p_file_create_f, creation, status(6))
+      call h5pset_istore_k_f(creation, half_index, status(7))
+      call h5fcreate_f(path, h5f_acc_trunc_f, file%id, status(8), creation, access)
+      call h5pclose_f(creation, status(9))
+      call h5pclose_f(access, status(10))
       good = all(status >= 0)
    end subroutine create_file
-
-   !> Let all ranks have access to the file to come; the library's own data go out in one piece
-   subroutine share(access, is_shared, status)
-      integer(hid_t), intent(in) :: access
-      logical, intent(in) :: is_shared
-      !> Negative when it went wrong
-      integer, intent(out) :: status
-
-      integer :: calls(3)
-
-      status = 0
-      if (.not. is_shared) return
-      call h5pset_fapl_mpio_f(access, mpi_comm_world%mpi_val, mpi_info_null%mpi_val, calls(1))
-      call h5pset_coll_metadata_write_f(access, .true., calls(2))
-      call h5pset_all_coll_metadata_ops_f(access, .true., calls(3))
-      status = minval(calls)
-   end subroutine share
 
    !> Hand all that was written to the operating system: it outlives this process
    subroutine flush_file(file, good)

@@ -12,10 +12,14 @@ import h5py
 import pytest
 
 from broken import impact, said, unlike
+from decks import Deck, Ply
+from elasticity import CARBON
+from failing_disk import failing_disk, launch_failing, watched_writes
+from meshes import regular
 from ranks import PATIENT, command, launch
 from small_disk import enlarge, small_disk
 
-__all__ = ["small_disk"]
+__all__ = ["failing_disk", "small_disk"]
 
 NORMAL, STOPPED, OUTPUT = 0, 4, 5
 END = 3.0e-4
@@ -138,3 +142,31 @@ def test_words_steer_all_ranks(whole: Path, tmp_path: Path) -> None:
     assert "not understood" in text
     code, text = said("restart", folder / "job.dump01")
     assert code == NORMAL, text
+
+
+@pytest.mark.parametrize("name", ["job.vtkhdf.part", "job.vtkhdf", "job.runrsf.part"])
+@pytest.mark.parametrize("rank", [0, 1])
+def test_disk_fails_for_one_rank(name: str, rank: int, failing_disk: Path, tmp_path: Path) -> None:
+    """Whichever write of a file fails though there was room, all ranks end with one message.
+
+    Numbers of each rank, and what the library adds on the root: six writes, from the first to the
+    last that the rank makes. Every rank writes every file.
+    """
+    deck = Deck("strip", 1.0, end_cycle=4)
+    deck.control()
+    mesh = regular(16.0, 4.0, 16, 4, 4)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.25, angle) for angle in (0.0, 90.0)], 1)
+    deck.hold(mesh.where(x=0.0), "xyz")
+    deck.intervals(binary_d3plot=1.0e-8)
+    deck.add("DATABASE_BINARY_RUNRSF", (2,))
+    path = deck.write(tmp_path / "job.k")
+    words = ("run", path, "-o", tmp_path)
+    done = launch_failing(failing_disk, (rank, name, 0), 2, *words, seconds=2 * SECONDS)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    writes = watched_writes(done)
+    for first in {1 + k * (writes - 1) // 5 for k in range(6)}:
+        done = launch_failing(failing_disk, (rank, name, first), 2, *words, seconds=2 * SECONDS)
+        assert done.returncode == OUTPUT, f"write {first} of {writes}: {done.stdout + done.stderr}"
+        told = [line for line in done.stderr.splitlines() if "cannot " in line]
+        assert len(told) == 1, told
