@@ -1,30 +1,25 @@
 !> Widths of the crack bands that a mesh gives to the plies that are damaged, and what they do.
 module plydyn_domain_bands
+   use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_brick_bands, only : brick_band_lengths
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : band_type, domain_type
    use plydyn_domain_histories, only : band_lengths
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_law_ply_constants, only : modes, snap_refuse
    use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
+   use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
    public :: check_bands, find_bands
 
-   !> Crack bands of a material, each for fibres and for matrix
-   type, public :: band_type
-      !> Narrowest and widest
-      real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
-      !> Quad or brick of the mesh, and ply from the bottom of its part, where the widest is
-      integer :: quad(2) = 0, ply(2) = 0
-      !> Gauss points, and those of them where the band is too wide, by mode
-      integer :: points = 0, too_wide(modes) = 0
-   end type band_type
+   !> Numbers that tell where the widest band of a direction is: width, quad and ply
+   integer, parameter :: numbers = 3
 
 contains
 
@@ -32,20 +27,18 @@ contains
    subroutine check_bands(model, domain, error)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain with its plates or bricks
+      !> The domain with its crack bands
       type(domain_type), intent(in) :: domain
       !> Names the quad or brick, the mode and the width that would be right
       type(error_type), allocatable, intent(out) :: error
 
-      type(band_type) :: bands(size(model%materials))
       type(error_type), allocatable :: cause
       real(wp) :: length(2)
       integer :: i, k
 
       if (all(model%materials%ply%snap_back /= snap_refuse)) return
-      bands(:) = find_bands(model, domain)
-      do i = 1, size(bands)
-         associate (material => model%materials(i), band => bands(i))
+      do i = 1, size(domain%bands)
+         associate (material => model%materials(i), band => domain%bands(i))
             if (material%ply%snap_back /= snap_refuse .or. band%points == 0) cycle
             do k = 1, 2
                length(:) = 0.0_wp
@@ -76,11 +69,11 @@ contains
       end if
    end function place_of
 
-   !> Crack bands of each material of the model
+   !> Crack bands of each material of the model. All ranks must come here, and get the same
    function find_bands(model, domain) result(bands)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain with its plates or bricks
+      !> The domain with the plates or bricks of this rank
       type(domain_type), intent(in) :: domain
       type(band_type) :: bands(size(model%materials))
 
@@ -94,7 +87,63 @@ contains
             call add_batch(model, domain, p, domain%plates(p)%batches(b), bands)
          end do
       end do
+      if (domain%comm%ranks > 1) call bring_together(domain%comm, bands)
    end function find_bands
+
+   !> Let all ranks have the bands of all
+   subroutine bring_together(comm, bands)
+      type(comm_type), intent(in) :: comm
+      !> Those of this rank in, those of all out
+      type(band_type), intent(inout) :: bands(:)
+
+      integer(int64) :: counts(1 + modes, size(bands))
+      real(wp) :: each(2*numbers*size(bands)*comm%ranks), less(2*size(bands)), &
+         & own(2*numbers*size(bands))
+      integer :: i, k, place, r
+
+      do i = 1, size(bands)
+         less(2*i - 1:2*i) = -bands(i)%narrowest
+         counts(:, i) = [bands(i)%points, bands(i)%too_wide]
+         do k = 1, 2
+            place = numbers*(k - 1 + 2*(i - 1))
+            own(place + 1:place + numbers) = [bands(i)%widest(k), real(bands(i)%quad(k), wp), &
+               & real(bands(i)%ply(k), wp)]
+         end do
+      end do
+      call comm%find_greatest(less)
+      call comm%add_up(counts)
+      call comm%collect(own, [(size(own), r=1, comm%ranks)], each)
+      do i = 1, size(bands)
+         bands(i)%narrowest(:) = -less(2*i - 1:2*i)
+         bands(i)%points = int(counts(1, i))
+         bands(i)%too_wide(:) = int(counts(2:, i))
+         do r = 0, comm%ranks - 1
+            do k = 1, 2
+               place = size(own)*r + numbers*(k - 1 + 2*(i - 1))
+               call widen(each(place + 1), nint(each(place + 2:place + 3)), k, bands(i))
+            end do
+         end do
+      end do
+   end subroutine bring_together
+
+   !> Note a band if it is the widest, or the first of the widest
+   pure subroutine widen(width, place, k, band)
+      real(wp), intent(in) :: width
+      !> Quad or brick, and ply
+      integer, intent(in) :: place(2)
+      !> Fibres or matrix
+      integer, intent(in) :: k
+      type(band_type), intent(inout) :: band
+
+      if (width <= 0.0_wp .or. width < band%widest(k)) return
+      if (width <= band%widest(k)) then
+         if (place(1) > band%quad(k)) return
+         if (place(1) == band%quad(k) .and. place(2) >= band%ply(k)) return
+      end if
+      band%widest(k) = width
+      band%quad(k) = place(1)
+      band%ply(k) = place(2)
+   end subroutine widen
 
    !> Add the bands of a batch of layers of a part
    subroutine add_batch(model, domain, p, batch, bands)
@@ -167,10 +216,7 @@ contains
       associate (band => bands(material))
          do k = 1, 2
             band%narrowest(k) = min(band%narrowest(k), length(k))
-            if (length(k) <= band%widest(k)) cycle
-            band%widest(k) = length(k)
-            band%quad(k) = place(1)
-            band%ply(k) = place(2)
+            call widen(length(k), place, k, band)
          end do
          band%points = band%points + points
          if (model%materials(material)%law /= law_ply_damage) return

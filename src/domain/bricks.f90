@@ -10,11 +10,12 @@ module plydyn_domain_bricks
    use plydyn_element_plate, only : batch_stiffness
    use plydyn_law_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_brick_masses, brick_density, new_bricks, set_batches
+   public :: add_brick_masses, brick_density, find_shapes, new_bricks, set_batches
 
    !> Geometries that are looked through for one that is the same
    integer, parameter :: remembered = 8
@@ -97,10 +98,10 @@ contains
       end associate
    end function new_group
 
-   !> Leave a rank some batches of bricks, and give them their geometry and their places
-   pure subroutine set_batches(model, batches, numbering, columns, self)
-      !> The model
-      type(model_type), intent(in) :: model
+   !> Leave a rank some batches of bricks, and give them their places
+   pure subroutine set_batches(mesh, batches, numbering, columns, self)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
       !> The batches, whole chunks of them
       integer, intent(in) :: batches(:)
       !> Numbers of the nodes that the rank has
@@ -119,12 +120,11 @@ contains
          do l = 1, lanes
             e = self%brick(min(some(lanes*(b - 1) + l), size(self%brick)))
             self%place(l, :, b) = columns%freedom(1, 1, 1, &
-               & numbering%node(model%mesh%brick_node(:, e)))
+               & numbering%node(mesh%brick_node(:, e)))
          end do
       end do
       self%target = self%place
       self%brick = self%brick(pack(some, some <= size(self%brick)))
-      call find_shapes(model, batches, self)
    end subroutine set_batches
 
    !> Mass per volume of a part
@@ -164,9 +164,11 @@ contains
    !> Geometry of each batch; the same one only once in a chunk, and none of another chunk: which
    !> of two that differ by round-off a batch gets does not depend on the rank that has it
    pure subroutine find_shapes(model, batches, self)
+      !> The model
       type(model_type), intent(in) :: model
       !> Their numbers in the part
       integer, intent(in) :: batches(:)
+      !> Has these bricks, gets their geometry
       type(bricks_type), intent(inout) :: self
 
       type(brick_shape_type), allocatable :: longer(:)

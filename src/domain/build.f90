@@ -5,10 +5,10 @@
 module plydyn_domain_build
    use plydyn_base_error, only : error_type
    use plydyn_domain_averages, only : build_averages
-   use plydyn_domain_bands, only : check_bands
+   use plydyn_domain_bands, only : check_bands, find_bands
    use plydyn_domain_brick_step, only : find_brick_limit
    use plydyn_domain_bricks, only : new_bricks
-   use plydyn_domain_build_elements, only : build_elements, build_masses
+   use plydyn_domain_build_elements, only : build_elements, build_masses, build_shapes
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces, count_loads
    use plydyn_domain_chunks, only : give_held, set_targets
@@ -131,8 +131,10 @@ contains
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
-      call build_elements(model, division, numbering, domain, share)
+      call build_elements(model%mesh, division, numbering, domain, share)
+      call build_shapes(model, domain)
       call limit_step(model, domain)
+      domain%bands = find_bands(model, domain)
       call build_averages(model, division, rank_of_chunk, domain, error)
       if (allocated(error)) return
       call renumber_chunks(numbering, domain)
@@ -159,7 +161,7 @@ contains
    end subroutine limit_step
 
    !> Build what the root tells of in the listing: elements and supports of the whole model, without
-   !> step, masses, loads and faces
+   !> step, geometry of bricks, masses, loads and faces
    subroutine build_outline(model, division, domain)
       !> The model
       type(model_type), intent(in) :: model
@@ -176,7 +178,7 @@ contains
          & spread(0, 1, size(division%chunks))), 0)
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, spread(.true., 1, size(division%chunks)), domain)
-      call build_elements(model, division, numbering, domain, share)
+      call build_elements(model%mesh, division, numbering, domain, share)
       call build_supports(model, numbering, domain)
       deallocate (domain%chunks)
       allocate (domain%averages(0), domain%chunks(0), domain%mass(0), domain%inverse_mass(0), &

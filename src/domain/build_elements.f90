@@ -2,7 +2,7 @@
 module plydyn_domain_build_elements
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_bricks, only : add_brick_masses, set_batches
+   use plydyn_domain_bricks, only : add_brick_masses, find_shapes, set_batches
    use plydyn_domain_columns, only : front
    use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : chunk_type, domain_type
@@ -12,18 +12,19 @@ module plydyn_domain_build_elements
    use plydyn_domain_share, only : share_type
    use plydyn_element_interface, only : set_plane
    use plydyn_element_plate, only : quad_histories
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: build_elements, build_masses, whole_mass
+   public :: build_elements, build_masses, build_shapes, whole_mass
 
 contains
 
    !> Elements of the domain's chunks, and where their histories lie
-   subroutine build_elements(model, division, numbering, domain, share)
-      !> The model
-      type(model_type), intent(in) :: model
+   subroutine build_elements(mesh, division, numbering, domain, share)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
       !> All elements
       type(division_type), intent(in) :: division
       !> The rank's numbers of columns
@@ -42,9 +43,9 @@ contains
          own = places_of(domain%chunks, p)
          associate (element => division%parts(p)%element)
             if (size(domain%bricks) > 0) then
-               call set_batches(model, own, numbering, domain%columns, domain%bricks(p))
+               call set_batches(mesh, own, numbering, domain%columns, domain%bricks(p))
             else
-               call set_quads(model%mesh, element(own), numbering, domain%plates(p))
+               call set_quads(mesh, element(own), numbering, domain%plates(p))
             end if
             call place_part(own, size(element), p, domain, share)
          end associate
@@ -61,6 +62,19 @@ contains
          end associate
       end do
    end subroutine build_elements
+
+   !> Geometry of the bricks of the domain's chunks
+   subroutine build_shapes(model, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Has its bricks, and its chunks still as the whole model has them
+      type(domain_type), intent(inout) :: domain
+      integer :: p
+
+      do p = 1, size(domain%bricks)
+         call find_shapes(model, places_of(domain%chunks, p), domain%bricks(p))
+      end do
+   end subroutine build_shapes
 
    !> Places of the elements of a part in some chunks
    pure function places_of(chunks, part) result(places)

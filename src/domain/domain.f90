@@ -9,6 +9,7 @@ module plydyn_domain_domain
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate, only : plate_type
+   use plydyn_law_ply_constants, only : modes
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
@@ -69,6 +70,17 @@ module plydyn_domain_domain
       !> Points of each facet in the order of the deck, (4 or 9, facets)
       integer, allocatable :: facet(:, :)
    end type surface_type
+
+   !> Crack bands of a material, each for fibres and for matrix
+   type, public :: band_type
+      !> Narrowest and widest
+      real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
+      !> Quad or brick of the mesh, and ply from the bottom of its part, where the widest is: the
+      !> first such quad, and its lowest ply
+      integer :: quad(2) = 0, ply(2) = 0
+      !> Gauss points, and those of them where the band is too wide, by mode
+      integer :: points = 0, too_wide(modes) = 0
+   end type band_type
 
    !> An element and the eigenvalue that its stable step comes from
    type, public :: slow_element_type
@@ -139,6 +151,8 @@ module plydyn_domain_domain
       type(halo_type) :: loans
       !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
       integer, allocatable :: neighbours(:, :)
+      !> Crack bands of each material of the whole model
+      type(band_type), allocatable :: bands(:)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
       !> History variables of all Gauss points together, and room behind for those strains

@@ -2,8 +2,7 @@
 module plydyn_output_damage_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_bands, only : band_type, find_bands
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : band_type, domain_type
    use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
       & ply_constants_type, snap_drop
@@ -28,24 +27,23 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      type(band_type) :: bands(size(model%materials))
       integer :: i
 
       if (.not. any(model%materials%is_damaged())) return
-      bands(:) = find_bands(model, domain)
-      do i = 1, size(bands)
+      do i = 1, size(domain%bands)
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
          if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
             & domain%neighbours(:, i), model%control%units)
          if (model%materials(i)%law == law_strain_damage) then
-            call write_strains(unit, model%materials(i)%strains, bands(i), model%control%units)
+            call write_strains(unit, model%materials(i)%strains, domain%bands(i), &
+               & model%control%units)
             cycle
          end if
-         call write_bands(unit, model%materials(i), bands(i), model%control%units)
-         call write_modes(unit, model%materials(i)%ply, bands(i), model%control%units)
-         call write_snap_back(unit, model%materials(i), bands(i))
+         call write_bands(unit, model%materials(i), domain%bands(i), model%control%units)
+         call write_modes(unit, model%materials(i)%ply, domain%bands(i), model%control%units)
+         call write_snap_back(unit, model%materials(i), domain%bands(i))
       end do
    end subroutine write_damage
 

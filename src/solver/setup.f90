@@ -68,6 +68,8 @@ contains
       call build_share(self%model, division, rank_of_chunk, self%domain, share, error)
       if (allocated(error)) return
       self%domain%total_mass = whole_mass(self%domain, share%own)
+      call check_bands(self%model, self%domain, error)
+      if (allocated(error)) return
       if (comm%is_root()) call check_whole(self, error)
       call comm%tell(error)
       if (allocated(error)) return
@@ -84,10 +86,11 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (allocated(self%whole)) then
-         ! what the listing says of the step, averages, masses and added inertia
+         ! what the listing says of the step, averages, bands, masses and added inertia
          self%whole%limit = self%domain%limit
          self%whole%step = self%domain%step
          self%whole%neighbours = self%domain%neighbours
+         self%whole%bands = self%domain%bands
          self%whole%total_mass = self%domain%total_mass
          if (self%domain%control%scheme /= all_explicit) then
             self%whole%pairs%inertia = self%domain%pairs%inertia
@@ -96,12 +99,8 @@ contains
          if (self%domain%thickness%active) then
             self%whole%thickness%stretches = self%domain%thickness%stretches
          end if
-         call check_bands(self%model, self%whole, error)
-         if (allocated(error)) return
          call check_profiles(self%model%request%profiles, self%whole, error)
       else
-         call check_bands(self%model, self%domain, error)
-         if (allocated(error)) return
          call check_profiles(self%model%request%profiles, self%domain, error)
       end if
    end subroutine check_whole
