@@ -16,10 +16,12 @@ module plydyn_law_ply_shear
 
    !> What a step makes of the shear; 0 in lanes of other laws
    type, public :: shear_type
-      !> Largest strain, strain that stays, work of a ply without damage on what stays
-      real(wp), dimension(lanes, most_points) :: peak, set, work
-      !> Whether any of these changes
+      !> Strain that stays
+      real(wp) :: set(lanes, most_points)
+      !> Whether it grows at any of the points; only then, largest strain, and work of a ply without
+      !> damage on what stays
       logical :: grows
+      real(wp), dimension(lanes, most_points) :: peak, work
       !> Whether damage has begun at any of the points
       logical :: begun
    end type shear_type
@@ -39,40 +41,55 @@ contains
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
-      real(wp) :: cracked, least(lanes), lowest, size(lanes, most_points)
+      real(wp) :: across, ahead(lanes), beyond, least(lanes), lowest, most
       integer :: l, m
 
+      ahead(:) = 0.0_wp
       least(:) = 0.0_wp
       do m = 1, points
-         !$omp simd
+         !$omp simd private(across, beyond)
          do l = 1, lanes
-            least(l) = min(least(l), ply%own(l)*history(l, fibre_length, m), &
-               & ply%own(l)*history(l, matrix_length, m))
-            size(l, m) = ply%own(l)*abs(strain(l, 4, m))
-            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
             shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
+            across = ply%own(l)*history(l, matrix_length, m)
+            least(l) = min(least(l), ply%own(l)*history(l, fibre_length, m), across)
+            beyond = ply%curve%curved(l)*(abs(strain(l, 4, m)) - history(l, shear_peak, m))
+            ! what has cracked is elastic
+            ahead(l) = max(ahead(l), beyond*max(sign(1.0_wp, across), 0.0_wp))
          end do
       end do
       lowest = 0.0_wp
-      !$omp simd reduction(min:lowest)
+      most = 0.0_wp
+      !$omp simd reduction(min:lowest) reduction(max:most)
       do l = 1, lanes
          lowest = min(lowest, least(l))
+         most = max(most, ahead(l))
       end do
       shear%begun = lowest < 0.0_wp
-      shear%grows = .false.
-      if (.not. ply%curve%bends) return
-      if (shear%begun) then
-         ! what has cracked is elastic
-         do m = 1, points
-            !$omp simd private(cracked)
-            do l = 1, lanes
-               cracked = history(l, matrix_finish, m)
-               size(l, m) = merge(0.0_wp, size(l, m), cracked > 0.0_wp)
-            end do
-         end do
-      end if
-      call ply%curve%advance(points, size, shear%peak, shear%set, shear%work, shear%grows)
+      shear%grows = most > 0.0_wp
+      if (shear%grows) call follow(ply, points, histories, strain, history, shear)
    end subroutine bend
+
+   !> Shear that grows along its curve
+   pure subroutine follow(ply, points, histories, strain, history, shear)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      type(shear_type), intent(inout) :: shear
+
+      real(wp) :: cracked, here, size(lanes, most_points)
+      integer :: l, m
+
+      do m = 1, points
+         !$omp simd private(cracked, here)
+         do l = 1, lanes
+            cracked = history(l, matrix_finish, m)
+            here = ply%own(l)*abs(strain(l, 4, m))
+            size(l, m) = merge(0.0_wp, here, cracked > 0.0_wp)
+            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
+         end do
+      end do
+      call ply%curve%advance(points, size, shear%peak, shear%set, shear%work, shear%grows)
+   end subroutine follow
 
    !> Keep what the shear of a point has become, and what it has cost
    pure subroutine keep_shear(ply, peak, set, work, history)

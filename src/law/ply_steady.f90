@@ -92,7 +92,7 @@ contains
       type(stages_type), intent(in) :: now
       logical, intent(out) :: steady(points)
 
-      real(wp) :: ahead(lanes, most_points), excess(lanes, 2, most_points), most
+      real(wp) :: across, ahead(lanes, most_points), along, excess(lanes, 2, most_points), most
       real(wp) :: busy(lanes, most_points), each(lanes), trial(lanes, 3, most_points)
       integer :: l, m
 
@@ -106,12 +106,15 @@ contains
       each(:) = 0.0_wp
       do m = 1, points
          associate (own => ply%own, closes => ply%closes, h => history(:, :, m))
-            !$omp simd
+            !$omp simd private(along, across)
             do l = 1, lanes
-               busy(l, m) = own(l)*merge(1.0_wp, 0.0_wp, ahead(l, m) > 0.0_wp &
-                  & .or. (excess(l, 1, m) >= 0.0_wp .and. .not. h(l, fibre_finish) > 0.0_wp) &
-                  & .or. (excess(l, 2, m) >= 0.0_wp .and. .not. h(l, matrix_finish) > 0.0_wp) &
-                  & .or. closes(l)*min(h(l, fibre_length), h(l, matrix_length)) < 0.0_wp)
+               ! what has not begun does so from 0 on
+               along = excess(l, 1, m) + tiny(along)
+               along = merge(-1.0_wp, along, h(l, fibre_finish) > 0.0_wp)
+               across = excess(l, 2, m) + tiny(across)
+               across = merge(-1.0_wp, across, h(l, matrix_finish) > 0.0_wp)
+               busy(l, m) = own(l)*max(ahead(l, m), along, across, &
+                  & -closes(l)*min(h(l, fibre_length), h(l, matrix_length)))
                each(l) = max(each(l), busy(l, m))
             end do
          end associate

@@ -36,7 +36,7 @@ module plydyn_law_shear_curve
       integer :: shape(lanes) = shape_line
       !> Whether any lane has a curve that is no line, and 1 in those that do, else 0
       logical, public :: bends = .false.
-      real(wp) :: curved(lanes) = 0.0_wp
+      real(wp), public :: curved(lanes) = 0.0_wp
       !> Whether any lane has a shape, by shape
       logical :: has(shape_exponential:shape_power) = .false.
       !> Modulus at the origin, and its inverse
