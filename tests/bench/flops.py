@@ -6,8 +6,9 @@ from __future__ import annotations
 LINE = {3: 8 + 6, 2: 6 + 1}
 # Stress from strain, 13 constants
 STRESS = 40
-# A damage law at a point far from onset: stress with straight shear, how far both modes are
-DAMAGE = 18 + 26
+# A damage law at a point far from onset: stress with straight shear that does not grow, how far
+# both modes are; what only picks lanes is not counted
+DAMAGE = 20 + 21
 # Nodes of a layer to the axes of the ply and back, each point of the thickness; axes of a point
 TURN, AXES = 2 * 6, 4 * 3
 
