@@ -203,12 +203,8 @@ contains
       real(wp), intent(in) :: seconds
       type(run_type), intent(in) :: parts
 
-      if (allocated(parts%whole)) then
-         call write_listing(unit, build_text(), deck, messages, parts%model, parts%whole, seconds)
-         call write_ranks(unit, parts%ranks)
-      else
-         call write_listing(unit, build_text(), deck, messages, parts%model, parts%domain, seconds)
-      end if
+      call write_listing(unit, build_text(), deck, messages, parts%model, parts%domain, seconds)
+      if (size(parts%ranks, 2) > 0) call write_ranks(unit, parts%ranks)
    end subroutine list
 
    !> Run, and close all files whatever happens
@@ -224,8 +220,6 @@ contains
       type(journal_type) :: journal
       type(watch_type) :: watch
 
-      ! the listing has told of it
-      if (allocated(parts%whole)) deallocate (parts%whole)
       call tell_job(comm, job)
       associate (model => parts%model, domain => parts%domain, state => parts%state)
          call watch%start(comm, job, model%request, most_seconds)

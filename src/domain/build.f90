@@ -10,7 +10,7 @@ module plydyn_domain_build
    use plydyn_domain_bricks, only : new_bricks
    use plydyn_domain_build_elements, only : build_elements, build_masses, build_shapes
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
-   use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces, count_loads
+   use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : give_held, set_targets
    use plydyn_domain_columns, only : new_columns, new_solid_columns
    use plydyn_domain_division, only : column_owners, divide_bricks, divide_plane, division_type
@@ -28,7 +28,7 @@ module plydyn_domain_build
    implicit none
    private
 
-   public :: begin_domain, build_domain, build_outline, build_share
+   public :: begin_domain, build_domain, build_share
 
 contains
 
@@ -159,33 +159,5 @@ contains
       end if
       domain%step = largest_step(domain)
    end subroutine limit_step
-
-   !> Build what the root tells of in the listing: elements and supports of the whole model, without
-   !> step, geometry of bricks, masses, loads and faces
-   subroutine build_outline(model, division, domain)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> All chunks
-      type(division_type), intent(in) :: division
-      !> Begun, as if by one rank alone; gets elements and supports
-      type(domain_type), intent(inout) :: domain
-
-      type(numbering_type) :: numbering
-      type(share_type) :: share
-      integer :: c
-
-      numbering = new_numbering(division, domain%columns%abreast, column_owners(division, &
-         & spread(0, 1, size(division%chunks))), 0)
-      call take_columns(model%mesh, division, numbering, domain, share)
-      call take_chunks(division, spread(.true., 1, size(division%chunks)), domain)
-      call build_elements(model%mesh, division, numbering, domain, share)
-      call build_supports(model, numbering, domain)
-      deallocate (domain%chunks)
-      allocate (domain%averages(0), domain%chunks(0), domain%mass(0), domain%inverse_mass(0), &
-         & domain%far_ties(2, 0), domain%loads(count_loads(model)), domain%surfaces(0))
-      do c = 1, size(domain%loads)
-         allocate (domain%loads(c)%freedom(0), domain%loads(c)%force(0))
-      end do
-   end subroutine build_outline
 
 end module plydyn_domain_build

@@ -12,7 +12,7 @@ module plydyn_domain_build_points
    implicit none
    private
 
-   public :: build_loads, build_supports, build_surfaces, count_loads
+   public :: build_loads, build_supports, build_surfaces
 
 contains
 

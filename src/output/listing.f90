@@ -35,7 +35,7 @@ contains
       character(*), intent(in) :: build, deck, messages
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain, of any rank
       type(domain_type), intent(in) :: domain
       !> Measured time of one evaluation of the forces
       real(wp), intent(in) :: seconds_per_step
@@ -198,15 +198,15 @@ contains
 
       call write_section(unit, "Size and mass")
       if (size(domain%bricks) > 0) then
-         write (unit, "(a,i0)") "nodes                         ", domain%columns%nodes
+         write (unit, "(a,i0)") "nodes                         ", size(model%mesh%node_id)
          write (unit, "(a,i0)") "bricks                        ", size(model%mesh%brick_id)
       else
-         write (unit, "(a,i0)") "nodes of the plane            ", domain%columns%nodes
+         write (unit, "(a,i0)") "nodes of the plane            ", size(model%mesh%node_id)
          write (unit, "(a,i0,a,i0,a)") "quads                         ", &
             & size(model%mesh%quad_id), " of ", domain%plates(1)%side**2, " nodes"
          write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
       end if
-      write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(domain)
+      write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(model, domain)
       if (domain%control%kinematics == total_lagrangian) then
          write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"
       else
@@ -223,11 +223,13 @@ contains
    end subroutine write_masses
 
    !> Freedoms without the second points of tied faces
-   pure integer function independent_freedoms(domain) result(freedoms)
+   pure integer function independent_freedoms(model, domain) result(freedoms)
+      !> The model
+      type(model_type), intent(in) :: model
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      freedoms = 3*domain%columns%nodes*(sum(domain%layers%order + 1) - size(domain%ties))
+      freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) - size(domain%ties))
    end function independent_freedoms
 
    !> Memory, sizes of files and time to come
@@ -244,9 +246,10 @@ contains
       if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
       write (unit, "(a,f0.0)") "steps                         ", steps
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
-      write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
+      ! what several ranks have is in their table
+      if (domain%comm%ranks == 1) write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
          & mesh_bytes(domain)/megabyte, " MB"
-      if (any_history(domain)) then
+      if (domain%comm%ranks == 1 .and. any_history(domain)) then
          write (unit, "(a,f0.1,a)") "memory of histories           ", &
             & history_bytes(domain)/megabyte, " MB"
       end if

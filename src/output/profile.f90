@@ -55,22 +55,25 @@ module plydyn_output_profile
 
 contains
 
-   !> Profiles must be asked for on the plate
+   !> Profiles must be asked for on the plate. All ranks must come here, and come to the same
    subroutine check_profiles(profiles, domain, error)
       !> What the deck asks for
       type(profile_type), intent(in) :: profiles(:)
-      !> The domain
+      !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> A place outside of the plate
       type(error_type), allocatable, intent(out) :: error
 
       type(profile_file_type) :: file
+      logical :: is_beside
       integer :: i
 
       do i = 1, size(profiles)
          file = profile_file_type()
          call find_quads(file, domain, profiles(i)%position)
-         if (size(file%quad, 2) > 0) cycle
+         is_beside = size(file%quad, 2) == 0
+         call domain%comm%agree(is_beside)
+         if (.not. is_beside) cycle
          call fail(error, exit_input, "error: "//profiles(i)%place//": *DATABASE_PROFILE X: the " &
             & //"place ("//text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
             & //") is not on the plate: give one within an element")

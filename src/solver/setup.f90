@@ -3,14 +3,13 @@ module plydyn_solver_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_bands, only : check_bands
-   use plydyn_domain_build, only : begin_domain, build_outline, build_share
+   use plydyn_domain_build, only : begin_domain, build_share
    use plydyn_domain_build_elements, only : whole_mass
    use plydyn_domain_divide_ranks, only : divide_ranks
    use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
    use plydyn_domain_share, only : share_type
-   use plydyn_model_control, only : all_explicit
    use plydyn_model_model, only : model_type
    use plydyn_output_profile, only : check_profiles
    use plydyn_output_ranks_listing, only : rank_numbers
@@ -32,9 +31,6 @@ module plydyn_solver_setup
       type(domain_type), allocatable :: domain
       type(contacts_type) :: contacts
       type(state_type) :: state
-      !> Elements and supports of the whole model, on the root of several ranks until the listing
-      !> tells of them; see `build_outline`
-      type(domain_type), allocatable :: whole
       !> Which places of the arrays of the whole model this rank has
       type(state_parts_type) :: state_parts
       !> What each rank has; see `write_ranks`. None with one rank
@@ -58,10 +54,6 @@ contains
 
       allocate (self%domain)
       call begin_domain(self%model, self%domain, division)
-      if (comm%ranks > 1 .and. comm%is_root()) then
-         self%whole = self%domain
-         call build_outline(self%model, division, self%whole)
-      end if
       self%domain%comm = comm
       call divide_ranks(self%domain, division, comm%ranks, rank_of_chunk)
       call comm%tell(rank_of_chunk)
@@ -70,8 +62,7 @@ contains
       self%domain%total_mass = whole_mass(self%domain, share%own)
       call check_bands(self%model, self%domain, error)
       if (allocated(error)) return
-      if (comm%is_root()) call check_whole(self, error)
-      call comm%tell(error)
+      call check_profiles(self%model%request%profiles, self%domain, error)
       if (allocated(error)) return
       call count_ranks(comm, self%domain, share, self%ranks)
       self%state_parts = new_state_parts(self%domain, share)
@@ -79,31 +70,6 @@ contains
       if (allocated(error)) return
       self%state = new_state(self%model, self%domain)
    end subroutine set_up
-
-   !> What only the whole model can tell, on the root
-   subroutine check_whole(self, error)
-      type(run_type), intent(inout) :: self
-      type(error_type), allocatable, intent(out) :: error
-
-      if (allocated(self%whole)) then
-         ! what the listing says of the step, averages, bands, masses and added inertia
-         self%whole%limit = self%domain%limit
-         self%whole%step = self%domain%step
-         self%whole%neighbours = self%domain%neighbours
-         self%whole%bands = self%domain%bands
-         self%whole%total_mass = self%domain%total_mass
-         if (self%domain%control%scheme /= all_explicit) then
-            self%whole%pairs%inertia = self%domain%pairs%inertia
-         end if
-         self%whole%thickness%active = self%domain%thickness%active
-         if (self%domain%thickness%active) then
-            self%whole%thickness%stretches = self%domain%thickness%stretches
-         end if
-         call check_profiles(self%model%request%profiles, self%whole, error)
-      else
-         call check_profiles(self%model%request%profiles, self%domain, error)
-      end if
-   end subroutine check_whole
 
    !> What each rank has; nothing with one rank
    subroutine count_ranks(comm, domain, share, ranks)

@@ -2,7 +2,7 @@
 program test_domain_share
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build, only : begin_domain, build_domain, build_outline, build_share
+   use plydyn_domain_build, only : begin_domain, build_domain, build_share
    use plydyn_domain_columns, only : front
    use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
@@ -73,12 +73,11 @@ contains
       call check(mass, sum(whole%mass), 1.0e-14_wp*sum(whole%mass), "no mass is lost")
    end subroutine test_islands
 
-   !> What a rank has takes its part of the memory, and no more; what the root has of the whole
-   !> model besides has neither masses nor loads
+   !> What a rank has takes its part of the memory, and no more
    subroutine test_memory()
       integer, parameter :: ranks(3) = [2, 4, 8]
       type(division_type) :: division
-      type(domain_type) :: domain, outline, whole
+      type(domain_type) :: domain, whole
       type(share_type) :: share
       integer, allocatable :: island(:)
       integer :: c, i, rank
@@ -97,10 +96,6 @@ contains
                & "a rank has its part")
          end do
       end do
-      call begin_domain(model_of(islands(8)), outline, division)
-      call build_outline(model_of(islands(8)), division, outline)
-      call check(size(outline%mass) + size(outline%inverse_mass), 0, "an outline has no masses")
-      call check(all(outline%plates(1)%node == whole%plates(1)%node), "but all quads")
    end subroutine test_memory
 
    !> Nodes have their numbers, places and masses
