@@ -38,15 +38,6 @@ contains
       end do
    end subroutine build_supports
 
-   !> How many loads a model has
-   pure integer function count_loads(model) result(loads)
-      !> The model
-      type(model_type), intent(in) :: model
-
-      loads = size(model%point_loads) + size(model%line_loads) + size(model%pressures) &
-         & + size(model%segment_loads) + size(model%body_loads)
-   end function count_loads
-
    !> Forces on points
    subroutine build_loads(model, numbering, domain)
       !> The model
@@ -57,7 +48,8 @@ contains
       type(domain_type), intent(inout) :: domain
       integer :: i, k
 
-      allocate (domain%loads(count_loads(model)))
+      allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
+         & + size(model%pressures) + size(model%segment_loads) + size(model%body_loads)))
       k = 0
       associate (layers => domain%layers, columns => domain%columns, loads => domain%loads)
          do i = 1, size(model%point_loads)
