@@ -65,6 +65,7 @@ tests_of release parallel
 tests_of release faults
 tests_of release hpc
 tests_of release postprocessor
+tests_of release studies
 tests_of release verification
 
 say "end"

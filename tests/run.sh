@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
 # Parts: lint shell unit output deck debug_deck parallel faults hpc preprocessor postprocessor
-# verification
+# studies verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -59,6 +59,10 @@ run_preprocessor() {
 
 run_postprocessor() {
   PLYDYN=$PWD/build/release/plydyn pytest_of postprocessor
+}
+
+run_studies() {
+  PLYDYN=$PWD/build/release/plydyn pytest_of decks/studies
 }
 
 run_verification() {
