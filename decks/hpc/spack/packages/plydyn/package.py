@@ -12,7 +12,7 @@ class Plydyn(CMakePackage):
     depends_on("c", type="build")
     depends_on("fortran", type="build")
     depends_on("cmake@3.25:", type="build")
-    depends_on("hdf5@1.10:+fortran+mpi")
+    depends_on("hdf5@1.10.5:+fortran")
     depends_on("lapack")
     depends_on("metis@5:~int64")
     depends_on("mpi")
