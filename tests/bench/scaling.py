@@ -37,6 +37,8 @@ BEGIN, END = "<!-- scaling -->", "<!-- /scaling -->"
 RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 1500
 # quads along a side of a panel: what is timed, and the large one on paper
 TIMED, TIMED_STEPS, LARGE = 40, 400, 156
+# how often a step is timed: ranks wait for the slowest, and one that the machine halts is slow
+REPEATS = 9
 # so many that hit a panel that their contact is seen
 SPHERES = 16
 # panels and ranks that the solver divides: about as many chunks for a rank as on paper
@@ -52,7 +54,7 @@ def measured(title: str, deck: Path, steps: int, options: argparse.Namespace) ->
     rows, alone = [], 0.0
     for ranks in options.ranks:
         launcher = launcher_of(options.launcher, ranks)
-        step, _ = jobs.step_time(SOLVER, deck, steps, 1, launcher=launcher)
+        step, _ = jobs.step_time(SOLVER, deck, steps, 1, REPEATS, launcher)
         alone = alone or step * ranks
         gain = alone / step
         rows.append(
@@ -100,7 +102,7 @@ def costs_of(folder: Path, quads: int, each: paper.Bytes) -> paper.Costs:
     """Times of a chunk and of contact on one rank."""
     chunks = TIMED**2 // quads
     flies, hit = (
-        jobs.step_time(SOLVER, jobs.panel_deck(TIMED, folder, spheres), TIMED_STEPS, 1)[0]
+        jobs.step_time(SOLVER, jobs.panel_deck(TIMED, folder, spheres), TIMED_STEPS, 1, REPEATS)[0]
         for spheres in (0, SPHERES)
     )
     return paper.Costs(
