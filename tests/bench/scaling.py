@@ -11,6 +11,7 @@ marks. Needs build/release and the preprocessor. No test: nothing is compared wi
 from __future__ import annotations
 
 import argparse
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -50,11 +51,15 @@ MICRO, MEGA, GIGA = 1.0e6, 1.0e-6, 1.0e-9
 
 
 def measured(title: str, deck: Path, steps: int, options: argparse.Namespace) -> list[list[str]]:
-    """Time of a step over ranks, a row for each number."""
+    """Time of a step over ranks, a row for each number: medians of runs made by turns."""
+    times: dict[int, list[float]] = {ranks: [] for ranks in options.ranks}
+    for _ in range(REPEATS):
+        for ranks, own in times.items():
+            launcher = launcher_of(options.launcher, ranks)
+            own.append(jobs.step_time(SOLVER, deck, steps, 1, 1, launcher)[0])
     rows, alone = [], 0.0
-    for ranks in options.ranks:
-        launcher = launcher_of(options.launcher, ranks)
-        step, _ = jobs.step_time(SOLVER, deck, steps, 1, REPEATS, launcher)
+    for ranks, own in times.items():
+        step = statistics.median(own)
         alone = alone or step * ranks
         gain = alone / step
         rows.append(
