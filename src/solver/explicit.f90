@@ -6,7 +6,7 @@ module plydyn_solver_explicit
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_energies, only : balance, begin_work, change_step
-   use plydyn_solver_forces, only : add_loads, deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : add_loads, find_internal_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_journal, only : journal_type
    use plydyn_solver_motion, only : accelerate, advance, count_sums
@@ -90,7 +90,6 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (force => state%acceleration)
-         call deal_chunks(domain)
          !$omp parallel default(shared)
          call find_internal_forces(domain, state%step_before, state%displacement, &
             & state%velocity, state%history, force)

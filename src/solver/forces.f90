@@ -15,21 +15,9 @@ module plydyn_solver_forces
    implicit none
    private
 
-   public :: add_interface_forces, add_loads, count_load_power, deal_chunks, find_internal_forces
-
-   !> Whose turn it is with chunks that other ranks wait for, and with the others
-   type(turns_type) :: outer, inner
+   public :: add_interface_forces, add_loads, count_load_power, find_internal_forces
 
 contains
-
-   !> Deal the chunks out to the threads, before all of them come to `find_internal_forces`
-   subroutine deal_chunks(domain)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-
-      call deal(outer, 1, domain%outer)
-      call deal(inner, domain%outer + 1, size(domain%chunks))
-   end subroutine deal_chunks
 
    !> Internal forces of plies and interfaces, or of bricks, on all points, chunk by chunk, and then
    !> the sums at the nodes where chunks meet. What other ranks need comes first, and is on its way
@@ -47,8 +35,13 @@ contains
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       type(messages_type) :: messages
+      type(turns_type), save :: inner, outer
       integer :: c, i
 
+      !$omp single
+      call deal(outer, 1, domain%outer)
+      call deal(inner, domain%outer + 1, size(domain%chunks))
+      !$omp end single
       if (size(domain%averages) > 0) then
          !$omp master
          call borrow_strains(domain, history)

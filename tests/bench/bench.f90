@@ -11,7 +11,7 @@ program bench
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
-   use plydyn_solver_forces, only : add_interface_forces, deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
    use plydyn_solver_motion, only : accelerate, advance, count_sums
    use plydyn_solver_threads, only : set_threads
    use plydyn_state_state, only : state_type, tally_sums
@@ -127,7 +127,6 @@ contains
       case (probe)
          call multiply_add(vectors)
       case (internal)
-         call deal_chunks(domain)
          call find_internal_forces(domain, 0.0_wp, displacement, displacement, history, force)
       case (joints)
          call add_interface_forces(domain, domain%chunks(1), displacement, history, force)

@@ -10,7 +10,7 @@ program test_domain_dissipation
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_material, only : law_plastic_kinematic, material_type, plasticity_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_forces, only : deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -156,7 +156,6 @@ contains
 
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call deal_chunks(domain)
       call find_internal_forces(domain, 1.0e-6_wp, stretched(domain, strain), &
             & 0.0_wp*stretched(domain, strain), history, force)
    end subroutine strain_plate

@@ -9,7 +9,7 @@ program test_element_stable_step
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
-   use plydyn_solver_forces, only : deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate, count_sums
    use plydyn_state_state, only : sums_of, sums_type, tally_sums
    use sample, only : rectangle_mesh, rectangle_model
@@ -132,7 +132,6 @@ contains
          u(:) = 0.0_wp
          u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
-         call deal_chunks(domain)
          call find_internal_forces(domain, 0.0_wp, u, &
             & 0.0_wp*u, history, a)
          call accelerate_points(domain, 0.0_wp, u, a, sums)

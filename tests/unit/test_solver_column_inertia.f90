@@ -11,7 +11,7 @@ program test_solver_column_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type
-   use plydyn_solver_forces, only : deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate, count_sums
    use plydyn_solver_supports, only : resist_columns
    use plydyn_state_state, only : sums_of, sums_type, tally_sums
@@ -195,7 +195,6 @@ contains
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
       do i = 0, steps
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
-         call deal_chunks(domain)
          call find_internal_forces(domain, 0.0_wp, u, v, history, a)
          a(domain%held) = 0.0_wp
          call accelerate_points(domain, domain%step, v, a, sums)

@@ -13,7 +13,7 @@ program test_solver_explicit
    use plydyn_output_places, only : new_places
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_explicit, only : run
-   use plydyn_solver_forces, only : deal_chunks, find_internal_forces
+   use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_journal, only : journal_type
    use plydyn_solver_motion, only : advance
    use plydyn_solver_setup, only : run_type, set_up
@@ -180,7 +180,6 @@ contains
       call build_domain(model, domain, error)
       allocate (force(domain%columns%forces))
       force(:) = 0.0_wp
-      call deal_chunks(domain)
       call find_internal_forces(domain, 0.0_wp, state%displacement, &
             & 0.0_wp*state%displacement, history, force)
       energy = -0.5_wp*dot_product(state%displacement, force(:domain%columns%freedoms))
