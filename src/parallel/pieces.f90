@@ -137,21 +137,7 @@ contains
       !> Its band, (`count`); places that no rank has stay as they are
       real(wp), intent(inout), contiguous, asynchronous :: band(:)
 
-      type(mpi_request) :: request(2*size(self%here))
-      integer :: n, r
-
-      n = 0
-      do r = 0, size(self%here) - 1
-         if (self%there(r) == mpi_datatype_null) cycle
-         n = n + 1
-         call mpi_irecv(band, 1, self%there(r), r, value_tag, mpi_comm_world, request(n))
-      end do
-      do r = 0, size(self%here) - 1
-         if (self%here(r) == mpi_datatype_null) cycle
-         n = n + 1
-         call mpi_isend(values, 1, self%here(r), r, value_tag, mpi_comm_world, request(n))
-      end do
-      call mpi_waitall(n, request, mpi_statuses_ignore)
+      call exchange(values, self%here, band, self%there)
    end subroutine gather
 
    !> Take the pieces of this rank from the bands; all ranks of several must come here
@@ -162,21 +148,31 @@ contains
       !> Its array
       real(wp), intent(inout), contiguous, asynchronous :: values(:)
 
-      type(mpi_request) :: request(2*size(self%here))
+      call exchange(band, self%there, values, self%here)
+   end subroutine scatter
+
+   !> Send numbers to other ranks and to this one, and receive from them
+   subroutine exchange(sent, to, received, from)
+      real(wp), intent(in), contiguous, asynchronous :: sent(:)
+      !> What each rank gets of them, and where what it sends goes
+      type(mpi_datatype), intent(in) :: to(0:), from(0:)
+      real(wp), intent(inout), contiguous, asynchronous :: received(:)
+
+      type(mpi_request) :: request(2*size(to))
       integer :: n, r
 
       n = 0
-      do r = 0, size(self%here) - 1
-         if (self%here(r) == mpi_datatype_null) cycle
+      do r = 0, size(from) - 1
+         if (from(r) == mpi_datatype_null) cycle
          n = n + 1
-         call mpi_irecv(values, 1, self%here(r), r, value_tag, mpi_comm_world, request(n))
+         call mpi_irecv(received, 1, from(r), r, value_tag, mpi_comm_world, request(n))
       end do
-      do r = 0, size(self%here) - 1
-         if (self%there(r) == mpi_datatype_null) cycle
+      do r = 0, size(to) - 1
+         if (to(r) == mpi_datatype_null) cycle
          n = n + 1
-         call mpi_isend(band, 1, self%there(r), r, value_tag, mpi_comm_world, request(n))
+         call mpi_isend(sent, 1, to(r), r, value_tag, mpi_comm_world, request(n))
       end do
       call mpi_waitall(n, request, mpi_statuses_ignore)
-   end subroutine scatter
+   end subroutine exchange
 
 end module plydyn_parallel_pieces
