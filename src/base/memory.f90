@@ -3,7 +3,7 @@
 !> Arrays of motion, force and history begin 16 bytes behind a line of the cache (`front` in the
 !> domain counts on it) where they are large enough for pages of their own. The library learns from
 !> what is given back to put larger and larger arrays among the small ones instead, anywhere in a
-!> line: then vectors lie across two, and passes over them take a third longer.
+!> line: then vectors lie across two, and passes over them take longer.
 module plydyn_base_memory
    use, intrinsic :: iso_c_binding, only : c_int
    implicit none

@@ -1,5 +1,6 @@
-!> Calls of HDF5 that write what is in a file, bundled; `plydyn_output_h5_raw_file` has those for
-!> the file itself, `plydyn_output_h5_input` those that read. No other module uses the library.
+!> Calls of HDF5 that write what is in a file, bundled; `plydyn_output_h5_raw_series` has those for
+!> datasets that grow, `plydyn_output_h5_raw_file` those for the file itself,
+!> `plydyn_output_h5_input` those that read. No other module uses the library.
 !>
 !> Each procedure makes one thing in a file and says whether every call went well; the module
 !> `plydyn_output_h5` turns that into errors. Numbers come as an address, the kind of number that
