@@ -5,7 +5,7 @@ module plydyn_law_damage_growth
    implicit none
    private
 
-   public :: can_grow, grow, look_ahead
+   public :: can_grow, find_limits, grow
 
    !> History of a mode: damage; strain at onset, negative in compression, 0 before; strain at which
    !> the falling line meets zero
@@ -13,6 +13,8 @@ module plydyn_law_damage_growth
 
    !> Keeps divisors off zero where nothing has begun
    real(wp), parameter :: small = 1.0e-30_wp
+   !> A strain that nothing reaches
+   real(wp), parameter :: out_of_reach = 1.0e30_wp
 
 contains
 
@@ -23,56 +25,47 @@ contains
       !> History of each mode
       real(wp), intent(in) :: mode(lanes, of_finish, 2)
 
-      real(wp) :: ahead(lanes, 1), most
+      real(wp) :: limit(lanes, 2), most
       integer :: l
 
-      call look_ahead(1, 2*of_finish, plateau, brittle, strain, mode, ahead)
+      call find_limits(plateau, brittle, mode, limit)
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
-         most = max(most, ahead(l, 1))
+         most = max(most, strain(l, 1) - limit(l, 1), strain(l, 2) - limit(l, 2))
       end do
       can_grow = most > 0.0_wp
    end function can_grow
 
-   !> Where damage that has begun grows, at some points
-   pure subroutine look_ahead(points, histories, plateau, brittle, strain, history, ahead)
-      !> Number of points; history variables of each
-      integer, intent(in) :: points, histories
+   !> Strains beyond which damage grows that has begun: that which it stands for, or from which the
+   !> stress drops; out of reach where nothing has begun, or nothing is left
+   pure subroutine find_limits(plateau, brittle, mode, limit)
       !> As in `grow`
-      real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2), strain(lanes, 2, points)
-      !> History, which begins with that of each mode
-      real(wp), intent(in) :: history(lanes, histories, points)
-      !> Above 0 in lanes where the damage of a mode grows
-      real(wp), intent(out) :: ahead(lanes, points)
+      real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2)
+      !> History of each mode
+      real(wp), intent(in) :: mode(lanes, of_finish, 2)
+      !> Equivalent strain of each mode
+      real(wp), intent(out) :: limit(lanes, 2)
 
-      real(wp) :: beyond, cut, damage, fall, floor, last, onset, part, rise
-      integer :: d, k, l, m
+      real(wp) :: cut, damage, drop, fall, floor, last, onset, part, rise
+      integer :: k, l
 
-      do m = 1, points
-         ahead(:, m) = 0.0_wp
-         do k = 1, 2
-            d = of_finish*(k - 1)
-            !$omp simd private(beyond, cut, damage, fall, floor, last, onset, part, rise)
-            do l = 1, lanes
-               damage = history(l, d + of_damage, m)
-               onset = history(l, d + of_onset, m)
-               last = history(l, d + of_finish, m)
-               floor = plateau(l, k)
-               floor = merge(floor, 0.0_wp, onset < 0.0_wp)
-               cut = brittle(l, k)
-               cut = merge(cut, 0.0_wp, onset < 0.0_wp)
-               onset = abs(onset)
-               fall = last - onset
-               call find_reached(damage, onset, last, floor, part, rise)
-               beyond = max(strain(l, k, m)*part - rise, &
-                  & cut*fall - max(last - strain(l, k, m), floor*fall))
-               ! begun, not complete, and beyond what it has been
-               ahead(l, m) = max(ahead(l, m), min(fall, 1.0_wp - damage, beyond))
-            end do
+      do k = 1, 2
+         !$omp simd private(cut, damage, drop, fall, floor, last, onset, part, rise)
+         do l = 1, lanes
+            damage = mode(l, of_damage, k)
+            onset = abs(mode(l, of_onset, k))
+            last = mode(l, of_finish, k)
+            fall = last - onset
+            floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            call find_reached(damage, onset, last, floor, part, rise)
+            drop = merge(last - cut*fall, out_of_reach, cut > floor)
+            limit(l, k) = merge(min(rise/part, drop), out_of_reach, min(fall, 1.0_wp - damage) &
+               & > 0.0_wp)
          end do
       end do
-   end subroutine look_ahead
+   end subroutine find_limits
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
    !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is

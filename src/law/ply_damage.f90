@@ -6,14 +6,14 @@
 !> the strain of the step, and the work on the shear strain that stays.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : can_grow, grow
+   use plydyn_law_damage_growth, only : can_grow, find_limits, grow
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
-      & fibre_length, fibre_onset, find_remains, find_share, give_own, histories_average, &
+      & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
       & histories_closing, histories_most, histories_open, keep_driving, matrix_damage, &
-      & matrix_energy, matrix_finish, matrix_length, matrix_onset, mean_strain, own_strain, &
+      & matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, own_strain, &
       & shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
@@ -87,8 +87,8 @@ contains
          where (self%owns) history(:, k) = 0.0_wp
       end do
       where (self%owns)
-         history(:, fibre_length) = length(:, 1)
-         history(:, matrix_length) = length(:, 2)
+         history(:, fibre_gate) = length(:, 1)
+         history(:, matrix_gate) = length(:, 2)
       end where
    end subroutine start_history
 
@@ -196,10 +196,29 @@ contains
       call find_remains(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
       call soften(self, e, shear(:, 2), h, now, now%share, s)
       call begin_damage(self, e, shear, s, h, now, begins)
-      if (.not. begins) return
-      call soften(self, e, shear(:, 2), h, now, share, s)
-      now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
+      if (begins) then
+         call soften(self, e, shear(:, 2), h, now, share, s)
+         now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
+      end if
+      if (begins .or. now%grows) call set_gates(self%ply, h(:, fibre_damage:matrix_finish), &
+         & h(:, fibre_gate:matrix_gate))
    end subroutine advance_damage
+
+   !> Put the strains beyond which damage grows where the next step looks for them
+   pure subroutine set_gates(ply, mode, gate)
+      type(ply_lanes_type), intent(in) :: ply
+      !> History of each mode, and what its growth depends on
+      real(wp), intent(in) :: mode(lanes, 3, 2)
+      real(wp), intent(inout) :: gate(lanes, 2)
+
+      real(wp) :: limit(lanes, 2)
+      integer :: k
+
+      call find_limits(ply%plateau, ply%brittle, mode, limit)
+      do k = 1, 2
+         gate(:, k) = merge(-limit(:, k), gate(:, k), gate(:, k) < 0.0_wp .and. ply%closes <= 0.0_wp)
+      end do
+   end subroutine set_gates
 
    !> Shear along its curve until the matrix cracks, and elastic from there
    pure subroutine advance_shear(self, strain, h, shear, now)
@@ -211,12 +230,10 @@ contains
       real(wp), intent(out) :: shear(lanes, 2)
       type(step_type), intent(inout) :: now
 
-      real(wp) :: cracked(lanes), size(lanes)
+      real(wp) :: size(lanes)
       integer :: l
 
-      cracked(:) = h(:, matrix_finish)
-      if (self%ply%any_closes) cracked(:) = max(cracked, h(:, matrix_finish + to_compression))
-      size(:) = merge(0.0_wp, abs(strain), cracked > 0.0_wp)
+      size(:) = merge(0.0_wp, abs(strain), h(:, matrix_gate) < 0.0_wp)
       call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, now%grows)
       associate (modulus => self%ply%secant%shear)
          !$omp simd
@@ -304,7 +321,7 @@ contains
          trial(:, :) = merge(intact, trial, spread(self%ply%intact > 0.0_wp, 2, 3))
       end if
       call self%ply%onset%find_onset(1, 3, trial, e, shear, &
-         & abs(h(:, fibre_length:matrix_length)), now%excess)
+         & abs(h(:, fibre_gate:matrix_gate)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)
@@ -320,17 +337,17 @@ contains
       ! once in the life of a mode at a point
       do l = 1, lanes
          if (now%excess(l, 1) >= 0.0_wp) then
-            length = abs(h(l, fibre_length))
+            length = abs(h(l, fibre_gate))
             call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
                & h(l, fibre_finish))
-            h(l, fibre_length) = -length
+            h(l, fibre_gate) = -length
          end if
          if (now%excess(l, 2) >= 0.0_wp) then
-            length = abs(h(l, matrix_length))
+            length = abs(h(l, matrix_gate))
             in_plane(:) = shear(l, :)
             call self%ply%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
                & h(l, matrix_onset), h(l, matrix_finish))
-            h(l, matrix_length) = -length
+            h(l, matrix_gate) = -length
          end if
       end do
    end subroutine begin_damage

@@ -6,19 +6,23 @@ module plydyn_law_ply_history
 
    public :: find_remains, find_share, give_own, keep_driving, swap_closed, take_mean, take_own
 
+   !> What a step without growth looks at stands side by side, but for the damage of matrix. Energy
+   !> dissipated per volume by the shear strain that stays, largest shear strain up to the onset of
+   !> matrix damage, shear strain that stays
+   integer, parameter, public :: shear_energy = 1, shear_peak = 2, shear_set = 3
+   !> What the next growth of a mode depends on: before onset the width of its crack band, then less
+   !> than 0. Minus the equivalent strain beyond which damage grows; where cracks close, minus the
+   !> width
+   integer, parameter, public :: fibre_gate = 4, matrix_gate = 5
    !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
    !> 0 before; equivalent strain at the end of softening
-   integer, parameter, public :: fibre_damage = 1, fibre_onset = 2, fibre_finish = 3, &
-      & matrix_damage = 4, matrix_onset = 5, matrix_finish = 6
-   !> What a step without damage looks at stands side by side. Largest shear strain up to the onset
-   !> of matrix damage, shear strain that stays, and energy dissipated per volume by it; widths of
-   !> the crack band for fibres and for matrix, negative once there is damage, or has begun to be
-   integer, parameter, public :: shear_peak = 7, shear_set = 8, shear_energy = 9, &
-      & fibre_length = 10, matrix_length = 11
+   integer, parameter, public :: fibre_damage = 6, fibre_onset = 7, fibre_finish = 8, &
+      & matrix_damage = 9, matrix_onset = 10, matrix_finish = 11
    !> Energies dissipated per volume by fibres and by matrix
    integer, parameter, public :: fibre_energy = 12, matrix_energy = 13
-   !> Where cracks close, the first six are of tension; those of compression are so much further on
-   integer, parameter, public :: to_compression = 13
+   !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
+   !> further on
+   integer, parameter, public :: to_compression = 8
 
    !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
    !> their averages; cracks do not close there

@@ -6,7 +6,7 @@
 !> law, which finds the history as it was.
 module plydyn_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_length, matrix_length
+   use plydyn_law_ply_history, only : fibre_gate, matrix_gate
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_shear, only : bend, keep_shear, most_points, shear_type
    use plydyn_law_ply_steady, only : hold
@@ -71,7 +71,7 @@ contains
          associate (own => ply%own, other => ply%other, c => ply%secant%intact, &
             & g => ply%secant%shear, a => ply%onset%far_fibre, b => ply%onset%far_matrix, &
             & e => strain(:, :, m), &
-            & h => history(:, fibre_length:matrix_length, m), s => stress(:, :, m))
+            & h => history(:, fibre_gate:matrix_gate, m), s => stress(:, :, m))
             !$omp simd private(across, along, elastic, s11, s22, s33, s12, s13, s23, tau)
             do l = 1, lanes
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)

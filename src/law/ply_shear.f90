@@ -2,8 +2,7 @@
 !> their history as that takes.
 module plydyn_law_ply_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_length, matrix_finish, matrix_length, shear_energy, &
-      & shear_peak, shear_set
+   use plydyn_law_ply_history, only : fibre_gate, matrix_gate, shear_energy, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    implicit none
    private
@@ -50,8 +49,8 @@ contains
          !$omp simd private(across, beyond)
          do l = 1, lanes
             shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
-            across = ply%own(l)*history(l, matrix_length, m)
-            least(l) = min(least(l), ply%own(l)*history(l, fibre_length, m), across)
+            across = ply%own(l)*history(l, matrix_gate, m)
+            least(l) = min(least(l), ply%own(l)*history(l, fibre_gate, m), across)
             beyond = ply%curve%curved(l)*(abs(strain(l, 4, m)) - history(l, shear_peak, m))
             ! what has cracked is elastic
             ahead(l) = max(ahead(l), beyond*max(sign(1.0_wp, across), 0.0_wp))
@@ -76,15 +75,15 @@ contains
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
       type(shear_type), intent(inout) :: shear
 
-      real(wp) :: cracked, here, size(lanes, most_points)
+      real(wp) :: gate, here, size(lanes, most_points)
       integer :: l, m
 
       do m = 1, points
-         !$omp simd private(cracked, here)
+         !$omp simd private(gate, here)
          do l = 1, lanes
-            cracked = history(l, matrix_finish, m)
+            gate = history(l, matrix_gate, m)
             here = ply%own(l)*abs(strain(l, 4, m))
-            size(l, m) = merge(0.0_wp, here, cracked > 0.0_wp)
+            size(l, m) = merge(0.0_wp, here, gate < 0.0_wp)
             shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
          end do
       end do
@@ -98,7 +97,7 @@ contains
       !> As in `shear_type`
       real(wp), intent(in) :: peak(lanes), set(lanes), work(lanes)
       !> History of the point
-      real(wp), intent(inout) :: history(lanes, shear_energy)
+      real(wp), intent(inout) :: history(lanes, shear_set)
 
       real(wp) :: cost, kept
       integer :: l

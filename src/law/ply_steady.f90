@@ -2,9 +2,7 @@
 !> grows: the whole law without its growth, for all points at once.
 module plydyn_law_ply_steady
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : look_ahead
-   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_length, matrix_damage, &
-      & matrix_finish, matrix_length
+   use plydyn_law_ply_history, only : fibre_damage, fibre_gate, matrix_damage, matrix_gate
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_shear, only : most_points, shear_type
    implicit none
@@ -77,8 +75,8 @@ contains
                now%shear(l, 1, m) = ply%secant%shear(l, 1)*elastic
                now%drive(l, 1, m) = abs(e(l, 1))
                now%drive(l, 2, m) = sqrt(e(l, 2)**2 + elastic**2)
-               now%length(l, 1, m) = abs(h(l, fibre_length))
-               now%length(l, 2, m) = abs(h(l, matrix_length))
+               now%length(l, 1, m) = abs(h(l, fibre_gate))
+               now%length(l, 2, m) = abs(h(l, matrix_gate))
             end do
          end associate
       end do
@@ -92,11 +90,10 @@ contains
       type(stages_type), intent(in) :: now
       logical, intent(out) :: steady(points)
 
-      real(wp) :: across, ahead(lanes, most_points), along, excess(lanes, 2, most_points), most
+      real(wp) :: across, along, excess(lanes, 2, most_points), fibre, matrix, most
       real(wp) :: busy(lanes, most_points), each(lanes), trial(lanes, 3, most_points)
       integer :: l, m
 
-      call look_ahead(points, histories, ply%plateau, ply%brittle, now%drive, history, ahead)
       if (ply%any_intact) then
          call find_trial(ply, points, strain, now%normal, trial)
          call ply%onset%find_onset(points, 6, trial, strain, now%shear, now%length, excess)
@@ -106,15 +103,16 @@ contains
       each(:) = 0.0_wp
       do m = 1, points
          associate (own => ply%own, closes => ply%closes, h => history(:, :, m))
-            !$omp simd private(along, across)
+            !$omp simd private(along, across, fibre, matrix)
             do l = 1, lanes
-               ! what has not begun does so from 0 on
+               fibre = h(l, fibre_gate)
+               matrix = h(l, matrix_gate)
+               ! what has begun grows beyond its strain, what has not begins from 0 on
                along = excess(l, 1, m) + tiny(along)
-               along = merge(-1.0_wp, along, h(l, fibre_finish) > 0.0_wp)
+               along = merge(now%drive(l, 1, m) + fibre, along, fibre < 0.0_wp)
                across = excess(l, 2, m) + tiny(across)
-               across = merge(-1.0_wp, across, h(l, matrix_finish) > 0.0_wp)
-               busy(l, m) = own(l)*max(ahead(l, m), along, across, &
-                  & -closes(l)*min(h(l, fibre_length), h(l, matrix_length)))
+               across = merge(now%drive(l, 2, m) + matrix, across, matrix < 0.0_wp)
+               busy(l, m) = own(l)*max(along, across, -closes(l)*min(fibre, matrix))
                each(l) = max(each(l), busy(l, m))
             end do
          end associate

@@ -9,7 +9,7 @@ program test_domain_histories
    use plydyn_element_recover, only : point_history
    use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : snap_refuse
-   use plydyn_law_ply_history, only : fibre_length, matrix_length
+   use plydyn_law_ply_history, only : fibre_gate, matrix_gate
    use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
    use ply_point, only : paper_ply
@@ -127,7 +127,7 @@ contains
       call start_histories(domain, history)
       associate (home => domain%columns%home(:, layer), own => domain%plates(1))
          values = point_history(own, own%batches(home(1)), home(2), 1, point, 2, history)
-         widths(:) = values(home(3), [fibre_length, matrix_length])
+         widths(:) = values(home(3), [fibre_gate, matrix_gate])
       end associate
    end function widths_of
 

@@ -1,7 +1,7 @@
 !> Damage grows as the stress has to fall, and never heals.
 program test_law_damage_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : can_grow, grow
+   use plydyn_law_damage_growth, only : can_grow, find_limits, grow
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage
    use ply_point, only : new_point, paper_ply, point_type
@@ -15,6 +15,7 @@ program test_law_damage_growth
 
    call test_grow()
    call test_can_grow()
+   call test_limits()
    call test_plateau()
    call test_brittle()
    call finish()
@@ -55,6 +56,49 @@ contains
       mode(:, :, :) = 0.0_wp
       call check(.not. can_grow(plateau, brittle, strain, mode), "nothing does before onset")
    end subroutine test_can_grow
+
+   !> The strain of which damage is left; on a plateau; that of a drop; none before onset and at the
+   !> end
+   subroutine test_limits()
+      real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp, reached(3) = [0.02_wp, 0.045_wp, &
+         & 0.06_wp]
+      real(wp) :: brittle(lanes, 2), limit(lanes, 2), mode(lanes, 3, 2), plateau(lanes, 2)
+      real(wp) :: share(lanes, 2), strain(lanes, 2)
+      integer :: i
+
+      call begin("find_limits")
+      brittle(:, :) = 0.0_wp
+      plateau(:, 1) = 0.3_wp
+      plateau(:, 2) = 0.0_wp
+      mode(:, 1, :) = 0.0_wp
+      mode(:, 2, :) = -onset
+      mode(:, 3, :) = last
+      call find_limits(plateau, brittle, mode, limit)
+      call check(limit(1, :), [onset, onset], 1.0e-15_wp, "onset at first")
+      do i = 1, 3
+         strain(:, :) = reached(i)
+         call grow(plateau, brittle, strain, mode, share)
+         call find_limits(plateau, brittle, mode, limit)
+         call check(limit(1, 1), reached(i), 1.0e-14_wp, "the strain that it has come to")
+      end do
+      call check(limit(1, 2) > 1.0e6_wp, "nothing grows that is complete")
+      brittle(:, 1) = 0.4_wp
+      plateau(:, 1) = 0.0_wp
+      mode(:, 1, 1) = 0.0_wp
+      strain(:, :) = 0.03_wp
+      call grow(plateau, brittle, strain, mode, share)
+      call find_limits(plateau, brittle, mode, limit)
+      call check(limit(1, 1), 0.03_wp, 1.0e-15_wp, "before the drop")
+      strain(:, :) = 0.034_wp - 1.0e-12_wp
+      call grow(plateau, brittle, strain, mode, share)
+      call check(mode(1, 1, 1) < 1.0_wp, "stress is left up to 40 % of the strength")
+      strain(:, :) = 0.034_wp + 1.0e-12_wp
+      call grow(plateau, brittle, strain, mode, share)
+      call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "none below")
+      mode(:, :, :) = 0.0_wp
+      call find_limits(plateau, brittle, mode, limit)
+      call check(all(limit > 1.0e6_wp), "nothing grows before onset")
+   end subroutine test_limits
 
    !> One mode from onset to the end and back, and one that has not begun
    subroutine test_grow()

@@ -5,7 +5,7 @@ program test_law_ply_damage_paths
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, histories_closing, &
-      & histories_open, matrix_damage, matrix_energy, matrix_finish, matrix_length, matrix_onset, &
+      & histories_open, matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
       & shear_energy, shear_peak, shear_set, to_compression
    use plydyn_law_shear_curve, only : new_power_curve, new_table_curve
    use ply_point, only : new_point, paper_ply, point_type
@@ -20,7 +20,6 @@ program test_law_ply_damage_paths
    call test_mixed()
    call test_fibre_first()
    call test_onset_of_the_other()
-   call test_given_damage()
    call test_base_never_closes()
    call test_closing()
    call test_turned()
@@ -124,25 +123,6 @@ contains
       call check(point%history(matrix_finish) > 0.0_wp, &
          & "cracks it by the contraction that intact fibres would force on it")
    end subroutine test_onset_of_the_other
-
-   !> Damage that is there from the start: a softer ply, that goes on when its law asks for more
-   subroutine test_given_damage()
-      type(point_type) :: point
-
-      call begin("given damage")
-      point = new_point(paper_ply(), narrow)
-      point%history(matrix_damage) = 0.5_wp
-      point%history(matrix_length) = -point%history(matrix_length)
-      call point%pull(2, 0.007_wp, 0.0_wp)
-      call check(point%stress(2), 0.5_wp*10.3e3_wp*0.007_wp, 1.0e-9_wp, "softens the ply")
-      call check(point%dissipated(), 0.0_wp, 0.0_wp, "has dissipated nothing")
-      call point%pull(2, 0.01_wp, 0.0_wp)
-      call check(point%history(matrix_onset), 82.0_wp/10.3e3_wp, 1.0e-9_wp, &
-         & "does not change the strain at onset")
-      call check(point%history(matrix_damage), 0.5_wp, 0.0_wp, "stays until the law has more")
-      call point%pull(2, 0.04_wp, 0.0_wp)
-      call check(point%history(matrix_damage) > 0.8_wp, "and grows then")
-   end subroutine test_given_damage
 
    !> One damage per direction: compression is as soft as tension
    subroutine test_base_never_closes()

@@ -3,8 +3,9 @@ program test_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
-   use plydyn_law_ply_history, only : fibre_length, histories_open, matrix_damage, matrix_finish, &
-      & matrix_length, matrix_onset, shear_energy, shear_peak, shear_set
+   use plydyn_law_damage_growth, only : find_limits
+   use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, matrix_damage, &
+      & matrix_finish, matrix_gate, matrix_onset, shear_energy, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -44,7 +45,7 @@ contains
       call check(stress(1, :, points), matmul(c, small), 1.0e-9_wp, "stress of Hooke's law")
       call check(stress(foreign, :, points), spread(7.0_wp, 1, 6), 0.0_wp, &
          & "not in lanes of other laws")
-      call check(maxval(abs(history(:, :fibre_length - 1, :))), 0.0_wp, 0.0_wp, "no history")
+      call check(changed(), 0.0_wp, 0.0_wp, "no history")
    end subroutine test_intact
 
    !> Shear that grows leaves its history
@@ -69,23 +70,26 @@ contains
    subroutine test_loud()
       real(wp), parameter :: large(6) = [0.02_wp, 0.0_wp, 0.0_wp, 0.02_wp, 0.0_wp, 0.0_wp]
       real(wp), parameter :: across(6) = [0.0_wp, 0.006_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
+      real(wp) :: limit(lanes, 2)
 
       call begin("not quiet")
       call rest(.true.)
       call move(large)
       call check(.not. any(stays), "beyond the strength of fibres")
-      call check(maxval(abs(history(:, :fibre_length - 1, :))), 0.0_wp, 0.0_wp, "history untouched")
+      call check(changed(), 0.0_wp, 0.0_wp, "history untouched")
       ! damage that has begun at a strain of 0.004, ends at 0.02 and has grown up to 0.0053
-      history(5, matrix_length, points) = -history(5, matrix_length, points)
       history(5, [matrix_damage, matrix_onset, matrix_finish], points) = &
          & [0.3_wp, 0.004_wp, 0.02_wp]
+      call find_limits(lane%plateau, lane%brittle, &
+         & history(:, fibre_damage:matrix_finish, points), limit)
+      history(5, matrix_gate, points) = -limit(5, 2)
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)
       call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
       call check(history(5, matrix_damage, points), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
-      history(foreign, matrix_length, :) = -1.0_wp
+      history(foreign, matrix_gate, :) = -1.0_wp
       call move(small)
       call check(all(stays), "what other laws remember does not count")
    end subroutine test_loud
@@ -106,9 +110,9 @@ contains
          call random_number(strain)
          strain(:) = reach*(2.0_wp*strain - 1.0_wp)
          ! bands from narrow to too wide
-         history(:, fibre_length:matrix_length, :) = history(:, fibre_length:matrix_length, :) &
+         history(:, fibre_gate:matrix_gate, :) = history(:, fibre_gate:matrix_gate, :) &
             & *2.0_wp**mod(i, 8)
-         wide(:, :) = history(:, fibre_length:matrix_length, 1)
+         wide(:, :) = history(:, fibre_gate:matrix_gate, 1)
          call lane%secant%intact_stress(1, 3, spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
          shear(:, 1) = lane%secant%shear(:, 1)*shear(:, 2)
@@ -152,9 +156,15 @@ contains
          if (l /= foreign) call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, fibre_length, :) = 1.0_wp
-      history(:, matrix_length, :) = 0.1_wp
-      history(foreign, fibre_length:matrix_length, :) = 0.0_wp
+      history(:, fibre_gate, :) = 1.0_wp
+      history(:, matrix_gate, :) = 0.1_wp
+      history(foreign, fibre_gate:matrix_gate, :) = 0.0_wp
    end subroutine rest
+
+   !> The largest history since `rest` but that of the gates
+   pure real(wp) function changed()
+      changed = max(maxval(abs(history(:, :fibre_gate - 1, :))), &
+         & maxval(abs(history(:, matrix_gate + 1:, :))))
+   end function changed
 
 end program test_law_ply_quiet

@@ -2,11 +2,12 @@
 !> step.
 program test_law_ply_steady
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_growth, only : find_limits
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_length, fibre_onset, &
-      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_length, &
-      & matrix_onset, shear_peak, shear_set
+   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
+      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_gate, matrix_onset, &
+      & shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -108,7 +109,7 @@ contains
       call choose(ply, strain, before)
       before(:, modes, :) = 0.0_wp
       before(1, matrix_damage:matrix_finish, :) = spread([1.0_wp, 0.004_wp, 0.02_wp], 2, points)
-      before(1, matrix_length, :) = -0.1_wp
+      before(1, matrix_gate, :) = -1.0_wp
       before(foreign, :, :) = 1.0_wp
       strain(:, :, :) = 0.1_wp*strain
       strain(foreign, :, :) = 0.1_wp
@@ -136,8 +137,8 @@ contains
          call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, fibre_length:matrix_length, :) = 0.1_wp
-      history(2, matrix_length, 2) = -0.1_wp
+      history(:, fibre_gate:matrix_gate, :) = 0.1_wp
+      history(2, matrix_gate, 2) = -0.1_wp
       strain(:, :, :) = 1.0e-4_wp
       call stay(lane, 2, histories_closing, strain, history, stress, stays)
       call check(stays(1) .and. .not. stays(2), "only what is damaged")
@@ -163,7 +164,7 @@ contains
       type(ply_constants_type), intent(in) :: ply
       real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, histories_open, points)
 
-      real(wp) :: draw(6)
+      real(wp) :: draw(6), limit(lanes, 2)
       integer :: d, k, l, m
 
       history(:, :, :) = 0.0_wp
@@ -171,7 +172,7 @@ contains
          do l = 1, lanes
             call random_number(draw)
             strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
-            history(l, fibre_length:matrix_length, m) = [1.0_wp, 0.1_wp]
+            history(l, fibre_gate:matrix_gate, m) = [1.0_wp, 0.1_wp]
             call random_number(draw)
             if (ply%curve%shape > 0) then
                history(l, shear_peak, m) = 0.012_wp*draw(1)
@@ -184,9 +185,13 @@ contains
                history(l, d + 1, m) = sign((0.3_wp + 0.4_wp*draw(2))*reach(k), draw(3) - 0.5_wp)
                history(l, d + 2, m) = abs(history(l, d + 1, m))*(1.1_wp + 3.0_wp*draw(4))
                history(l, d, m) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
-               history(l, fibre_length + k - 1, m) = -history(l, fibre_length + k - 1, m)
             end do
          end do
+         call find_limits(spread([ply%plateau, 0.0_wp], 1, lanes), &
+            & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, modes, m), limit)
+         where (history(:, [fibre_finish, matrix_finish], m) > 0.0_wp)
+            history(:, fibre_gate:matrix_gate, m) = -limit
+         end where
       end do
    end subroutine choose
 
