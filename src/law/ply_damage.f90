@@ -216,7 +216,8 @@ contains
 
       call find_limits(ply%plateau, ply%brittle, mode, limit)
       do k = 1, 2
-         gate(:, k) = merge(-limit(:, k), gate(:, k), gate(:, k) < 0.0_wp .and. ply%closes <= 0.0_wp)
+         gate(:, k) = merge(-limit(:, k)**2, gate(:, k), gate(:, k) < 0.0_wp &
+            & .and. ply%closes <= 0.0_wp)
       end do
    end subroutine set_gates
 

@@ -10,9 +10,9 @@ module plydyn_law_ply_history
    !> dissipated per volume by the shear strain that stays, largest shear strain up to the onset of
    !> matrix damage, shear strain that stays
    integer, parameter, public :: shear_energy = 1, shear_peak = 2, shear_set = 3
-   !> What the next growth of a mode depends on: before onset the width of its crack band, then less
-   !> than 0. Minus the equivalent strain beyond which damage grows; where cracks close, minus the
-   !> width
+   !> What the next growth of a mode depends on: before onset the width of its crack band; then, as
+   !> less than 0, the square of the equivalent strain beyond which damage grows, or, where cracks
+   !> close, the width
    integer, parameter, public :: fibre_gate = 4, matrix_gate = 5
    !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
    !> 0 before; equivalent strain at the end of softening

@@ -10,8 +10,8 @@ module plydyn_law_ply_lanes
 
    !> Constants of the lanes
    type, public :: ply_lanes_type
-      !> 1 in lanes that the law owns, else 0; 1 in the others, else 0; whether it owns all
-      real(wp) :: own(lanes) = 0.0_wp, other(lanes) = 1.0_wp
+      !> 1 in lanes that the law owns, else 0; whether it owns all
+      real(wp) :: own(lanes) = 0.0_wp
       logical :: whole = .false.
       !> Stiffness, curve of shear, onset of damage
       type(secant_type) :: secant
@@ -46,7 +46,6 @@ contains
       type(ply_constants_type), intent(in) :: constants
 
       self%own(lane) = 1.0_wp
-      self%other(lane) = 0.0_wp
       self%whole = all(self%own > 0.0_wp)
       call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
       call self%curve%set_lane(lane, constants%shear(1), constants%curve)

@@ -35,21 +35,63 @@ contains
       !> Which points are quiet
       logical, intent(out) :: quiet(points)
 
+      real(wp) :: all_lanes(lanes, 6, most_points)
       type(shear_type) :: shear
-      logical :: far
       integer :: m
 
       call bend(ply, points, histories, strain, history, shear)
-      far = .not. shear%begun
-      if (far) call resist(ply, points, histories, strain, history, shear%set, stress, far)
-      quiet(:) = far
-      if (.not. far) call hold(ply, points, histories, strain, history, shear, stress, quiet)
+      if (ply%whole) then
+         call find_stress(ply, points, histories, strain, history, shear, stress, quiet)
+      else
+         call find_stress(ply, points, histories, strain, history, shear, all_lanes, quiet)
+         do m = 1, points
+            call give(ply%own, all_lanes(:, :, m), stress(:, :, m))
+         end do
+      end if
       if (.not. shear%grows) return
       do m = 1, points
          if (quiet(m)) call keep_shear(ply, shear%peak(:, m), shear%set(:, m), shear%work(:, m), &
             & history(:, :, m))
       end do
    end subroutine stay
+
+   !> Stress of all lanes: where nothing is damaged or near to it, or else
+   pure subroutine find_stress(ply, points, histories, strain, history, shear, stress, quiet)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      !> What the step makes of the shear; gets the work of a damaged ply
+      type(shear_type), intent(inout) :: shear
+      real(wp), intent(out) :: stress(lanes, 6, points)
+      logical, intent(out) :: quiet(points)
+
+      logical :: far
+
+      far = .not. shear%begun
+      if (far) call resist(ply, points, histories, strain, history, shear%set, stress, far)
+      quiet(:) = far
+      if (.not. far) call hold(ply, points, histories, strain, history, shear, stress, quiet)
+   end subroutine find_stress
+
+   !> Give the stress of a point to some lanes
+   pure subroutine give(own, from, stress)
+      !> 1 in those lanes, else 0
+      real(wp), intent(in) :: own(lanes)
+      real(wp), intent(in) :: from(lanes, 6)
+      real(wp), intent(inout) :: stress(lanes, 6)
+
+      real(wp) :: given, kept
+      integer :: k, l
+
+      do k = 1, 6
+         !$omp simd private(given, kept)
+         do l = 1, lanes
+            given = from(l, k)
+            kept = stress(l, k)
+            stress(l, k) = merge(given, kept, own(l) > 0.0_wp)
+         end do
+      end do
+   end subroutine give
 
    !> Stress of intact plies, and whether all points are so far from onset that little is needed to
    !> see it
@@ -59,39 +101,34 @@ contains
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
       !> Shear strain that stays
       real(wp), intent(in) :: set(lanes, most_points)
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      real(wp), intent(out) :: stress(lanes, 6, points)
       !> All are
       logical, intent(out) :: far
 
-      real(wp) :: across, along, each(lanes), elastic, most, s11, s22, s33, s12, s13, s23, tau
+      real(wp) :: across, along, each(lanes), elastic, most, s11, s22, tau
       integer :: l, m
 
       each(:) = 0.0_wp
       do m = 1, points
-         associate (own => ply%own, other => ply%other, c => ply%secant%intact, &
-            & g => ply%secant%shear, a => ply%onset%far_fibre, b => ply%onset%far_matrix, &
-            & e => strain(:, :, m), &
-            & h => history(:, fibre_gate:matrix_gate, m), s => stress(:, :, m))
-            !$omp simd private(across, along, elastic, s11, s22, s33, s12, s13, s23, tau)
+         associate (c => ply%secant%intact, g => ply%secant%shear, e => strain(:, :, m), &
+            & a => ply%onset%far_fibre, b => ply%onset%far_matrix, s => stress(:, :, m), &
+            & h => history(:, fibre_gate:matrix_gate, m))
+            !$omp simd private(across, along, elastic, s11, s22, tau)
             do l = 1, lanes
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
                tau = g(l, 1)*elastic
                s11 = c(l, 1)*e(l, 1) + c(l, 2)*e(l, 2) + c(l, 3)*e(l, 3)
                s22 = c(l, 2)*e(l, 1) + c(l, 4)*e(l, 2) + c(l, 5)*e(l, 3)
-               s33 = c(l, 3)*e(l, 1) + c(l, 5)*e(l, 2) + c(l, 6)*e(l, 3)
-               s12 = sign(tau, e(l, 4))
-               s13 = g(l, 2)*e(l, 5)
-               s23 = g(l, 3)*e(l, 6)
                along = a(l, 1)*s11**2 + h(l, 1)*(a(l, 2)*s11**2 + a(l, 3)*abs(s11*e(l, 1)))
                across = b(l, 1)*s22**2 + b(l, 2)*tau**2 + h(l, 2)*(b(l, 3)*s22**2 &
                   & + b(l, 4)*(abs(s22*e(l, 2)) + tau*elastic))
                each(l) = max(each(l), along, across)
-               s(l, 1) = own(l)*s11 + other(l)*s(l, 1)
-               s(l, 2) = own(l)*s22 + other(l)*s(l, 2)
-               s(l, 3) = own(l)*s33 + other(l)*s(l, 3)
-               s(l, 4) = own(l)*s12 + other(l)*s(l, 4)
-               s(l, 5) = own(l)*s13 + other(l)*s(l, 5)
-               s(l, 6) = own(l)*s23 + other(l)*s(l, 6)
+               s(l, 1) = s11
+               s(l, 2) = s22
+               s(l, 3) = c(l, 3)*e(l, 1) + c(l, 5)*e(l, 2) + c(l, 6)*e(l, 3)
+               s(l, 4) = sign(tau, e(l, 4))
+               s(l, 5) = g(l, 2)*e(l, 5)
+               s(l, 6) = g(l, 3)*e(l, 6)
             end do
          end associate
       end do

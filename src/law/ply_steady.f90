@@ -14,7 +14,7 @@ module plydyn_law_ply_steady
    type :: stages_type
       !> What remains of the stiffness along and across the fibres
       real(wp) :: remains(lanes, 2, most_points)
-      !> Strains that drive the damage of fibres and of matrix
+      !> Squares of the strains that drive the damage of fibres and of matrix
       real(wp) :: drive(lanes, 2, most_points)
       !> Sizes of the shear stress 12 before damage and of the elastic shear strain
       real(wp) :: shear(lanes, 2, most_points)
@@ -38,8 +38,8 @@ contains
       real(wp), intent(in) :: history(lanes, histories, points)
       !> What the step makes of the shear; gets the work of a damaged ply
       type(shear_type), intent(inout) :: shear
-      !> Stress of the lanes that the law owns; means nothing at points that are not steady
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      !> Stress; means nothing at points that are not steady, and in lanes of other laws
+      real(wp), intent(out) :: stress(lanes, 6, points)
       !> Where no damage begins or grows
       logical, intent(out) :: steady(points)
 
@@ -73,8 +73,8 @@ contains
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
                now%shear(l, 2, m) = elastic
                now%shear(l, 1, m) = ply%secant%shear(l, 1)*elastic
-               now%drive(l, 1, m) = abs(e(l, 1))
-               now%drive(l, 2, m) = sqrt(e(l, 2)**2 + elastic**2)
+               now%drive(l, 1, m) = e(l, 1)**2
+               now%drive(l, 2, m) = e(l, 2)**2 + elastic**2
                now%length(l, 1, m) = abs(h(l, fibre_gate))
                now%length(l, 2, m) = abs(h(l, matrix_gate))
             end do
@@ -160,37 +160,30 @@ contains
       end do
    end function highest
 
-   !> Stress of the lanes that the law owns
+   !> Stress of what remains
    pure subroutine give_stress(ply, points, strain, now, stress)
       type(ply_lanes_type), intent(in) :: ply
       integer, intent(in) :: points
       real(wp), intent(in) :: strain(lanes, 6, points)
       type(stages_type), intent(in) :: now
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      real(wp), intent(out) :: stress(lanes, 6, points)
 
-      real(wp) :: r1, r2, s11, s22, s33, s12, s13, s23
+      real(wp) :: r1, r2
       integer :: l, m
 
       do m = 1, points
-         associate (own => ply%own, other => ply%other, g => ply%secant%shear, &
-            & across => ply%across, e => strain(:, :, m), n => now%normal(:, :, m), &
-            & s => stress(:, :, m))
-            !$omp simd private(r1, r2, s11, s22, s33, s12, s13, s23)
+         associate (g => ply%secant%shear, across => ply%across, e => strain(:, :, m), &
+            & n => now%normal(:, :, m), s => stress(:, :, m))
+            !$omp simd private(r1, r2)
             do l = 1, lanes
                r1 = now%remains(l, 1, m)
                r2 = now%remains(l, 2, m)
-               s11 = r1*n(l, 1)
-               s22 = r2*n(l, 2)
-               s33 = n(l, 3)
-               s12 = r1*r2*sign(now%shear(l, 1, m), e(l, 4))
-               s13 = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
-               s23 = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
-               s(l, 1) = own(l)*s11 + other(l)*s(l, 1)
-               s(l, 2) = own(l)*s22 + other(l)*s(l, 2)
-               s(l, 3) = own(l)*s33 + other(l)*s(l, 3)
-               s(l, 4) = own(l)*s12 + other(l)*s(l, 4)
-               s(l, 5) = own(l)*s13 + other(l)*s(l, 5)
-               s(l, 6) = own(l)*s23 + other(l)*s(l, 6)
+               s(l, 1) = r1*n(l, 1)
+               s(l, 2) = r2*n(l, 2)
+               s(l, 3) = n(l, 3)
+               s(l, 4) = r1*r2*sign(now%shear(l, 1, m), e(l, 4))
+               s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
+               s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
             end do
          end associate
       end do

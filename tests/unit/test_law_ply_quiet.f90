@@ -82,7 +82,7 @@ contains
          & [0.3_wp, 0.004_wp, 0.02_wp]
       call find_limits(lane%plateau, lane%brittle, &
          & history(:, fibre_damage:matrix_finish, points), limit)
-      history(5, matrix_gate, points) = -limit(5, 2)
+      history(5, matrix_gate, points) = -limit(5, 2)**2
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)

@@ -6,8 +6,8 @@ program test_law_ply_steady
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
-      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_gate, matrix_onset, &
-      & shear_peak, shear_set
+      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_gate, &
+      & matrix_onset, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -190,7 +190,7 @@ contains
          call find_limits(spread([ply%plateau, 0.0_wp], 1, lanes), &
             & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, modes, m), limit)
          where (history(:, [fibre_finish, matrix_finish], m) > 0.0_wp)
-            history(:, fibre_gate:matrix_gate, m) = -limit
+            history(:, fibre_gate:matrix_gate, m) = -limit**2
          end where
       end do
    end subroutine choose
