@@ -12,6 +12,8 @@ from studies.jobs import Job
 from studies.markdown import table
 
 PLY, BOND = "materials.hts40_9772", "materials.interface"
+#: The recipe that the choices are made for, and how far: beyond the peak
+MODEL, SHORT = "coarse", ("control.end_time=2.0e-3",)
 _CENTRAL = ("control.scheme=explicit", "control.largest_step=0.0")
 
 

@@ -13,7 +13,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
-from studies.jobs import ROOT, Job, Tick, Tools, is_done, run_job
+from studies.jobs import ROOT, Job, StudyError, Tick, Tools, is_done, run_job
 from studies.markdown import write
 
 app = typer.Typer(
@@ -40,15 +40,29 @@ Kept = Annotated[bool, typer.Option("--kept", help="Run nothing: print what lies
 DEFAULT = ROOT / "results/study"
 
 
-def run_all(tools: Tools, jobs: Sequence[Job], folder: Path, parallel: int, again: bool) -> None:
-    """Run jobs, some at a time, but for those that are done."""
+def run_all(
+    tools: Tools, jobs: Sequence[Job], folder: Path, parallel: int, again: bool, threads: int = 1
+) -> None:
+    """Run jobs, some at a time, but for those that are done; an error tells of all that failed."""
+    complain(run_most(tools, jobs, folder, parallel, again, threads))
+
+
+def run_most(
+    tools: Tools, jobs: Sequence[Job], folder: Path, parallel: int, again: bool, threads: int = 1
+) -> list[str]:
+    """Run jobs, some at a time, but for those that are done; gives what went wrong with any."""
+    failed: list[str] = []
     with progress() as bar, ThreadPoolExecutor(min(parallel, os.cpu_count() or 1)) as pool:
         whole = bar.add_task("all", total=len(jobs))
 
         def work(job: Job) -> None:
-            if again or not is_done(tools, job, folder):
-                with _line(bar, job.name) as tick:
-                    run_job(tools, job, folder, tick)
+            try:
+                if again or not is_done(tools, job, folder):
+                    with _line(bar, job.name) as tick:
+                        effort = run_job(tools, job, folder, tick, threads=threads)
+                    console.print(f"{job.name}: {effort.wall:.0f} s", markup=False)
+            except StudyError as error:
+                failed.append(str(error))
             bar.advance(whole)
 
         try:
@@ -57,6 +71,13 @@ def run_all(tools: Tools, jobs: Sequence[Job], folder: Path, parallel: int, agai
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
+    return failed
+
+
+def complain(failed: Sequence[str]) -> None:
+    """Raise an error that tells what went wrong, if anything did."""
+    if failed:
+        raise StudyError("\n".join(failed))
 
 
 @contextmanager

@@ -10,7 +10,8 @@ import typer
 from plydyn_post.results import open_results
 
 from studies import choices as open_choices
-from studies import damage_times, implicit, refinement, runs
+from studies import damage_times, implicit, runs
+from studies.choices import BASE
 from studies.commands import (
     DEFAULT,
     Again,
@@ -21,20 +22,20 @@ from studies.commands import (
     Parallel,
     Solver,
     app,
+    complain,
     list_files,
-    progress,
     run_all,
+    run_most,
     tell,
 )
 from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
 from studies.damage_figures import draw_forces
-from studies.jobs import StudyError, find_tools, kept_effort
+from studies.jobs import StudyError, find_tools, kept_effort, made_by
 from studies.markdown import insert
 
 Tests = Annotated[
     list[Path] | None, typer.Option("--test", help="CSV of a test to lay over the forces.")
 ]
-Recipe = Annotated[str, typer.Option("--model", help="Recipe that the others differ from.")]
 
 
 @app.command()
@@ -77,6 +78,7 @@ def _compare(models: Sequence[Model], name: str, common: _Common, tests: list[Pa
     run_all(find_tools(plydyn), jobs, output, parallel, again)
     found = [(model.label, open_results(output / model.recipe)) for model in models]
     text = answers_text([(label, read_answer(results)) for label, results in found])
+    text += f"\n{made_by(jobs, output)}"
     tell(output / f"{name}.md", [(name.capitalize(), text), ("Areas", areas_text(found))])
     list_files(draw_forces(found, tests or (), output, name))
     if into:
@@ -95,20 +97,21 @@ def runs_command(
 ) -> None:
     """All runs that the page of the damage impact tells of, and what they are held against."""
     wanted = (*runs.RUNS, runs.ELASTIC)
-    if not kept:
-        jobs = [run.job(overrides or ()) for run in wanted]
-        run_all(find_tools(plydyn), jobs, output, parallel, again)
+    jobs = [run.job(overrides or ()) for run in wanted]
+    failed = [] if kept else run_most(find_tools(plydyn), jobs, output, parallel, again)
     found = runs.collect(wanted, output)
     if not found:
         raise StudyError(f"no run has come to its end in {output}")
     shown = [(run, results) for run, results in found if run is not runs.ELASTIC]
     held = [one for one in found if one[0] in (runs.ELASTIC, runs.LINEAR, runs.COARSE)]
-    sections = [("Runs", runs.runs_text(shown)), ("Bounds", runs.bounds_text(held))]
+    text = f"{runs.runs_text(shown)}\n{made_by(jobs, output)}"
+    sections = [("Runs", text), ("Bounds", runs.bounds_text(held))]
     tell(output / "runs.md", sections)
     list_files(draw_forces([(run.words, one) for run, one in shown], (), output, "runs"))
     if into:
         for heading, text in sections:
             insert(into, heading.lower(), text)
+    complain(failed)
 
 
 @app.command()
@@ -119,20 +122,18 @@ def table7(
     kept: Kept = False,
     into: Into = None,
     plydyn: Solver = None,
+    parallel: Annotated[
+        int, typer.Option("--parallel", help="Runs on one core at a time.", min=1)
+    ] = 1,
     overrides: Overrides = None,
 ) -> None:
     """Steps and times of the models of Table 7; wants a quiet machine. Rows that lie there stay."""
     tools = find_tools(plydyn)
     chosen = [model_of(name) for name in models.split(",")] if models else list(MODELS)
     numbers = [int(number) for number in threads.split(",")]
-    if not kept:
-        with progress() as bar:
-            line = bar.add_task("", total=len(chosen) * len(numbers))
-
-            def tick(name: str, done: float) -> None:
-                bar.update(line, completed=done, description=name)
-
-            damage_times.measure(tools, output, chosen, numbers, overrides or (), tick)
+    for number in () if kept else numbers:
+        jobs = [damage_times.job_of(model, number, overrides or ()) for model in chosen]
+        run_all(tools, jobs, output, parallel if number == 1 else 1, True, number)
     found = damage_times.collect(output, numbers)
     if not found:
         raise StudyError(f"no model has run to its end in {output}")
@@ -160,21 +161,24 @@ def implicit_command(
 ) -> None:
     """Force, areas, energies and time with implicit interfaces beside central differences."""
     cases = implicit.cases_of(models, wanted, overrides or ())
-    if not kept:
-        run_all(find_tools(plydyn), [case.job for case in cases], output, parallel, again)
+    jobs = [case.job for case in cases]
+    failed = [] if kept else run_most(find_tools(plydyn), jobs, output, parallel, again)
     found = implicit.collect(cases, output)
     if not found:
         raise StudyError(f"no model has run to its end in {output}")
-    text = implicit.implicit_text(found, output)
+    text = f"{implicit.implicit_text(found, output)}\n{made_by(jobs, output)}"
     tell(output / "implicit.md", [("Implicit interfaces", text)])
     if into:
         insert(into, "implicit", text)
+    complain(failed)
 
 
 @app.command()
 def choices(
     output: Folder = DEFAULT / "choices",
-    model: Recipe = "q192_le1",
+    model: Annotated[
+        str, typer.Option("--model", help="Recipe that the others differ from.")
+    ] = open_choices.MODEL,
     only: Annotated[str, typer.Option("--only", help="Names of choices, by commas.")] = "",
     without: Annotated[str, typer.Option("--without", help="Names of those not to make.")] = "",
     kept: Kept = False,
@@ -185,46 +189,21 @@ def choices(
     again: Again = False,
 ) -> None:
     """What each choice that the paper leaves open does to the force and to the areas."""
-    wanted = open_choices.pick(only, model, overrides or (), without)
-    jobs = [open_choices.job_of(choice, model, overrides or ()) for choice in wanted]
-    if not kept:
-        run_all(find_tools(plydyn), jobs, output, parallel, again)
+    replaced = (*open_choices.SHORT, *(overrides or ()))
+    wanted = open_choices.pick(only, model, replaced, without)
+    jobs = [open_choices.job_of(choice, model, replaced) for choice in wanted]
+    failed = [] if kept else run_most(find_tools(plydyn), jobs, output, parallel, again)
     found = [
         (choice, open_results(output / job.name))
         for choice, job in zip(wanted, jobs, strict=True)
         if kept_effort(job, output)
     ]
+    if BASE not in [choice for choice, _ in found]:
+        raise StudyError("\n".join([f"{model} has not run to its end in {output}", *failed]))
     text = open_choices.choices_text([(choice, read_answer(one)) for choice, one in found])
+    text += f"\n{made_by(jobs, output)}"
     areas = areas_text([(choice.name, one) for choice, one in found])
     tell(output / "choices.md", [("Open choices", text), ("Areas", areas)])
     if into:
         insert(into, "choices", text)
-
-
-@app.command()
-def refine(
-    output: Folder = DEFAULT / "refine",
-    model: Recipe = "quarter",
-    sizes: Annotated[str, typer.Option("--n", help="Quads along the core.")] = "8,12,16,24,32",
-    kept: Kept = False,
-    into: Into = None,
-    marks: Annotated[
-        str, typer.Option("--marks", help="Marks of the page that the tables go between.")
-    ] = "refinement",
-    plydyn: Solver = None,
-    parallel: Parallel = 1,
-    overrides: Overrides = None,
-    again: Again = False,
-) -> None:
-    """Finer and finer meshes, rings in proportion, until force, areas and energies settle."""
-    jobs = refinement.jobs_of(model, sizes, overrides or ())
-    if not kept:
-        run_all(find_tools(plydyn), jobs, output, parallel, again)
-    found = refinement.collect(jobs, output)
-    if not found:
-        raise StudyError(f"no mesh has run to its end in {output}")
-    sections = refinement.sections_of(found)
-    tell(output / f"{model}.md", sections)
-    list_files(refinement.draw(found, output, model))
-    if into:
-        insert(into, marks, "\n".join(text for _, text in sections))
+    complain(failed)

@@ -26,28 +26,11 @@ class Timing:
     peak: float  # N, 20 µs mean
 
 
-def measure(
-    tools: Tools,
-    folder: Path,
-    models: Sequence[Model],
-    threads: Sequence[int],
-    overrides: Sequence[str],
-    tick: Callable[[str, float], None],
-) -> None:
-    """Run models on each number of threads, one after the other."""
-    done = 0
-    for model in models:
-        for number in threads:
-            follow = partial(_follow, tick, f"{model.label}, {_cores(number)}", done)
-            run_job(tools, _job(model, number, overrides), folder, follow, threads=number)
-            done += 1
-
-
 def collect(folder: Path, threads: Sequence[int]) -> list[Timing]:
     """What the models took whose results lie in a folder."""
     found = []
     for model in MODELS:
-        jobs = [_job(model, number) for number in threads]
+        jobs = [job_of(model, number) for number in threads]
         efforts = tuple(kept_effort(job, folder) for job in jobs)
         done = [job for job, effort in zip(jobs, efforts, strict=True) if effort]
         if not done:
@@ -58,14 +41,9 @@ def collect(folder: Path, threads: Sequence[int]) -> list[Timing]:
     return found
 
 
-def _job(model: Model, threads: int, overrides: Sequence[str] = ()) -> Job:
+def job_of(model: Model, threads: int, overrides: Sequence[str] = ()) -> Job:
     """The job of a model on some threads."""
     return replace(model.job(overrides), name=f"{model.recipe}_on_{threads}")
-
-
-def _follow(tick: Callable[[str, float], None], name: str, done: int, share: float) -> None:
-    """Tell how far all runs are when one is at a share."""
-    tick(name, done + share)
 
 
 def times_text(timings: Sequence[Timing], threads: Sequence[int], version: str) -> str:

@@ -167,6 +167,13 @@ def kept_effort(job: Job, folder: Path) -> Effort | None:
     return read_effort(listing, took["wall"], took["processor"])
 
 
+def made_by(jobs: Sequence[Job], folder: Path) -> str:
+    """A sentence that names the builds which made the runs of jobs that lie in a folder."""
+    done = [job for job in jobs if kept_effort(job, folder)]
+    heads = [(folder / f"{job.name}.out").read_text(encoding="utf-8") for job in done]
+    return f"Made by {' and '.join(sorted({head.splitlines()[0] for head in heads}))}.\n"
+
+
 def freedoms_of(results: Results) -> int:
     """Degrees of freedom of a job that has run."""
     return read_effort(results.folder / f"{results.job}.out", 0.0, 0.0).freedoms

@@ -49,7 +49,6 @@ def environment(tree: Path, **more: str) -> dict[str, str]:
     return {**os.environ, **changed, **more}
 
 
-@pytest.mark.skipif(shutil.which("tclsh") is None, reason="module files need tclsh to be read")
 def test_module_file_leads_to_the_tree(tree: Path) -> None:
     """The program is found by its name, says its version, and the manual lies beside it."""
     found = environment(tree)
