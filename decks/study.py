@@ -15,6 +15,7 @@
     .venv/bin/python decks/study.py implicit
     .venv/bin/python decks/study.py choices
     .venv/bin/python decks/study.py refine
+    .venv/bin/python decks/study.py variants
 
 Decks, results, tables and figures go to ``results/study``; ``--into`` puts a table into a page,
 between its two marks.
@@ -30,7 +31,15 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, open_results
 from plydyn_pre.errors import PreError
 
-from studies import brick_commands, damage_commands, ladder, schemes, stress, times
+from studies import (
+    brick_commands,
+    damage_commands,
+    ladder,
+    refinement_commands,
+    schemes,
+    stress,
+    times,
+)
 from studies.commands import (
     DEFAULT,
     Again,
@@ -51,7 +60,7 @@ from studies.ladder_figures import draw_ladder
 from studies.markdown import insert
 from studies.rungs import ORDER, OUTPUTS, open_rungs, rungs
 
-__all__ = ["brick_commands", "damage_commands", "main"]
+__all__ = ["brick_commands", "damage_commands", "main", "refinement_commands"]
 
 FAILED = 3
 

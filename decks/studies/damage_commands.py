@@ -30,7 +30,7 @@ from studies.commands import (
 )
 from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
 from studies.damage_figures import draw_forces
-from studies.jobs import StudyError, find_tools, kept_effort, made_by
+from studies.jobs import StudyError, builds, find_tools, kept_effort, made_by
 from studies.markdown import insert
 
 Tests = Annotated[
@@ -128,16 +128,17 @@ def table7(
     overrides: Overrides = None,
 ) -> None:
     """Steps and times of the models of Table 7; wants a quiet machine. Rows that lie there stay."""
-    tools = find_tools(plydyn)
     chosen = [model_of(name) for name in models.split(",")] if models else list(MODELS)
     numbers = [int(number) for number in threads.split(",")]
     for number in () if kept else numbers:
         jobs = [damage_times.job_of(model, number, overrides or ()) for model in chosen]
-        run_all(tools, jobs, output, parallel if number == 1 else 1, True, number)
+        at_once = parallel if number == 1 else 1
+        run_all(find_tools(plydyn), jobs, output, at_once, True, number)
     found = damage_times.collect(output, numbers)
     if not found:
         raise StudyError(f"no model has run to its end in {output}")
-    text = damage_times.times_text(found, numbers, tools.version())
+    jobs = [damage_times.job_of(model, number) for model in MODELS for number in numbers]
+    text = damage_times.times_text(found, numbers, builds(jobs, output, lines=3))
     tell(output / "table7.md", [("Table 7", text)])
     if into:
         insert(into, "table 7", text)

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
 from plydyn_post.results import open_results
 
 from studies.damage import MODELS, Model, read_answer
-from studies.jobs import Effort, Job, Tools, kept_effort, run_job
+from studies.jobs import Effort, Job, kept_effort
 from studies.markdown import table
 from studies.times import NS, UNDISTURBED, processor
 

@@ -167,11 +167,16 @@ def kept_effort(job: Job, folder: Path) -> Effort | None:
     return read_effort(listing, took["wall"], took["processor"])
 
 
-def made_by(jobs: Sequence[Job], folder: Path) -> str:
-    """A sentence that names the builds which made the runs of jobs that lie in a folder."""
+def builds(jobs: Sequence[Job], folder: Path, lines: int = 1) -> str:
+    """The builds that made the runs of jobs which lie in a folder; what they say of themselves."""
     done = [job for job in jobs if kept_effort(job, folder)]
-    heads = [(folder / f"{job.name}.out").read_text(encoding="utf-8") for job in done]
-    return f"Made by {' and '.join(sorted({head.splitlines()[0] for head in heads}))}.\n"
+    texts = [(folder / f"{job.name}.out").read_text(encoding="utf-8") for job in done]
+    return " and ".join(sorted({"; ".join(text.splitlines()[:lines]) for text in texts}))
+
+
+def made_by(jobs: Sequence[Job], folder: Path) -> str:
+    """A sentence that names the builds which made those runs."""
+    return f"Made by {builds(jobs, folder)}.\n"
 
 
 def freedoms_of(results: Results) -> int:

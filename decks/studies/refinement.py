@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from plydyn_post.results import Results, open_results
+from plydyn_pre.recipe import load_recipe
 
 from studies.damage import (
     RECIPES,
@@ -36,16 +37,54 @@ class Refined:
     results: Results
 
 
-def jobs_of(model: str, sizes: str, overrides: Sequence[str]) -> list[Job]:
-    """A model with n x n quads in the core for some n, by commas; rings in proportion, n / 2."""
+@dataclass(frozen=True)
+class Ladder:
+    """A recipe with n x n quads in the core for some n; rings in proportion, n / 2."""
+
+    model: str
+    sizes: tuple[int, ...]
+    overrides: tuple[str, ...] = ()
+
+    def jobs(self, overrides: Sequence[str] = ()) -> list[Job]:
+        """Its jobs from the coarsest on; values may be replaced further."""
+        path = RECIPES / f"{self.model}.toml"
+        return [
+            Job(f"{self.model}_n{n}", path, (*mesh_of(n), *self.overrides, *overrides))
+            for n in self.sizes
+        ]
+
+
+#: The ladders of the page; a whole disc goes as far as its quarter
+LADDERS = (
+    Ladder("quarter", (8, 12, 16, 24, 32, 48)),
+    Ladder("quarter_elastic", (12, 16, 24)),
+    Ladder("coarse", (8, 12, 16, 24), ("control.end_time=1.5e-3",)),
+)
+
+
+def mesh_of(n: int) -> tuple[str, str]:
+    """Values that make a mesh with n x n quads in the core."""
+    return f"mesh.n={n}", f"mesh.rings={max(2, n // 2)}"
+
+
+def pick(model: str, sizes: str) -> list[Ladder]:
+    """The ladder of a recipe with some n, by commas; without them those of the page."""
+    found = [one for one in LADDERS if model in ("", one.model)]
     numbers = sorted({int(number) for number in sizes.split(",") if number.strip()})
-    if not numbers or numbers[0] < 2:
+    if numbers and numbers[0] < 2:
         raise StudyError("--n must name numbers of quads of 2 and more")
-    path = RECIPES / f"{model}.toml"
-    return [
-        Job(f"{model}_n{n}", path, (f"mesh.n={n}", f"mesh.rings={max(2, n // 2)}", *overrides))
-        for n in numbers
-    ]
+    if not found and not numbers:
+        raise StudyError(f"{model} has no ladder on the page; --n must name numbers of quads")
+    if numbers:
+        found = [replace(one, sizes=tuple(numbers)) for one in found or [Ladder(model, ())]]
+    return found
+
+
+def work(job: Job) -> float:
+    """How much work a run is beside others: more quads, and shorter steps the smaller they are."""
+    study = load_recipe(job.recipe, job.overrides)
+    mesh = study.mesh
+    return study.share * (mesh.n**2 + 4 * mesh.n * mesh.rings) * mesh.n / mesh.core
 
 
 def collect(jobs: Sequence[Job], folder: Path) -> list[Refined]:
