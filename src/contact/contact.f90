@@ -12,6 +12,7 @@ module plydyn_contact_contact
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_contact_constraint, only : constraints_type, new_constraints, opening
+   use plydyn_contact_correction, only : correction_type, new_correction
    use plydyn_contact_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_near, only : near_type, new_near
    use plydyn_contact_nodes, only : new_nodes, node_set_type, point_distance
@@ -53,6 +54,8 @@ module plydyn_contact_contact
    type, public :: contact_pair_type
       !> What of the surface is near the impactor: nothing else is pushed
       type(near_type) :: near
+      !> What the last step added to the surface points
+      type(correction_type) :: correction
       type(contact_setup_type), private :: setup
       !> Inverse mass of the impactor along x, y, z, zero where held
       real(wp), private :: impactor_inverse(3) = 0.0_wp
@@ -92,6 +95,7 @@ contains
       call new_near(self%near, self%surface, setup%radius)
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
+      call new_correction(self%correction, size(position, 2))
       if (setup%exact_sphere) then
          call refuse_passage(setup%radius, &
             & point_distance(self%surface, position, centre, setup%radius), error)
@@ -172,8 +176,7 @@ contains
    end subroutine recall
 
    !> Push impactor and plate apart where their trial positions penetrate
-   pure subroutine enforce(self, position, inverse_mass, dt, centre, correction, &
-      & centre_correction, result)
+   pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result)
       !> The pair
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, of all if `near%needs_all`, else of those in
@@ -185,8 +188,6 @@ contains
       real(wp), intent(in) :: dt
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> To add to the surface points of `near%point`, (3, points), length
-      real(wp), contiguous, intent(inout) :: correction(:, :)
       !> To add to the centre, length
       real(wp), intent(out) :: centre_correction(3)
       !> Force and more
@@ -197,7 +198,7 @@ contains
       centre_correction(:) = 0.0_wp
       self%rows%count = 0
       call self%near%update(self%surface, position, centre, rebuilt)
-      correction(:, self%near%point) = 0.0_wp
+      call self%correction%clear()
       if (self%setup%exact_sphere) then
          call collect_points(self, position, centre)
       else
@@ -206,18 +207,19 @@ contains
       end if
       if (self%rows%count == 0) return
 
+      call self%correction%list(self%rows)
       if (is_separate(self%rows, inverse_mass, self%impactor_inverse)) then
-         call solve_separate(self%rows, inverse_mass, self%impactor_inverse, correction, &
-            & centre_correction)
+         call solve_separate(self%rows, inverse_mass, self%impactor_inverse, &
+            & self%correction%move, centre_correction)
       else
          call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
-            & correction, centre_correction)
+            & self%correction%move, centre_correction)
       end if
-      call self%near%shift(correction)
+      call self%near%shift(self%correction%farthest())
       if (.not. self%setup%exact_sphere) then
          self%nodes%push(self%rows%source(:self%rows%count)) = self%rows%push(:self%rows%count)
       end if
-      call report(self%rows, dt, correction, centre_correction, result)
+      call report(self%rows, dt, self%correction%move, centre_correction, result)
    end subroutine enforce
 
    !> Make a row of every point of the plate inside the sphere

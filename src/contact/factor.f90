@@ -16,6 +16,8 @@ module plydyn_contact_factor
       integer :: count = 0
       !> Lower triangle, larger than needed
       real(wp), allocatable, private :: lower(:, :)
+      !> Inverse of each entry of its diagonal
+      real(wp), allocatable, private :: inverse(:)
    contains
       procedure :: append
       procedure :: remove
@@ -44,6 +46,7 @@ contains
       call solve_lower(self, row)
       self%lower(n + 1, :n) = row
       self%lower(n + 1, n + 1) = sqrt(max(diagonal - sum(row**2), least_pivot))
+      self%inverse(n + 1) = 1.0_wp/self%lower(n + 1, n + 1)
       self%count = n + 1
    end subroutine append
 
@@ -73,6 +76,7 @@ contains
             self%lower(i, j) = cosine*old + sine*self%lower(i, j + 1)
             self%lower(i, j + 1) = cosine*self%lower(i, j + 1) - sine*old
          end do
+         self%inverse(j) = 1.0_wp/self%lower(j, j)
       end do
       self%count = n
    end subroutine remove
@@ -94,7 +98,7 @@ contains
          do i = j + 1, self%count
             total = total - self%lower(i, j)*vector(i)
          end do
-         vector(j) = total/self%lower(j, j)
+         vector(j) = total*self%inverse(j)
       end do
    end subroutine solve
 
@@ -108,7 +112,7 @@ contains
       integer :: i, j
 
       do j = 1, self%count
-         vector(j) = vector(j)/self%lower(j, j)
+         vector(j) = vector(j)*self%inverse(j)
          do i = j + 1, self%count
             vector(i) = vector(i) - self%lower(i, j)*vector(j)
          end do
@@ -120,17 +124,20 @@ contains
       !> The factor
       type(factor_type), intent(inout) :: self
 
-      real(wp), allocatable :: larger(:, :)
+      real(wp), allocatable :: larger(:, :), longer(:)
       integer :: capacity
 
       if (.not. allocated(self%lower)) then
          allocate (self%lower(first_capacity, first_capacity), source=0.0_wp)
+         allocate (self%inverse(first_capacity), source=0.0_wp)
       end if
       if (self%count < size(self%lower, 1)) return
       capacity = 2*size(self%lower, 1)
-      allocate (larger(capacity, capacity), source=0.0_wp)
+      allocate (larger(capacity, capacity), longer(capacity), source=0.0_wp)
       larger(:self%count, :self%count) = self%lower
+      longer(:self%count) = self%inverse
       call move_alloc(larger, self%lower)
+      call move_alloc(longer, self%inverse)
    end subroutine grow
 
 end module plydyn_contact_factor

@@ -128,20 +128,13 @@ contains
    end subroutine update
 
    !> Listed points have been pushed besides
-   pure subroutine shift(self, correction)
+   pure subroutine shift(self, farthest)
       !> The list
       class(near_type), intent(inout) :: self
-      !> How far, (3, points), length
-      real(wp), contiguous, intent(in) :: correction(:, :)
+      !> At most so far, length
+      real(wp), intent(in) :: farthest
 
-      integer :: i
-      real(wp) :: farthest
-
-      farthest = 0.0_wp
-      do i = 1, size(self%point)
-         farthest = max(farthest, sum(correction(:, self%point(i))**2))
-      end do
-      self%slack = self%slack - sqrt(farthest)
+      self%slack = self%slack - farthest
    end subroutine shift
 
    !> How far the nearest facet that is not listed is from having to be

@@ -285,7 +285,7 @@ contains
       self%facet(node) = merge(0, foot%facet, foot%beside)
       self%place(:, node) = foot%place
       if (foot%gap >= 0.0_wp) then
-         self%wake(node) = near%travel + norm2(foot%gap_vector)
+         self%wake(node) = near%travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
       else if (foot%beside) then
          ! below the border: how far beyond it
          self%wake(node) = near%travel + norm2(foot%gap_vector - foot%gap*foot%normal)

@@ -6,9 +6,9 @@
 !> the walk ends in the facet under the point, as it does for anything but a folded plate.
 module plydyn_contact_surface
    use plydyn_base_precision, only : wp
+   use plydyn_contact_facet, only : facet_polynomial, frame_at, frame_eta, frame_eta_eta, &
+      & frame_size, frame_value, frame_xi, frame_xi_eta, frame_xi_xi, wide
    use plydyn_contact_neighbours, only : find_neighbours, sides
-   use plydyn_fem_shape, only : jet_eta, jet_eta_eta, jet_size, jet_value, jet_xi, jet_xi_eta, &
-      & jet_xi_xi, shape_jets
    implicit none
    private
 
@@ -135,16 +135,17 @@ contains
 
       type(foot_type) :: trial
       integer :: side, walk
-      real(wp) :: distance
+      real(wp) :: distance, least
 
       trial = foot
-      distance = huge(1.0_wp)
+      least = huge(1.0_wp)
       do walk = 1, most_walks
          call descend(self, position, point, trial, side)
-         if (norm2(trial%gap_vector) > (1.0_wp - least_gain)*distance) return
+         distance = sqrt(dot_product(trial%gap_vector, trial%gap_vector))
+         if (distance > (1.0_wp - least_gain)*least) return
          foot = trial
          if (side == 0) return
-         distance = norm2(trial%gap_vector)
+         least = distance
          call cross(self, side, trial)
       end do
    end subroutine project
@@ -191,15 +192,15 @@ contains
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
-      real(wp) :: frame(jet_size, 3), last, squared, step(2), x(3, self%nodes)
+      real(wp) :: frame(wide, frame_size), last, polynomial(wide, 0:2, 0:2), squared, step(2)
       integer :: iteration
 
-      x(:, :) = position(:, self%facet(:, foot%facet))
+      call see_facet(self, position, point, foot%facet, polynomial)
       last = 0.5_wp*huge(1.0_wp)
       step(:) = 1.0_wp
       do iteration = 1, most_steps
-         frame(:, :) = frame_at(self%nodes, x, foot%place)
-         foot%gap_vector(:) = point - frame(jet_value, :)
+         call frame_at(polynomial, foot%place, frame)
+         foot%gap_vector(:) = -frame(:3, frame_value)
          if (maxval(abs(step)) <= last_step .or. iteration == most_steps) exit
          squared = dot_product(foot%gap_vector, foot%gap_vector)
          if (squared > (1.0_wp + round_off)*last) then
@@ -215,31 +216,54 @@ contains
       call finish_foot(self, frame, foot, side)
    end subroutine descend
 
+   !> A facet as a polynomial, seen from a point
+   pure subroutine see_facet(self, position, point, facet, polynomial)
+      !> The surface
+      type(surface_type), intent(in) :: self
+      !> Surface points, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Any point, length
+      real(wp), intent(in) :: point(3)
+      !> Which facet
+      integer, intent(in) :: facet
+      !> The facet relative to the point
+      real(wp), intent(out) :: polynomial(wide, 0:2, 0:2)
+
+      real(wp) :: x(wide, self%nodes)
+      integer :: i
+
+      do i = 1, self%nodes
+         x(:3, i) = position(:, self%facet(i, facet)) - point
+         x(wide, i) = 0.0_wp
+      end do
+      call facet_polynomial(self%nodes, x, polynomial)
+   end subroutine see_facet
+
    !> Newton step towards the closest point, kept inside the facet
    pure function newton_step(frame, gap_vector, place) result(step)
       !> The facet at the place
-      real(wp), intent(in) :: frame(jet_size, 3)
+      real(wp), intent(in) :: frame(wide, frame_size)
       !> From there to the point, length
       real(wp), intent(in) :: gap_vector(3)
       !> Place in the facet
       real(wp), intent(in) :: place(2)
       real(wp) :: step(2)
 
-      real(wp) :: along_gap(jet_size), curve(3), determinant, metric(3)
+      real(wp) :: along_gap(frame_size), curve(3), determinant, metric(3)
 
-      along_gap(:) = frame(:, 1)*gap_vector(1) + frame(:, 2)*gap_vector(2) &
-         & + frame(:, 3)*gap_vector(3)
-      metric(1) = dot_product(frame(jet_xi, :), frame(jet_xi, :))
-      metric(2) = dot_product(frame(jet_eta, :), frame(jet_eta, :))
-      metric(3) = dot_product(frame(jet_xi, :), frame(jet_eta, :))
-      curve(:) = metric - along_gap([jet_xi_xi, jet_eta_eta, jet_xi_eta])
+      along_gap(:) = frame(1, :)*gap_vector(1) + frame(2, :)*gap_vector(2) &
+         & + frame(3, :)*gap_vector(3)
+      metric(1) = dot_product(frame(:3, frame_xi), frame(:3, frame_xi))
+      metric(2) = dot_product(frame(:3, frame_eta), frame(:3, frame_eta))
+      metric(3) = dot_product(frame(:3, frame_xi), frame(:3, frame_eta))
+      curve(:) = metric - along_gap(frame_xi_xi:frame_xi_eta)
       determinant = curve(1)*curve(2) - curve(3)**2
-      if (any(curve(:2) < regular*metric(:2)) .or. determinant < regular*product(metric(:2))) then
+      if (any(curve(:2) < regular*metric(:2)) .or. determinant < regular*metric(1)*metric(2)) then
          ! not convex here: Gauss-Newton
          curve(:) = metric
          determinant = curve(1)*curve(2) - curve(3)**2
       end if
-      associate (slope => along_gap(jet_xi:jet_eta))
+      associate (slope => along_gap(frame_xi:frame_eta))
          step(1) = (curve(2)*slope(1) - curve(3)*slope(2))/determinant
          step(2) = (curve(1)*slope(2) - curve(3)*slope(1))/determinant
          call keep_inside(place, slope, curve, step)
@@ -274,7 +298,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: self
       !> The facet at the foot
-      real(wp), intent(in) :: frame(jet_size, 3)
+      real(wp), intent(in) :: frame(wide, frame_size)
       !> Facet, place and gap vector in, all out
       type(foot_type), intent(inout) :: foot
       !> Side with a neighbour beyond which the point lies, 0 for none
@@ -283,7 +307,7 @@ contains
       real(wp) :: over(sides), towards(sides)
       integer :: s
 
-      foot%normal(:) = self%side*unit_normal(frame(jet_xi, :), frame(jet_eta, :))
+      foot%normal(:) = self%side*unit_normal(frame(:3, frame_xi), frame(:3, frame_eta))
       foot%gap = dot_product(foot%gap_vector, foot%normal)
       foot%beside = .false.
       side = 0
@@ -291,8 +315,8 @@ contains
       if (all(towards < at_side)) return
 
       ! how far beyond each side the point lies, in local coordinates
-      over(2) = dot_product(foot%gap_vector, frame(jet_xi, :))/sum(frame(jet_xi, :)**2)
-      over(3) = dot_product(foot%gap_vector, frame(jet_eta, :))/sum(frame(jet_eta, :)**2)
+      over(2) = dot_product(foot%gap_vector, frame(:3, frame_xi))/sum(frame(:3, frame_xi)**2)
+      over(3) = dot_product(foot%gap_vector, frame(:3, frame_eta))/sum(frame(:3, frame_eta)**2)
       over(1) = -over(3)
       over(4) = -over(2)
       over(:) = merge(over, 0.0_wp, towards >= at_side)
@@ -317,31 +341,7 @@ contains
       normal(1) = along_xi(2)*along_eta(3) - along_xi(3)*along_eta(2)
       normal(2) = along_xi(3)*along_eta(1) - along_xi(1)*along_eta(3)
       normal(3) = along_xi(1)*along_eta(2) - along_xi(2)*along_eta(1)
-      normal(:) = normal/norm2(normal)
+      normal(:) = normal/sqrt(dot_product(normal, normal))
    end function unit_normal
-
-   !> Position, tangents and second derivatives of a facet, (jet_size, 3)
-   pure function frame_at(nodes, x, place) result(frame)
-      !> Points of the facet: how many, and where, length
-      integer, intent(in) :: nodes
-      real(wp), intent(in) :: x(3, nodes)
-      !> Place in the facet
-      real(wp), intent(in) :: place(2)
-      real(wp) :: frame(jet_size, 3)
-
-      real(wp) :: jet(jet_size, nodes)
-      integer :: i, k
-
-      call shape_jets(nodes, place(1), place(2), jet)
-      frame(:, :) = 0.0_wp
-      do i = 1, nodes
-         !$omp simd
-         do k = 1, jet_size
-            frame(k, 1) = frame(k, 1) + jet(k, i)*x(1, i)
-            frame(k, 2) = frame(k, 2) + jet(k, i)*x(2, i)
-            frame(k, 3) = frame(k, 3) + jet(k, i)*x(3, i)
-         end do
-      end do
-   end function frame_at
 
 end module plydyn_contact_surface

@@ -5,6 +5,7 @@ module plydyn_solver_contacts
    use plydyn_base_text, only : text
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
+   use plydyn_contact_correction, only : correction_type
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
    use plydyn_solver_column_inertia, only : pull_column
@@ -19,8 +20,8 @@ module plydyn_solver_contacts
    type :: pair_type
       !> Geometry and multipliers
       type(contact_pair_type) :: pair
-      !> Trial positions of the surface points and what contact adds to them, (3, points)
-      real(wp), allocatable :: position(:, :), correction(:, :)
+      !> Trial positions of the surface points, (3, points)
+      real(wp), allocatable :: position(:, :)
       !> Their inverse mass, zero in directions that do not give way now, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
       !> Listed points near the impactor, rank by rank, and how many of them each rank counts
@@ -73,7 +74,6 @@ contains
             end if
             pair%position = surface%position
             pair%inverse_mass = surface%inverse_mass
-            allocate (pair%correction(3, size(surface%position, 2)))
             allocate (pair%sent(3*count(surface%own)), pair%received(size(surface%position)))
             gap = pair%pair%initial_gap(surface%position, impactor%centre)
             if (gap >= -touching*impactor%radius) cycle
@@ -189,13 +189,12 @@ contains
             call resist_moved(domain, surface, state%time, self%inverse_mass)
          end if
          call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
-            & self%correction, centre_correction, found)
+            & centre_correction, found)
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(domain, surface, self%pair%near%point, self%inverse_mass, &
-            & self%correction, state)
+         call push_plate(domain, surface, self%inverse_mass, self%pair%correction, state)
          call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
             & state, domain%contacts(i)%impactor)
       end associate
@@ -283,37 +282,36 @@ contains
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which that before is the velocity at the full step. What shares its
    !> inertia with the points follows
-   pure subroutine push_plate(domain, surface, points, inverse_mass, correction, state)
+   pure subroutine push_plate(domain, surface, inverse_mass, correction, state)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
-      !> Points that may have been pushed
-      integer, intent(in) :: points(:)
-      real(wp), intent(in) :: inverse_mass(:, :), correction(:, :)
+      real(wp), intent(in) :: inverse_mass(:, :)
+      type(correction_type), intent(in) :: correction
       type(state_type), intent(inout) :: state
 
-      real(wp) :: jump, mass, power, work
+      real(wp) :: jump, mass, move, power, work
       integer :: c, i, k
 
-      do i = 1, size(points)
-         k = points(i)
+      do i = 1, correction%count
+         k = correction%point(i)
          if (surface%freedom(1, k) == 0) cycle
          power = 0.0_wp
          work = 0.0_wp
          do c = 1, 3
-            if (inverse_mass(c, k) <= 0.0_wp .or. abs(correction(c, k)) <= 0.0_wp) cycle
+            move = correction%move(c, k)
+            if (inverse_mass(c, k) <= 0.0_wp .or. abs(move) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
                & u => state%displacement(surface%freedom(c, k)), &
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/inverse_mass(c, k)
-               jump = correction(c, k)/state%step
+               jump = move/state%step
                work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
                power = power + mass*a*jump
                v = v + jump
-               u = u + correction(c, k)
+               u = u + move
             end associate
             if (domain%thickness%active) then
-               call pull_column(domain%thickness, domain%columns, surface, k, c, &
-                  & correction(c, k), state)
+               call pull_column(domain%thickness, domain%columns, surface, k, c, move, state)
             end if
          end do
          if (.not. surface%own(k)) cycle

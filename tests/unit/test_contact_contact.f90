@@ -40,7 +40,7 @@ contains
       integer, intent(in) :: method
 
       real(wp), parameter :: speed = 2.0_wp
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       real(wp) :: after, both, loss, small
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
@@ -49,13 +49,13 @@ contains
       call build(method, pair, position, inverse, centre)
       small = 1.0_wp/inverse(3, middle)
       centre(3) = centre(3) - speed*dt
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+      call pair%enforce(position, inverse, dt, centre, lift, result)
       both = -mass*speed/(mass + small)
       after = -speed + lift(3)/dt
       call check(after, both, 1.0e-11_wp, "velocity of the impactor")
-      call check(correction(3, middle)/dt, both, 1.0e-11_wp, "velocity of the point")
+      call check(pair%correction%move(3, middle)/dt, both, 1.0e-11_wp, "velocity of the point")
       loss = 0.5_wp*mass*speed**2 - 0.5_wp*mass*after**2 &
-         & - 0.5_wp*small*(correction(3, middle)/dt)**2
+         & - 0.5_wp*small*(pair%correction%move(3, middle)/dt)**2
       call check(loss, 0.5_wp*small*mass/(mass + small)*speed**2, 1.0e-11_wp, "loss")
       call check(result%force(3), mass*lift(3)/dt**2, 1.0e-9_wp, "force")
       call check(result%active, 1, "one node presses")
@@ -67,7 +67,7 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
       integer :: step
@@ -75,10 +75,10 @@ contains
       call begin("enforce, rest"//which(method))
       call build(method, pair, position, inverse, centre)
       do step = 1, 10
-         call pair%enforce(position, inverse, dt, centre, correction, lift, result)
-         position(:, :) = position + correction
+         call pair%enforce(position, inverse, dt, centre, lift, result)
+         position(:, :) = position + pair%correction%move
          centre(:) = centre + lift
-         call check(maxval(abs(correction)), 0.0_wp, 1.0e-15_wp, "the plate stays")
+         call check(maxval(abs(pair%correction%move)), 0.0_wp, 1.0e-15_wp, "the plate stays")
          call check(lift, spread(0.0_wp, 1, 3), 1.0e-15_wp, "the impactor stays")
       end do
    end subroutine check_rest
@@ -89,7 +89,7 @@ contains
       integer, intent(in) :: method
 
       real(wp), parameter :: gravity = 9.81_wp
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       real(wp) :: velocity
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
@@ -102,11 +102,11 @@ contains
       do step = 1, 5
          velocity = velocity - gravity*dt
          centre(3) = centre(3) + velocity*dt
-         call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+         call pair%enforce(position, inverse, dt, centre, lift, result)
          velocity = velocity + lift(3)/dt
          centre(:) = centre + lift
          call check(result%force(3), mass*gravity, 1.0e-7_wp, "the force is the weight")
-         call check(maxval(abs(correction)), 0.0_wp, 0.0_wp, "held points stay")
+         call check(maxval(abs(pair%correction%move)), 0.0_wp, 0.0_wp, "held points stay")
       end do
    end subroutine check_weight
 
@@ -115,21 +115,21 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
 
       call begin("enforce, separation"//which(method))
       call build(method, pair, position, inverse, centre)
       centre(3) = centre(3) - 1.0e-2_wp
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+      call pair%enforce(position, inverse, dt, centre, lift, result)
       call check(result%force(3) > 0.0_wp, "it pushes while pressed")
       centre(:) = centre + lift + [0.0_wp, 0.0_wp, 1.0e-6_wp]
-      position(:, :) = position + correction
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+      position(:, :) = position + pair%correction%move
+      call pair%enforce(position, inverse, dt, centre, lift, result)
       call check(result%force, spread(0.0_wp, 1, 3), 0.0_wp, "no force when it leaves")
       call check(result%active, 0, "no node presses")
-      call check(maxval(abs(correction)), 0.0_wp, 0.0_wp, "no motion")
+      call check(maxval(abs(pair%correction%move)), 0.0_wp, 0.0_wp, "no motion")
    end subroutine check_separation
 
    !> Over a corner of four facets all that contact does has the symmetry of the square
@@ -137,7 +137,7 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       real(wp) :: down(line, line), scale
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
@@ -147,8 +147,8 @@ contains
       ! a dish with folds between the facets
       position(3, :) = 0.02_wp*(abs(position(1, :)) + abs(position(2, :)))
       centre(3) = centre(3) - 0.03_wp
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
-      down(:, :) = reshape(correction(3, :), [line, line])
+      call pair%enforce(position, inverse, dt, centre, lift, result)
+      down(:, :) = reshape(pair%correction%move(3, :), [line, line])
       scale = maxval(abs(down))
       call check(result%active > 4, "more than the pole presses")
       call check(lift(:2), spread(0.0_wp, 1, 2), round_off*lift(3), "nothing aside")
@@ -162,7 +162,7 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       real(wp) :: given(3)
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
@@ -171,8 +171,8 @@ contains
       call build(method, pair, position, inverse, centre)
       position(3, :) = 0.05_wp*sin(3.0_wp*position(1, :)) + 0.1_wp*position(2, :)
       centre(:) = centre + [0.3_wp, -0.2_wp, -0.2_wp]
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
-      given(:) = sum(correction/inverse, dim=2)
+      call pair%enforce(position, inverse, dt, centre, lift, result)
+      given(:) = sum(pair%correction%move/inverse, dim=2)
       call check(result%active > 3, "several nodes press")
       call check(given, -mass*lift, round_off*mass*norm2(lift), "momentum")
       call check(result%force, mass*lift/dt**2, round_off*mass*norm2(lift)/dt**2, "force")
@@ -184,7 +184,7 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
       type(contact_pair_type) :: pair
       type(contact_result_type) :: result
 
@@ -192,12 +192,12 @@ contains
       call build(method, pair, position, inverse, centre, guided=.true.)
       position(3, :) = 0.1_wp*position(1, :)
       centre(3) = centre(3) - 0.01_wp
-      call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+      call pair%enforce(position, inverse, dt, centre, lift, result)
       call check(lift(:2), spread(0.0_wp, 1, 2), 0.0_wp, "moves along the guide only")
       call check(result%force(1) < 0.0_wp, "the slope pushes down its way")
       call check(result%force(3), mass*lift(3)/dt**2, 1.0e-6_wp*result%force(3), &
          & "the rest moves it")
-      call check(sum(correction(1, :)/inverse(1, :)), -result%force(1)*dt**2, &
+      call check(sum(pair%correction%move(1, :)/inverse(1, :)), -result%force(1)*dt**2, &
          & round_off*abs(result%force(1))*dt**2, "the plate feels the guide")
    end subroutine check_guide
 
@@ -225,8 +225,8 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
-      real(wp) :: centre_below(3), correction_below(3, points), lift_below(3)
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: centre_below(3), lift_below(3)
       type(contact_pair_type) :: above, below
       type(contact_result_type) :: result, result_below
 
@@ -235,11 +235,10 @@ contains
       call build(method, below, position, inverse, centre_below, side=-1)
       centre(:) = centre + [0.2_wp, 0.1_wp, -0.03_wp]
       centre_below(:) = [centre(1), centre(2), -centre(3)]
-      call above%enforce(position, inverse, dt, centre, correction, lift, result)
-      call below%enforce(position, inverse, dt, centre_below, correction_below, lift_below, &
-         & result_below)
+      call above%enforce(position, inverse, dt, centre, lift, result)
+      call below%enforce(position, inverse, dt, centre_below, lift_below, result_below)
       call check(lift_below, [lift(1), lift(2), -lift(3)], round_off, "the impactor")
-      call check(correction_below(3, :), -correction(3, :), round_off, "the points")
+      call check(below%correction%move(3, :), -above%correction%move(3, :), round_off, "the points")
       call check(result_below%active, result%active, "nodes that press")
    end subroutine check_bottom
 
@@ -248,8 +247,8 @@ contains
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
 
-      real(wp) :: centre(3), correction(3, points), inverse(3, points), lift(3), position(3, points)
-      real(wp) :: flat(3, points), correction_fresh(3, points), lift_fresh(3), t
+      real(wp) :: centre(3), inverse(3, points), lift(3), position(3, points)
+      real(wp) :: flat(3, points), lift_fresh(3), t
       type(contact_pair_type) :: pair, fresh
       type(contact_result_type) :: result, result_fresh
       integer :: pressing, step
@@ -262,12 +261,12 @@ contains
          position(:, :) = flat
          position(3, :) = 0.05_wp*sin(4.0_wp*t - 2.0_wp*flat(1, :))*cos(flat(2, :))
          centre(:) = [0.5_wp*t - 0.7_wp, 0.3_wp*t, radius + 0.2_wp*cos(3.0_wp*t)]
-         call pair%enforce(position, inverse, dt, centre, correction, lift, result)
+         call pair%enforce(position, inverse, dt, centre, lift, result)
          call build(method, fresh, flat, inverse, lift_fresh)
-         call fresh%enforce(position, inverse, dt, centre, correction_fresh, lift_fresh, &
-            & result_fresh)
+         call fresh%enforce(position, inverse, dt, centre, lift_fresh, result_fresh)
          call check(lift, lift_fresh, 1.0e-9_wp, "the impactor")
-         call check(maxval(abs(correction - correction_fresh)), 0.0_wp, 1.0e-9_wp, "the points")
+         call check(maxval(abs(pair%correction%move - fresh%correction%move)), 0.0_wp, 1.0e-9_wp, &
+            & "the points")
          if (result%active > 0) pressing = pressing + 1
       end do
       call check(pressing > 30 .and. pressing < 120, "contact comes and goes")

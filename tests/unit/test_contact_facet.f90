@@ -1,0 +1,99 @@
+!> A facet as a polynomial.
+program test_contact_facet
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_facet, only : facet_polynomial, frame_at, frame_eta, frame_eta_eta, &
+      & frame_size, frame_value, frame_xi, frame_xi_eta, frame_xi_xi, wide
+   use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
+   use testing, only : begin, check, finish
+   implicit none
+
+   real(wp), parameter :: xi = 0.3_wp, eta = -0.7_wp, round_off = 1.0e-14_wp
+
+   call check_monomials(bilinear_nodes)
+   call check_monomials(biquadratic_nodes)
+   call check_interpolation(bilinear_nodes)
+   call check_interpolation(biquadratic_nodes)
+   call finish()
+
+contains
+
+   !> A point that lies as high as a monomial says has its value, slopes and second derivatives
+   subroutine check_monomials(nodes)
+      !> Points of the facet
+      integer, intent(in) :: nodes
+
+      real(wp) :: frame(wide, frame_size), height(nodes), place(2, nodes)
+      integer :: a, b, degree
+
+      call begin("frame_at, monomials")
+      degree = merge(1, 2, nodes == bilinear_nodes)
+      place(:, :) = local_nodes(nodes)
+      do b = 0, degree
+         do a = 0, degree
+            height(:) = place(1, :)**a*place(2, :)**b
+            call find_frame(nodes, spread(height, 1, wide), frame)
+            call check(frame(3, frame_value), xi**a*eta**b, round_off, "value")
+            call check(frame(3, frame_xi), slope(xi, a)*eta**b, round_off, "along xi")
+            call check(frame(3, frame_eta), xi**a*slope(eta, b), round_off, "along eta")
+            call check(frame(3, frame_xi_xi), bend(a)*eta**b, round_off, "xi xi")
+            call check(frame(3, frame_eta_eta), xi**a*bend(b), round_off, "eta eta")
+            call check(frame(3, frame_xi_eta), slope(xi, a)*slope(eta, b), round_off, "xi eta")
+         end do
+      end do
+   end subroutine check_monomials
+
+   !> Any facet is what the shape functions make of its points, in all coordinates
+   subroutine check_interpolation(nodes)
+      !> Points of the facet
+      integer, intent(in) :: nodes
+
+      real(wp) :: dn(2, nodes), frame(wide, frame_size), n(nodes), x(wide, nodes)
+      integer :: i
+
+      call begin("frame_at, any facet")
+      do i = 1, nodes
+         x(:, i) = [sin(3.1_wp*i), cos(1.7_wp*i), sin(0.9_wp*i**2), 0.0_wp]
+      end do
+      call find_frame(nodes, x, frame)
+      call shape_functions(nodes, xi, eta, n, dn)
+      call check(frame(:, frame_value), matmul(x, n), round_off, "position")
+      call check(frame(:, frame_xi), matmul(x, dn(1, :)), round_off, "along xi")
+      call check(frame(:, frame_eta), matmul(x, dn(2, :)), round_off, "along eta")
+   end subroutine check_interpolation
+
+   !> Frame of a facet at the place of the test
+   subroutine find_frame(nodes, x, frame)
+      !> Points of the facet: how many, and where
+      integer, intent(in) :: nodes
+      real(wp), intent(in) :: x(wide, nodes)
+      !> The frame
+      real(wp), intent(out) :: frame(wide, frame_size)
+
+      real(wp) :: polynomial(wide, 0:2, 0:2)
+
+      call facet_polynomial(nodes, x, polynomial)
+      call frame_at(polynomial, [xi, eta], frame)
+   end subroutine find_frame
+
+   !> Derivative of x**power
+   pure function slope(x, power) result(value)
+      !> Where
+      real(wp), intent(in) :: x
+      !> Power, 0 to 2
+      integer, intent(in) :: power
+      real(wp) :: value
+
+      value = 0.0_wp
+      if (power > 0) value = power*x**(power - 1)
+   end function slope
+
+   !> Second derivative of x**power, up to 2
+   pure function bend(power) result(value)
+      !> Power, 0 to 2
+      integer, intent(in) :: power
+      real(wp) :: value
+
+      value = merge(2.0_wp, 0.0_wp, power == 2)
+   end function bend
+
+end program test_contact_facet
