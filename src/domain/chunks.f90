@@ -9,7 +9,8 @@ module plydyn_domain_chunks
    implicit none
    private
 
-   public :: border_nodes, divide_quads, give_borders, give_held, quad_centres, set_targets
+   public :: border_nodes, divide_quads, give_borders, give_held, give_makers, quad_centres, &
+      & set_targets
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -131,6 +132,32 @@ contains
          domain%chunks(c)%borders = pack([(i, i=1, size(chunk))], chunk == c)
       end do
    end subroutine give_borders
+
+   !> Let every chunk know whose forces its points need
+   pure subroutine give_makers(domain)
+      !> With columns and borders of all chunks; the chunks get their makers
+      type(domain_type), intent(inout) :: domain
+
+      integer :: c, i, maker((domain%columns%forces - front)/domain%columns%height)
+      integer, allocatable :: list(:)
+
+      maker(:) = 0
+      do c = 1, size(domain%chunks)
+         maker(domain%chunks(c)%column) = c
+      end do
+      do c = 1, size(domain%chunks)
+         associate (chunk => domain%chunks(c))
+            list = [c, maker([chunk%own, chunk%guests])]
+            do i = 1, size(chunk%borders)
+               associate (border => domain%borders(:, chunk%borders(i)))
+                  list = [list, maker(border(2):border(3))]
+               end associate
+            end do
+            list = list(sorted_order(list))
+            chunk%makers = pack(list, [.true., list(2:) /= list(:size(list) - 1)])
+         end associate
+      end do
+   end subroutine give_makers
 
    !> Let every chunk hold the points of the columns that it moves
    pure subroutine give_held(domain)

@@ -124,6 +124,8 @@ module plydyn_domain_domain
       integer, allocatable :: guests(:)
       !> Those of the domain's borders, and of its held points, that are at any of these
       integer, allocatable :: borders(:), held(:)
+      !> Chunks whose forces its points need, itself too; 0 for those of other ranks
+      integer, allocatable :: makers(:)
    end type chunk_type
 
    !> Everything the loop reads

@@ -4,7 +4,7 @@
 !> all of them alike: each gets the force columns of the others, and adds all in the order of the
 !> chunks of the whole model (`plydyn_domain_division`). The rank of its first chunk counts it.
 module plydyn_domain_share
-   use plydyn_domain_chunks, only : border_nodes, give_borders
+   use plydyn_domain_chunks, only : border_nodes, give_borders, give_makers
    use plydyn_domain_columns, only : front
    use plydyn_domain_division, only : division_type
    use plydyn_domain_domain, only : domain_type
@@ -103,6 +103,7 @@ contains
       end do
       call place_guests(domain, pack([(i, i=1, size(numbering%own))], .not. numbering%own))
       call give_borders(domain)
+      call give_makers(domain)
    end subroutine renumber_chunks
 
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it

@@ -4,8 +4,8 @@
 !> without any copy.
 module plydyn_parallel_halo
    use mpi_f08, only : mpi_comm_world, mpi_datatype, mpi_double_precision, mpi_irecv, mpi_isend, &
-      & mpi_request, mpi_statuses_ignore, mpi_type_commit, mpi_type_create_indexed_block, &
-      & mpi_waitall
+      & mpi_request, mpi_statuses_ignore, mpi_testall, mpi_type_commit, &
+      & mpi_type_create_indexed_block, mpi_waitall
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -27,6 +27,7 @@ module plydyn_parallel_halo
       procedure :: is_empty
       procedure :: neighbours
       procedure :: start
+      procedure :: push_on
       procedure :: finish
    end type halo_type
 
@@ -96,12 +97,12 @@ contains
       !> The forces; what is sent must stay as it is until `finish`
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
       !> Messages on their way
-      type(messages_type), intent(out) :: messages
+      type(messages_type), intent(inout) :: messages
 
       integer :: i
 
       associate (n => size(self%from))
-         allocate (messages%request(n + size(self%to)))
+         if (.not. allocated(messages%request)) allocate (messages%request(n + size(self%to)))
          do i = 1, n
             call mpi_irecv(force, 1, self%received(i), self%from(i), tag, mpi_comm_world, &
                & messages%request(i))
@@ -112,6 +113,19 @@ contains
          end do
       end associate
    end subroutine start
+
+   !> Let messages get on: without a call now and then MPI may leave long ones where they are
+   subroutine push_on(self, force, messages)
+      class(halo_type), intent(in) :: self
+      !> The forces
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
+      !> Messages on their way
+      type(messages_type), intent(inout) :: messages
+
+      logical :: is_done
+
+      call mpi_testall(size(messages%request), messages%request, is_done, mpi_statuses_ignore)
+   end subroutine push_on
 
    !> Wait until all columns have come and gone
    subroutine finish(self, force, messages)

@@ -36,7 +36,15 @@ module plydyn_solver_contacts
    type, public :: contacts_type
       !> In the order of `domain%contacts`
       type(pair_type), allocatable :: pairs(:)
+      !> Chunks with a point near an impactor; whether contact may reach any other in this step
+      logical, allocatable :: reached(:)
+      logical :: reaches_all = .true.
+      !> Whether the former are others than in the step before
+      logical :: is_new = .true.
+      !> How often points near impactors were listed anew when they were found
+      integer, private :: rebuilds = -1
    contains
+      procedure :: approach
       procedure :: enforce
       procedure :: remember
       procedure :: recall
@@ -126,19 +134,69 @@ contains
       end do
    end subroutine recall
 
-   !> Move the impactors over the coming step, and push them and the plate apart where they meet
-   subroutine enforce(self, domain, state)
+   !> Move the impactors over the coming step without contact, and say where that may be
+   subroutine approach(self, domain, state)
       class(contacts_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Impactors; displacement and velocity of the plate, already advanced without contact
+      !> Impactors; the plate is not advanced yet
       type(state_type), intent(inout) :: state
 
-      integer :: i
+      integer :: i, rebuilds
 
       do i = 1, size(domain%impactors)
          call move_impactor(domain, i, state)
       end do
+      ! what a second pair of an impactor finds is known after the push of the first only
+      self%reaches_all = size(domain%motions) > 0 .or. size(self%pairs) > size(domain%impactors)
+      rebuilds = 0
+      do i = 1, size(self%pairs)
+         associate (near => self%pairs(i)%pair%near)
+            call near%approach(largest_move(domain, state), &
+               & state%impactors(domain%contacts(i)%impactor)%centre)
+            self%reaches_all = self%reaches_all .or. near%needs_all
+            rebuilds = rebuilds + near%rebuilds
+         end associate
+      end do
+      self%is_new = rebuilds /= self%rebuilds
+      if (.not. self%is_new) return
+      self%rebuilds = rebuilds
+      self%reached = chunks_near(self, domain)
+   end subroutine approach
+
+   !> Chunks that have one of the listed points
+   pure function chunks_near(self, domain) result(reached)
+      class(contacts_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      logical :: reached(size(domain%chunks))
+
+      logical :: is_near(domain%columns%column_of(domain%columns%forces))
+      integer :: b, c, i
+
+      is_near(:) = .false.
+      do i = 1, size(self%pairs)
+         associate (place => domain%surfaces(i)%freedom(1, self%pairs(i)%pair%near%point))
+            is_near(domain%columns%column_of(pack(place, place > 0))) = .true.
+         end associate
+      end do
+      do b = 1, size(domain%borders, 2)
+         if (is_near(domain%borders(1, b))) then
+            is_near(domain%borders(2, b):domain%borders(3, b)) = .true.
+         end if
+      end do
+      reached(:) = [(any(is_near(domain%chunks(c)%column)), c=1, size(reached))]
+   end function chunks_near
+
+   !> Push the impactors and the plate apart where they meet
+   subroutine enforce(self, domain, state)
+      class(contacts_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Impactors, displacement and velocity of the plate, already advanced without contact
+      type(state_type), intent(inout) :: state
+
+      integer :: i
+
       do i = 1, size(self%pairs)
          call enforce_pair(self%pairs(i), domain, i, state)
       end do
@@ -177,7 +235,8 @@ contains
       type(contact_result_type) :: found
 
       associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
-         call self%pair%near%approach(largest_move(domain, state), own%centre)
+         ! another pair may have pushed the impactor
+         call self%pair%near%approach(0.0_wp, own%centre)
          if (self%pair%near%needs_all) then
             call find_positions(domain, surface, surface%of_ranks, surface%counts, &
                & state%displacement, self)

@@ -4,19 +4,21 @@ module plydyn_solver_explicit
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_solver_accelerations, only : begin_accelerations, count_accelerations, &
+      & find_accelerations
    use plydyn_solver_contacts, only : contacts_type
+   use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_energies, only : balance, begin_work, change_step
-   use plydyn_solver_forces, only : add_loads, find_internal_forces
    use plydyn_solver_health, only : check_health
    use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_motion, only : accelerate, advance, count_sums
-   use plydyn_solver_supports, only : hold_supports, move_supports, resist_columns
+   use plydyn_solver_motion, only : advance
+   use plydyn_solver_supports, only : move_supports
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: find_accelerations, run, seconds_per_step
+   public :: run, seconds_per_step
 
    !> Share of a step by which the last one may be stretched to end the run on time
    real(wp), parameter :: stretch = 1.0e-6_wp
@@ -38,8 +40,11 @@ contains
       !> What stopped the run
       type(error_type), allocatable, intent(out) :: error
 
+      type(crew_type) :: crew
+
+      call new_crew(domain, crew)
       if (state%cycle == 0) then
-         call find_accelerations(domain, state)
+         call begin_accelerations(domain, state)
          call balance(domain, state)
          state%energies%start = state%energies%kinetic + state%energies%impactor
          call journal%begin(domain, state, error)
@@ -50,20 +55,28 @@ contains
          state%step = next_step(domain, state)
          if (state%cycle == 0) state%first_step = state%step
          call change_step(state)
+         call contacts%approach(domain, state)
+         if (contacts%is_new) call crew%arrange(domain, contacts%reached)
+         call crew%begin(contacts%reaches_all)
 
+         !$omp parallel default(shared)
+         !$omp master
+         call crew%close()
+         !$omp end master
          ! motion
          call advance(domain, state)
+         !$omp master
          call move_supports(domain, state)
-
          ! contact: trial position, multipliers, correction (the paper's eqs 12 to 17)
          call contacts%enforce(domain, state)
-
-         ! forces
          call begin_work(domain, state)
-         state%time = state%time + state%step
-         state%cycle = state%cycle + 1
-         state%step_before = state%step
-         call find_accelerations(domain, state)
+         call end_step(state)
+         call crew%open()
+         !$omp end master
+         ! forces over masses (eq. 6); of chunks that contact does not reach beside it
+         call find_accelerations(domain, crew, state%step, state)
+         !$omp end parallel
+         call count_accelerations(domain, state)
 
          ! energies, and what is to be written
          call journal%announce(state)
@@ -81,26 +94,15 @@ contains
       end do
    end subroutine run
 
-   !> Forces of plies, interfaces and loads over the masses (the paper's eq. 6), by all threads
-   !> together: each takes chunks of quads, and then moves the points that are its own
-   subroutine find_accelerations(domain, state)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> Accelerations, and the sums over all points
+   !> The step to come is made
+   pure subroutine end_step(state)
+      !> Time, number of steps, and the step just made
       type(state_type), intent(inout) :: state
 
-      associate (force => state%acceleration)
-         !$omp parallel default(shared)
-         call find_internal_forces(domain, state%step_before, state%displacement, &
-            & state%velocity, state%history, force)
-         call add_loads(domain, state%time, state%load_factor, force)
-         call hold_supports(domain, state%time, force, state%support_force)
-         call accelerate(domain, state%step_before, state%velocity, force, state%chunk_sums)
-         !$omp end parallel
-         call count_sums(state%chunk_sums, state%tally)
-         call resist_columns(domain, force, state%support_force)
-      end associate
-   end subroutine find_accelerations
+      state%time = state%time + state%step
+      state%cycle = state%cycle + 1
+      state%step_before = state%step
+   end subroutine end_step
 
    !> The share of the stable step that the deck allows, and no step beyond the end. The last two
    !> steps share what is left: contact that closes a gap within a tiny step would push too hard.
@@ -145,7 +147,7 @@ contains
       seconds = huge(1.0_wp)
       do i = 1, tries
          call system_clock(then, rate)
-         call find_accelerations(domain, copy)
+         call begin_accelerations(domain, copy)
          call system_clock(now)
          seconds = min(seconds, real(now - then, wp)/real(rate, wp))
       end do

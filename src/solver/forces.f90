@@ -1,6 +1,5 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_solver_forces
-   use omp_lib, only : omp_get_thread_num
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
@@ -11,20 +10,22 @@ module plydyn_solver_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_halo, only : messages_type
-   use plydyn_solver_turns, only : deal, turns_type
+   use plydyn_solver_crew, only : crew_type, inner, outer
    implicit none
    private
 
-   public :: add_interface_forces, add_loads, count_load_power, find_internal_forces
+   public :: add_borders, add_interface_forces, add_loads, await_forces, count_load_power, &
+      & find_internal_forces, make_forces
 
 contains
 
-   !> Internal forces of plies and interfaces, or of bricks, on all points, chunk by chunk, and then
-   !> the sums at the nodes where chunks meet. What other ranks need comes first, and is on its way
-   !> while the other chunks are taken. All threads come here together
-   subroutine find_internal_forces(domain, step, displacement, velocity, history, force)
+   !> Internal forces of plies and interfaces, or of bricks, on all points. All threads come here
+   !> together
+   subroutine find_internal_forces(domain, crew, step, displacement, velocity, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> The threads, which have begun
+      type(crew_type), intent(inout) :: crew
       !> The step just made
       real(wp), intent(in) :: step
       !> Displacement of all points, and their velocity half a step before
@@ -34,19 +35,37 @@ contains
       !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      type(messages_type) :: messages
-      type(turns_type), save :: inner, outer
-      integer :: c, i
+      integer :: c
 
-      !$omp single
-      call deal(outer, 1, domain%outer)
-      call deal(inner, domain%outer + 1, size(domain%chunks))
-      !$omp end single
+      call make_forces(domain, crew, step, displacement, velocity, history, force)
+      call await_forces(domain, crew, force)
+      !$omp do schedule(static)
+      do c = 1, size(domain%chunks)
+         call add_borders(domain, domain%chunks(c)%borders, force)
+      end do
+      !$omp end do nowait
+   end subroutine find_internal_forces
+
+   !> Internal forces, chunk by chunk, each on columns of its own. What other ranks need comes
+   !> first, and is on its way while the other chunks are taken. All threads come here together
+   subroutine make_forces(domain, crew, step, displacement, velocity, history, force)
+      !> As in `find_internal_forces`
+      type(domain_type), intent(in) :: domain
+      type(crew_type), intent(inout) :: crew
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      real(wp), intent(inout), contiguous :: history(:)
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
+
+      integer :: c
+
       if (size(domain%averages) > 0) then
-         !$omp master
-         call borrow_strains(domain, history)
-         !$omp end master
-         !$omp barrier
+         if (domain%comm%ranks > 1) then
+            !$omp master
+            call borrow_strains(domain, history)
+            !$omp end master
+            !$omp barrier
+         end if
          !$omp do schedule(dynamic)
          do c = 1, size(domain%chunks)
             call find_chunk_averages(domain, domain%chunks(c), history)
@@ -54,31 +73,32 @@ contains
          !$omp end do
       end if
       if (domain%outer > 0) then
-         call take_chunks(domain, outer, step, displacement, velocity, history, force)
+         call take_chunks(domain, crew, outer, step, displacement, velocity, history, force)
          !$omp barrier
          !$omp master
-         call domain%halo%start(force, messages)
+         call domain%halo%start(force, crew%messages)
          !$omp end master
       end if
-      call take_chunks(domain, inner, step, displacement, velocity, history, force)
+      call take_chunks(domain, crew, inner, step, displacement, velocity, history, force)
+   end subroutine make_forces
+
+   !> Wait until the forces of all chunks are there, and those of other ranks. All threads come here
+   !> together
+   subroutine await_forces(domain, crew, force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The threads
+      type(crew_type), intent(inout) :: crew
+      !> Force on all points, those of the borders behind
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
+
       !$omp barrier
-      if (domain%outer > 0) then
-         !$omp master
-         call domain%halo%finish(force, messages)
-         !$omp end master
-         !$omp barrier
-      end if
-      !$omp do schedule(static)
-      do c = 1, size(domain%chunks)
-         associate (borders => domain%chunks(c)%borders)
-            do i = 1, size(borders)
-               call add_columns(domain%columns%height, domain%borders(:, borders(i)), &
-                  & force(front + 1:))
-            end do
-         end associate
-      end do
-      !$omp end do nowait
-   end subroutine find_internal_forces
+      if (domain%outer == 0) return
+      !$omp master
+      call domain%halo%finish(force, crew%messages)
+      !$omp end master
+      !$omp barrier
+   end subroutine await_forces
 
    !> Get the strains of other ranks' points that are averaged here, and lend those of this rank
    subroutine borrow_strains(domain, history)
@@ -87,26 +107,34 @@ contains
 
       type(messages_type) :: messages
 
-      if (domain%comm%ranks == 1) return
       call domain%loans%start(history, messages)
       call domain%loans%finish(history, messages)
    end subroutine borrow_strains
 
    !> Internal forces of the chunks whose turn it is
-   subroutine take_chunks(domain, turns, step, displacement, velocity, history, force)
+   subroutine take_chunks(domain, crew, list, step, displacement, velocity, history, force)
       type(domain_type), intent(in) :: domain
-      type(turns_type), intent(inout) :: turns
+      type(crew_type), intent(inout) :: crew
+      !> Which list
+      integer, intent(in) :: list
       real(wp), intent(in) :: step
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
-      real(wp), intent(inout), contiguous :: history(:), force(:)
+      real(wp), intent(inout), contiguous :: history(:)
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      integer :: place
+      integer :: chunk
 
       do
-         place = turns%take(omp_get_thread_num())
-         if (place == 0) exit
-         call find_chunk_forces(domain, domain%chunks(domain%order(place)), step, displacement, &
-            & velocity, history, force)
+         chunk = crew%take(list)
+         if (chunk == 0) exit
+         call find_chunk_forces(domain, domain%chunks(chunk), step, displacement, velocity, &
+            & history, force)
+         call crew%count_made(chunk)
+         if (domain%outer > 0 .and. list == inner) then
+            !$omp master
+            call domain%halo%push_on(force, crew%messages)
+            !$omp end master
+         end if
       end do
    end subroutine take_chunks
 
@@ -156,6 +184,22 @@ contains
          force(:, column(i)) = 0.0_wp
       end do
    end subroutine clear_columns
+
+   !> Add the columns behind some nodes to those of the nodes
+   pure subroutine add_borders(domain, borders, force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Which of its borders
+      integer, intent(in) :: borders(:)
+      !> Force on all points, those of the borders behind
+      real(wp), intent(inout), contiguous :: force(:)
+
+      integer :: i
+
+      do i = 1, size(borders)
+         call add_columns(domain%columns%height, domain%borders(:, borders(i)), force(front + 1:))
+      end do
+   end subroutine add_borders
 
    !> Add columns behind to that of their node
    pure subroutine add_columns(height, border, force)

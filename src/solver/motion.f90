@@ -3,7 +3,7 @@ module plydyn_solver_motion
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : front
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_solver_column_inertia, only : couple_column
    use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
    use plydyn_state_state, only : added_sum, kinetic_sum, momentum_sum, power_sum, pull_sum, &
@@ -11,7 +11,7 @@ module plydyn_solver_motion
    implicit none
    private
 
-   public :: accelerate, advance, count_sums
+   public :: accelerate, accelerate_chunk, advance, count_sums
 
    !> Sums of a block, lane by lane: momentum along x, y, z, then these
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
@@ -22,7 +22,8 @@ contains
 
    !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). The
    !> power of all forces with the new velocity, and the work of damping, follow from the sums at
-   !> the full step before, whatever inertia is behind the accelerations
+   !> the full step before, whatever inertia is behind the accelerations. All threads come here
+   !> together, and wait for each other
    subroutine advance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -36,17 +37,7 @@ contains
       brake = 0.5_wp*domain%control%damping*middle_step
       keep = (1.0_wp - brake)/(1.0_wp + brake)
       middle = middle_step/(1.0_wp + brake)
-      ! the thread that accelerates a chunk advances it: it still has its accelerations
-      !$omp parallel do schedule(static) default(shared) private(c)
-      do c = 1, size(domain%chunks)
-         associate (height => domain%columns%height, chunk => domain%chunks(c), &
-            & a => state%acceleration(front + 1:), v => state%velocity(front + 1:), &
-            & u => state%displacement(front + 1:))
-            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u)
-            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u)
-         end associate
-      end do
-      !$omp end parallel do
+      !$omp master
       associate (sums => state%sums, before => state%step_before)
          state%internal_power = -keep*sums%power - middle*sums%pull
          ! the velocity before is the one at the full step less 1/2 dt a
@@ -55,6 +46,18 @@ contains
             & - before*(sums%power + 0.25_wp*before*sums%pull)) &
             & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
       end associate
+      !$omp end master
+      ! the thread that accelerates a chunk advances it: it still has its accelerations
+      !$omp do schedule(static)
+      do c = 1, size(domain%chunks)
+         associate (height => domain%columns%height, chunk => domain%chunks(c), &
+            & a => state%acceleration(front + 1:), v => state%velocity(front + 1:), &
+            & u => state%displacement(front + 1:))
+            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u)
+            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u)
+         end associate
+      end do
+      !$omp end do
    end subroutine advance
 
    !> `advance` for some columns
@@ -93,7 +96,6 @@ contains
       !> Sums over the points that each chunk has first, the same for any number of threads
       type(sums_type), intent(inout) :: chunk_sums(:)
 
-      type(sums_type) :: counted_elsewhere
       integer :: c, k
 
       if (size(domain%far_ties, 2) > 0) then
@@ -106,14 +108,30 @@ contains
       end if
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
-         chunk_sums(c) = sums_type()
-         call accelerate_columns(domain, domain%chunks(c)%own, 0.5_wp*step, velocity, force, &
-            & chunk_sums(c))
-         call accelerate_columns(domain, domain%chunks(c)%guests, 0.5_wp*step, velocity, force, &
-            & counted_elsewhere)
+         call accelerate_chunk(domain, domain%chunks(c), step, velocity, force, chunk_sums(c))
       end do
       !$omp end do nowait
    end subroutine accelerate
+
+   !> `accelerate` for the points that move with a chunk, where no ties reach further than a family
+   pure subroutine accelerate_chunk(domain, chunk, step, velocity, force, sums)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The chunk
+      type(chunk_type), intent(in) :: chunk
+      !> As in `accelerate`
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: velocity(:)
+      real(wp), intent(inout), contiguous :: force(:)
+      !> Sums over the points that it has first
+      type(sums_type), intent(out) :: sums
+
+      type(sums_type) :: counted_elsewhere
+
+      call accelerate_columns(domain, chunk%own, 0.5_wp*step, velocity, force, sums)
+      call accelerate_columns(domain, chunk%guests, 0.5_wp*step, velocity, force, &
+         & counted_elsewhere)
+   end subroutine accelerate_chunk
 
    !> `accelerate` for some columns
    pure subroutine accelerate_columns(domain, columns, half_step, velocity, force, sums)

@@ -4,7 +4,7 @@ module plydyn_solver_restart
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_output_dump_input, only : dump_input_type
-   use plydyn_solver_explicit, only : find_accelerations
+   use plydyn_solver_accelerations, only : begin_accelerations
    use plydyn_solver_energies, only : balance
    use plydyn_solver_setup, only : run_type
    use plydyn_solver_supports, only : support_points
@@ -70,7 +70,7 @@ contains
          external = e%external
          internal = e%internal
          history = state%history
-         call find_accelerations(domain, state)
+         call begin_accelerations(domain, state)
          call balance(domain, state)
          ! no step was made: what is stored and dissipated is what it was
          state%history(:) = history

@@ -8,8 +8,8 @@ module plydyn_solver_supports
    implicit none
    private
 
-   public :: count_support_power, hold_supports, is_active, move_supports, resist_columns, &
-      & support_points
+   public :: count_support_power, hold_points, hold_supports, is_active, move_supports, &
+      & resist_columns, support_points
 
 contains
 
@@ -37,16 +37,11 @@ contains
       !> What it was: held points first, then those of each motion, zero while that does not act
       real(wp), intent(inout), contiguous :: support_force(:)
 
-      integer :: c, first, i, m
+      integer :: c, first, m
 
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
-         associate (held => domain%chunks(c)%held)
-            do i = 1, size(held)
-               support_force(held(i)) = force(domain%held(held(i)))
-               force(domain%held(held(i))) = 0.0_wp
-            end do
-         end associate
+         call hold_points(domain, domain%chunks(c)%held, force, support_force)
       end do
       !$omp end do nowait
       if (size(domain%motions) == 0) return
@@ -65,6 +60,24 @@ contains
       end do
       !$omp end single
    end subroutine hold_supports
+
+   !> Take held points out of the free motion, and keep the force they would feel
+   pure subroutine hold_points(domain, points, force, support_force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Which of its held points
+      integer, intent(in) :: points(:)
+      !> As in `hold_supports`
+      real(wp), intent(inout), contiguous :: force(:), support_force(:)
+      integer :: i
+
+      do i = 1, size(points)
+         associate (place => domain%held(points(i)))
+            support_force(points(i)) = force(place)
+            force(place) = 0.0_wp
+         end associate
+      end do
+   end subroutine hold_points
 
    !> Add what held points feel of the inertia that they share with free ones of their columns
    pure subroutine resist_columns(domain, acceleration, support_force)

@@ -11,6 +11,7 @@ program test_domain_chunks
 
    call test_division()
    call test_targets()
+   call test_makers()
    call finish()
 
 contains
@@ -79,5 +80,27 @@ contains
       call check(all([(count(summed == i), i=1, size(domain%borders, 2))] == 1), &
          & "every border is added up once")
    end subroutine test_targets
+
+   !> A chunk needs the forces of all chunks with a quad at one of its nodes
+   subroutine test_makers()
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      integer :: c, i, k
+      logical :: meets
+
+      call begin("give_makers")
+      call build_domain(rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), &
+         & [0.0_wp], 0.25_wp, [1]), domain, error)
+      do c = 1, size(domain%chunks)
+         do k = 1, size(domain%chunks)
+            associate (own => domain%chunks(c)%own, makers => domain%chunks(c)%makers, &
+               & quads => domain%chunks(k)%quads)
+               meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == own(i)), &
+                  & i=1, size(own))])
+               call check(count(makers == k), merge(1, 0, meets), "each that meets it, once")
+            end associate
+         end do
+      end do
+   end subroutine test_makers
 
 end program test_domain_chunks

@@ -11,6 +11,7 @@ program test_solver_column_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type
+   use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_motion, only : accelerate, count_sums
    use plydyn_solver_supports, only : resist_columns
@@ -184,6 +185,7 @@ contains
       real(wp) :: k, stretch(0:steps)
       integer :: i, n
 
+      type(crew_type) :: crew
       call begin("thickness vibration")
       model = stack([1], 0.0_wp)
       model%holds = [hold_type(nodes=[(n, n=1, 15)], direction=[.true., .true., .false.], &
@@ -195,7 +197,8 @@ contains
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
       do i = 0, steps
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
-         call find_internal_forces(domain, 0.0_wp, u, v, history, a)
+         call new_crew(domain, crew)
+         call find_internal_forces(domain, crew, 0.0_wp, u, v, history, a)
          a(domain%held) = 0.0_wp
          call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a

@@ -12,6 +12,7 @@ program test_solver_explicit
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : new_places
    use plydyn_parallel_comm, only : comm_type
+   use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_explicit, only : run
    use plydyn_solver_forces, only : find_internal_forces
    use plydyn_solver_journal, only : journal_type
@@ -172,6 +173,7 @@ contains
       type(model_type), intent(in) :: model
       type(state_type), intent(in) :: state
 
+      type(crew_type) :: crew
       type(domain_type) :: domain
       type(error_type), allocatable :: error
       real(wp), allocatable :: force(:)
@@ -180,7 +182,8 @@ contains
       call build_domain(model, domain, error)
       allocate (force(domain%columns%forces))
       force(:) = 0.0_wp
-      call find_internal_forces(domain, 0.0_wp, state%displacement, &
+      call new_crew(domain, crew)
+      call find_internal_forces(domain, crew, 0.0_wp, state%displacement, &
             & 0.0_wp*state%displacement, history, force)
       energy = -0.5_wp*dot_product(state%displacement, force(:domain%columns%freedoms))
    end function stored_energy

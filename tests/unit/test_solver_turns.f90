@@ -1,11 +1,12 @@
-!> Turns of threads: every place once, and the own stretch first.
+!> Turns of threads: every chunk once, the own stretch first, and those that wait not too early.
 program test_solver_turns
    use omp_lib, only : omp_get_thread_num, omp_set_num_threads
-   use plydyn_solver_turns, only : deal, turns_type
+   use plydyn_solver_turns, only : turns_type
    use testing, only : begin, check, finish
    implicit none
 
    call check_alone()
+   call check_waiting()
    call check_together()
    call finish()
 
@@ -15,42 +16,70 @@ contains
    !> taken by whoever asks
    subroutine check_alone()
       type(turns_type) :: turns
+      logical :: waits(11)
       integer :: i
 
       call begin("take")
       call omp_set_num_threads(3)
-      call deal(turns, 4, 11)
-      call check(turns%take(1), 7, "the second thread begins behind three places of the first")
-      call check(turns%take(2), 10, "the third behind three of the second")
-      call check(all([(turns%take(0), i=1, 3)] == [4, 5, 6]), "the first has the first places")
-      call check(turns%take(0), 8, "then what the second has left")
-      call check(turns%take(2), 11, "the third has one of its own left")
-      call check(turns%take(2), 9, "and takes the last of all")
-      call check(all([(turns%take(i), i=0, 2)] == 0), "nothing is left")
-      call deal(turns, 4, 3)
-      call check(turns%take(1), 0, "nothing was there")
+      waits(:) = .false.
+      call turns%arrange([(i, i=4, 11)], waits)
+      call turns%begin()
+      call check(all([(turns%own(1, i), i=1, 4)] == [7, 8, 9, 0]), "a stretch has its end")
+      call check(turns%take(1, .true.), 7, "the second thread begins behind three of the first")
+      call check(turns%take(2, .true.), 10, "the third behind three of the second")
+      call check(all([(turns%take(0, .true.), i=1, 3)] == [4, 5, 6]), "the first has the first")
+      call check(turns%take(0, .true.), 8, "then what the second has left")
+      call check(turns%take(2, .true.), 11, "the third has one of its own left")
+      call check(turns%take(2, .true.), 9, "and takes the last of all")
+      call check(all([(turns%take(i, .true.), i=0, 2)] == 0), "nothing is left")
+      call turns%begin()
+      call check(turns%take(1, .true.), 7, "all begins anew")
+      call turns%arrange([integer ::], waits)
+      call turns%begin()
+      call check(turns%take(1, .true.), 0, "nothing was there")
    end subroutine check_alone
+
+   !> Chunks that wait are passed over, and then come first in their stretch
+   subroutine check_waiting()
+      type(turns_type) :: turns
+      logical :: waits(6)
+      integer :: i
+
+      call begin("arrange")
+      call omp_set_num_threads(2)
+      waits(:) = [.false., .true., .true., .false., .true., .false.]
+      call turns%arrange([(i, i=1, 6)], waits)
+      call turns%begin()
+      call check(all([(turns%own(0, i), i=1, 3)] == [2, 3, 1]), "what waits is first in a stretch")
+      call check(all([(turns%take(1, .false.), i=1, 4)] == [4, 6, 1, 0]), "it is passed over")
+      call check(all([(turns%take(0, .true.), i=1, 4)] == [2, 3, 5, 0]), "until it need not wait")
+      call turns%begin()
+      call check(all([(turns%take(0, .true.), i=1, 3)] == [2, 3, 1]), "then it is first")
+   end subroutine check_waiting
 
    !> All threads at once, for several numbers of them
    subroutine check_together()
-      integer, parameter :: places = 1000
+      integer, parameter :: chunks = 1000
       type(turns_type) :: turns
-      integer :: place, taken(places), threads
+      logical :: waits(chunks)
+      integer :: chunk, i, taken(chunks), threads
 
-      call begin("deal")
+      call begin("begin")
+      waits(:) = [(mod(i, 7) == 0, i=1, chunks)]
       do threads = 1, 5
          call omp_set_num_threads(threads)
          taken(:) = 0
-         call deal(turns, 1, places)
-         !$omp parallel default(shared) private(place)
+         call turns%arrange([(i, i=1, chunks)], waits)
+         call turns%begin()
+         !$omp parallel default(shared) private(chunk)
          do
-            place = turns%take(omp_get_thread_num())
-            if (place == 0) exit
+            chunk = turns%take(omp_get_thread_num(), .true.)
+            if (chunk == 0) exit
             !$omp atomic
-            taken(place) = taken(place) + 1
+            taken(chunk) = taken(chunk) + 1
          end do
          !$omp end parallel
-         call check(all(taken == 1), "every place is taken once")
+         call check(all(taken == 1), "every chunk is taken once")
       end do
    end subroutine check_together
 

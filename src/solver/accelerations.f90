@@ -1,0 +1,127 @@
+!> Accelerations: forces of plies, interfaces and loads over the masses (the paper's eq. 6).
+module plydyn_solver_accelerations
+   use omp_lib, only : omp_get_thread_num
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_solver_crew, only : crew_type, new_crew
+   use plydyn_solver_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
+      & make_forces
+   use plydyn_solver_motion, only : accelerate, accelerate_chunk, count_sums
+   use plydyn_solver_supports, only : hold_points, hold_supports, resist_columns
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: begin_accelerations, count_accelerations, find_accelerations
+
+contains
+
+   !> Accelerations before the first step, or after one that was made before
+   subroutine begin_accelerations(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Accelerations, and what is counted of them
+      type(state_type), intent(inout) :: state
+
+      type(crew_type) :: crew
+
+      call new_crew(domain, crew)
+      !$omp parallel default(shared)
+      call find_accelerations(domain, crew, state%step_before, state)
+      !$omp end parallel
+      call count_accelerations(domain, state)
+   end subroutine begin_accelerations
+
+   !> Accelerations of all points, by all threads together: each makes the forces of chunks of
+   !> quads, and then moves the points of chunks
+   subroutine find_accelerations(domain, crew, step, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The threads, which have begun
+      type(crew_type), intent(inout) :: crew
+      !> The step just made
+      real(wp), intent(in) :: step
+      !> Accelerations, and the sums over the points of each chunk
+      type(state_type), intent(inout) :: state
+
+      associate (u => state%displacement, v => state%velocity, force => state%acceleration)
+         if (size(domain%loads) + size(domain%motions) + size(domain%far_ties) == 0) then
+            call make_forces(domain, crew, step, u, v, state%history, force)
+            call move_ahead(domain, crew, step, state)
+            call await_forces(domain, crew, force)
+            call move_rest(domain, crew, step, state)
+         else
+            call find_internal_forces(domain, crew, step, u, v, state%history, force)
+            call add_loads(domain, state%time, state%load_factor, force)
+            call hold_supports(domain, state%time, force, state%support_force)
+            call accelerate(domain, step, v, force, state%chunk_sums)
+         end if
+      end associate
+   end subroutine find_accelerations
+
+   !> Chunks of this thread that have all their forces, while those of others are being made
+   subroutine move_ahead(domain, crew, step, state)
+      type(domain_type), intent(in) :: domain
+      type(crew_type), intent(inout) :: crew
+      real(wp), intent(in) :: step
+      type(state_type), intent(inout) :: state
+
+      integer :: chunk, k
+
+      k = 0
+      do while (.not. crew%has_made_all())
+         k = k + 1
+         chunk = crew%movers%own(omp_get_thread_num(), k)
+         if (chunk == 0) exit
+         if (.not. crew%has_forces(domain%chunks(chunk)%makers)) cycle
+         call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
+         crew%is_moved(chunk) = .true.
+      end do
+   end subroutine move_ahead
+
+   !> All other chunks, whoever takes them
+   subroutine move_rest(domain, crew, step, state)
+      type(domain_type), intent(in) :: domain
+      type(crew_type), intent(inout) :: crew
+      real(wp), intent(in) :: step
+      type(state_type), intent(inout) :: state
+
+      integer :: chunk
+
+      do
+         chunk = crew%movers%take(omp_get_thread_num(), .true.)
+         if (chunk == 0) exit
+         if (crew%is_moved(chunk)) cycle
+         call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
+      end do
+   end subroutine move_rest
+
+   !> Accelerations of the points that move with a chunk
+   pure subroutine move_chunk(domain, chunk, number, step, state)
+      type(domain_type), intent(in) :: domain
+      type(chunk_type), intent(in) :: chunk
+      !> Its number
+      integer, intent(in) :: number
+      real(wp), intent(in) :: step
+      type(state_type), intent(inout) :: state
+
+      associate (force => state%acceleration)
+         call add_borders(domain, chunk%borders, force)
+         call hold_points(domain, chunk%held, force, state%support_force)
+         call accelerate_chunk(domain, chunk, step, state%velocity, force, &
+            & state%chunk_sums(number))
+      end associate
+   end subroutine move_chunk
+
+   !> Count what the accelerations of all chunks give
+   subroutine count_accelerations(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Gets sums over all points, and what held points feel
+      type(state_type), intent(inout) :: state
+
+      call count_sums(state%chunk_sums, state%tally)
+      call resist_columns(domain, state%acceleration, state%support_force)
+   end subroutine count_accelerations
+
+end module plydyn_solver_accelerations

@@ -1,0 +1,186 @@
+!> What the threads of a step tell each other: who takes which chunk, what is done, and whether
+!> contact is.
+!>
+!> Chunks that contact may reach wait for it; the others need not. A chunk moves its points as soon
+!> as the forces on them are there, whoever makes them: no thread waits while there is such a chunk.
+module plydyn_solver_crew
+   use omp_lib, only : omp_get_thread_num, omp_init_lock, omp_lock_kind, omp_set_lock, &
+      & omp_unset_lock
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_parallel_halo, only : messages_type
+   use plydyn_solver_turns, only : turns_type
+   implicit none
+   private
+
+   public :: new_crew
+
+   !> Lists of chunks: those whose forces other ranks need, and the others
+   integer, parameter, public :: outer = 1, inner = 2, lists = 2
+
+   !> Threads and their chunks
+   type, public :: crew_type
+      !> Lists of chunks to make the forces of, and all of them to move
+      type(turns_type) :: makers(lists), movers
+      !> Forces on their way to and from other ranks
+      type(messages_type) :: messages
+      !> Whether the forces of a chunk are made in this step; in place 0 those of other
+      !> ranks: never, as all threads wait for them
+      logical, allocatable, private :: is_made(:)
+      !> Whether a chunk has moved its points ahead of the others
+      logical, allocatable :: is_moved(:)
+      !> Chunks whose forces are to be made
+      integer, private :: left = 0
+      !> Whether contact is done in this step, and whether all chunks wait for it
+      logical, private :: is_open = .true., all_wait = .false.
+      !> Held by the thread that does it until it is
+      integer(omp_lock_kind), private :: gate
+   contains
+      procedure :: arrange
+      procedure :: begin
+      procedure :: close => close_gate
+      procedure :: open => open_gate
+      procedure :: take
+      procedure :: await_contact
+      procedure :: count_made
+      procedure :: has_forces
+      procedure :: has_made_all
+   end type crew_type
+
+contains
+
+   !> Threads with all chunks before them, and no contact
+   subroutine new_crew(domain, self)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The threads of the coming parallel regions
+      type(crew_type), intent(out) :: self
+
+      logical :: waits(size(domain%chunks))
+
+      allocate (self%is_made(0:size(waits)), self%is_moved(size(waits)))
+      call omp_init_lock(self%gate)
+      waits(:) = .false.
+      call self%arrange(domain, waits)
+      call self%begin(.false.)
+      self%is_open = .true.
+   end subroutine new_crew
+
+   !> Give the chunks to the threads
+   subroutine arrange(self, domain, waits)
+      class(crew_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Whether each chunk waits for contact
+      logical, intent(in) :: waits(:)
+
+      logical :: none(size(waits))
+      integer :: c
+
+      none(:) = .false.
+      call self%makers(outer)%arrange(domain%order(:domain%outer), waits)
+      call self%makers(inner)%arrange(domain%order(domain%outer + 1:), waits)
+      call self%movers%arrange([(c, c=1, size(waits))], none)
+   end subroutine arrange
+
+   !> A new step; no other thread may be at work
+   pure subroutine begin(self, all_wait)
+      class(crew_type), intent(inout) :: self
+      !> Whether all chunks wait for contact
+      logical, intent(in) :: all_wait
+
+      call self%makers(outer)%begin()
+      call self%makers(inner)%begin()
+      call self%movers%begin()
+      self%is_made(:) = .false.
+      self%is_moved(:) = .false.
+      self%left = size(self%is_moved)
+      self%is_open = .false.
+      self%all_wait = all_wait
+   end subroutine begin
+
+   !> Contact is to be done by this thread; no other may ask yet whether it is
+   subroutine close_gate(self)
+      class(crew_type), intent(inout) :: self
+
+      call omp_set_lock(self%gate)
+   end subroutine close_gate
+
+   !> Contact is done
+   subroutine open_gate(self)
+      class(crew_type), intent(inout) :: self
+
+      !$omp atomic write seq_cst
+      self%is_open = .true.
+      call omp_unset_lock(self%gate)
+   end subroutine open_gate
+
+   !> Whether contact is done
+   logical function has_opened(self)
+      type(crew_type), intent(in) :: self
+
+      !$omp atomic read seq_cst
+      has_opened = self%is_open
+   end function has_opened
+
+   !> The next of a list of chunks for this thread; waits for contact when nothing else is left. 0
+   !> when nothing is
+   integer function take(self, list) result(chunk)
+      class(crew_type), intent(inout) :: self
+      !> `outer` or `inner`
+      integer, intent(in) :: list
+
+      if (.not. has_opened(self)) then
+         chunk = 0
+         if (.not. self%all_wait) chunk = self%makers(list)%take(omp_get_thread_num(), .false.)
+         if (chunk > 0) return
+         call self%await_contact()
+      end if
+      chunk = self%makers(list)%take(omp_get_thread_num(), .true.)
+   end function take
+
+   !> Wait until contact is done
+   subroutine await_contact(self)
+      class(crew_type), intent(inout) :: self
+
+      call omp_set_lock(self%gate)
+      call omp_unset_lock(self%gate)
+   end subroutine await_contact
+
+   !> The forces of a chunk are made
+   subroutine count_made(self, chunk)
+      class(crew_type), intent(inout) :: self
+      !> The chunk
+      integer, intent(in) :: chunk
+
+      !$omp atomic write seq_cst
+      self%is_made(chunk) = .true.
+      !$omp atomic update seq_cst
+      self%left = self%left - 1
+   end subroutine count_made
+
+   !> Whether all forces of some chunks are there
+   logical function has_forces(self, makers)
+      class(crew_type), intent(in) :: self
+      !> The chunks; 0 for those of other ranks
+      integer, intent(in) :: makers(:)
+
+      integer :: i
+
+      do i = 1, size(makers)
+         !$omp atomic read seq_cst
+         has_forces = self%is_made(makers(i))
+         if (.not. has_forces) return
+      end do
+   end function has_forces
+
+   !> Whether the forces of all chunks of this rank are made
+   logical function has_made_all(self)
+      class(crew_type), intent(in) :: self
+      integer :: left
+
+      !$omp atomic read seq_cst
+      left = self%left
+      has_made_all = left == 0
+   end function has_made_all
+
+end module plydyn_solver_crew
