@@ -27,7 +27,7 @@ from studies.differences import force_difference, ply_means, section, velocity_d
 from studies.implicit import cases_of, implicit_text
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
-from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, RUNS, late_force, off_symmetry
+from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, ORDERS, RUNS, late_force, off_symmetry
 from studies.stress import agreement
 
 
@@ -270,6 +270,7 @@ def test_runs_of_the_page_are_recipes():
         job = run.job(["control.end_time=1e-3"])
         assert load_recipe(job.recipe, job.overrides).control.end_time == 1e-3
     assert len({run.name for run in RUNS}) == len(RUNS)
+    assert [run.words for run in ORDERS] == ["192 Q9/LE1", "192 Q9/LE2", "192 Q9/LE3"]
     assert set(BY_HAND) == {run.name for run in (COARSE, ELASTIC, LINEAR)}
 
 
