@@ -18,6 +18,7 @@ from studies.markdown import table
 #: As in a test: large displacement, and steps that do not take long
 LARGE = (
     "control.kinematics=total_lagrangian",
+    "control.step_factor=0.9",
     "control.scheme=implicit_interfaces",
     "control.largest_step=3.0e-8",
     "control.end_time=3.0e-3",
