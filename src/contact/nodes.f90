@@ -1,7 +1,7 @@
 !> Contact nodes on the impactor: where they are, which facet is under each, and when to look again.
 module plydyn_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_contact_constraint, only : constraints_type
    use plydyn_contact_near, only : near_type
@@ -51,6 +51,8 @@ module plydyn_contact_nodes
       real(wp), allocatable, private :: wake(:)
       !> The least of these in each ring, length
       real(wp), allocatable, private :: ring_wake(:)
+      !> Nodes to look at in this step, in the first places
+      integer, allocatable, private :: awake(:)
    contains
       procedure :: collect
       procedure :: forget
@@ -94,7 +96,7 @@ contains
       end if
       call sphere_nodes(radius, used, reach, nint(surface%side), self%position, self%ring)
       nodes = size(self%position, 2)
-      allocate (self%facet(nodes), source=0)
+      allocate (self%facet(nodes), self%awake(nodes), source=0)
       allocate (self%place(2, nodes), source=0.0_wp)
       allocate (self%push(nodes), self%wake(nodes), source=0.0_wp)
       allocate (self%ring_wake(size(self%ring) - 1), source=0.0_wp)
@@ -241,25 +243,44 @@ contains
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      integer :: r, s
-      type(foot_type) :: foot
+      integer :: count, first, r
 
       if (size(near%facet) == 0) return
+      call list_awake(self, near%travel, count)
+      do first = 1, count, lanes
+         call look(self, surface, near, position, centre, &
+            & self%awake(first:min(first + lanes - 1, count)), rows)
+      end do
       do r = 1, size(self%ring_wake)
          if (self%ring_wake(r) > near%travel) cycle
-         do s = self%ring(r), self%ring(r + 1) - 1
-            if (self%wake(s) > near%travel) cycle
-            call look(self, surface, near, position, centre + self%position(:, s), s, foot)
-            if (.not. foot%beside .and. foot%gap < 0.0_wp .and. is_faced(self, foot, s)) then
-               call add_row(self, surface, position, centre, foot, s, rows)
-            end if
-         end do
          self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
       end do
    end subroutine collect
 
-   !> Look where a node is; above the surface it then sleeps
-   pure subroutine look(self, surface, near, position, point, node, foot)
+   !> List the nodes that sleep no longer
+   pure subroutine list_awake(self, travel, count)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+      !> Bound on the approach of sphere and listed facets since the start, length
+      real(wp), intent(in) :: travel
+      !> How many they are
+      integer, intent(out) :: count
+
+      integer :: r, s
+
+      count = 0
+      do r = 1, size(self%ring_wake)
+         if (self%ring_wake(r) > travel) cycle
+         do s = self%ring(r), self%ring(r + 1) - 1
+            if (self%wake(s) > travel) cycle
+            count = count + 1
+            self%awake(count) = s
+         end do
+      end do
+   end subroutine list_awake
+
+   !> Look where some nodes are, no more than lanes, and make rows of those below the surface
+   pure subroutine look(self, surface, near, position, centre, node, rows)
       !> The nodes
       class(node_set_type), intent(inout) :: self
       !> The surface
@@ -268,30 +289,56 @@ contains
       type(near_type), intent(in) :: near
       !> Trial positions of the surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial position of the node, length
-      real(wp), intent(in) :: point(3)
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+      !> Their numbers
+      integer, intent(in) :: node(:)
+      !> The constraints
+      type(constraints_type), intent(inout) :: rows
+
+      type(foot_type) :: foot(size(node))
+      real(wp) :: point(3, size(node))
+      integer :: i
+
+      do i = 1, size(node)
+         point(:, i) = centre + self%position(:, node(i))
+         if (self%facet(node(i)) == 0) then
+            foot(i) = surface%start_near(position, point(:, i), near%facet)
+         else
+            foot(i)%facet = self%facet(node(i))
+            foot(i)%place(:) = self%place(:, node(i))
+         end if
+      end do
+      call surface%project_some(position, point, foot)
+      do i = 1, size(node)
+         call note(self, near%travel, node(i), foot(i))
+         if (foot(i)%beside .or. foot(i)%gap >= 0.0_wp) cycle
+         if (.not. is_faced(self, foot(i), node(i))) cycle
+         call add_row(self, surface, position, centre, foot(i), node(i), rows)
+      end do
+   end subroutine look
+
+   !> Note where a node is; above the surface it then sleeps
+   pure subroutine note(self, travel, node, foot)
+      !> The nodes
+      class(node_set_type), intent(inout) :: self
+      !> Bound on the approach of sphere and listed facets since the start, length
+      real(wp), intent(in) :: travel
       !> Its number
       integer, intent(in) :: node
       !> Its foot on the surface
-      type(foot_type), intent(out) :: foot
+      type(foot_type), intent(in) :: foot
 
-      if (self%facet(node) == 0) then
-         foot = surface%start_near(position, point, near%facet)
-      else
-         foot%facet = self%facet(node)
-         foot%place(:) = self%place(:, node)
-      end if
-      call surface%project(position, point, foot)
       self%facet(node) = merge(0, foot%facet, foot%beside)
       self%place(:, node) = foot%place
       if (foot%gap >= 0.0_wp) then
-         self%wake(node) = near%travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
+         self%wake(node) = travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
       else if (foot%beside) then
          ! below the border: how far beyond it
-         self%wake(node) = near%travel + norm2(foot%gap_vector - foot%gap*foot%normal)
+         self%wake(node) = travel + norm2(foot%gap_vector - foot%gap*foot%normal)
       end if
       if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
-   end subroutine look
+   end subroutine note
 
    !> Whether the plate faces the sphere there; where crushed matter has folded over it does not,
    !> and its normal would pull the sphere in

@@ -5,21 +5,17 @@
 !> the neighbour when the point lies beyond a side. The surface is taken to be locally a graph:
 !> the walk ends in the facet under the point, as it does for anything but a folded plate.
 module plydyn_contact_surface
-   use plydyn_base_precision, only : wp
-   use plydyn_contact_facet, only : facet_polynomial, frame_at, frame_eta, frame_eta_eta, &
-      & frame_size, frame_value, frame_xi, frame_xi_eta, frame_xi_xi, wide
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_contact_closest, only : closest_points
+   use plydyn_contact_facet, only : frame_eta, frame_size, frame_value, frame_xi
    use plydyn_contact_neighbours, only : find_neighbours, sides
    implicit none
    private
 
    public :: new_surface
 
-   !> Steps of Newton's method in one facet, and facets walked through, before giving up
-   integer, parameter :: most_steps = 30, most_walks = 100
-
-   !> A step this small, in local coordinates, is the last: the error after it is its square, and
-   !> that of the gap the square of this
-   real(wp), parameter :: last_step = 1.0e-4_wp
+   !> Facets walked through before giving up
+   integer, parameter :: most_walks = 100
 
    !> Local coordinate from which a place is on a side
    real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
@@ -29,12 +25,6 @@ module plydyn_contact_surface
 
    !> Share of the distance that a walk must gain to go on
    real(wp), parameter :: least_gain = 1.0e-12_wp
-
-   !> Growth of a squared distance that may be round-off
-   real(wp), parameter :: round_off = 1.0e-14_wp
-
-   !> Share of the product of the tangents' squares that a regular determinant exceeds
-   real(wp), parameter :: regular = 1.0e-6_wp
 
    !> Facets of one face of the plate
    type, public :: surface_type
@@ -51,6 +41,7 @@ module plydyn_contact_surface
    contains
       procedure :: start_near
       procedure :: project
+      procedure :: project_some
    end type surface_type
 
    !> Foot of the perpendicular from a point to the surface
@@ -133,22 +124,49 @@ contains
       !> Start in, foot out
       type(foot_type), intent(inout) :: foot
 
-      type(foot_type) :: trial
-      integer :: side, walk
-      real(wp) :: distance, least
+      real(wp) :: points(3, 1)
+      type(foot_type) :: feet(1)
 
-      trial = foot
-      least = huge(1.0_wp)
+      points(:, 1) = point
+      feet(1) = foot
+      call self%project_some(position, points, feet)
+      foot = feet(1)
+   end subroutine project
+
+   !> The same for some points at once
+   pure subroutine project_some(self, position, point, foot)
+      !> The surface
+      class(surface_type), intent(in) :: self
+      !> Surface points, (3, points), length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Any points, no more than lanes, (3, points), length
+      real(wp), intent(in) :: point(:, :)
+      !> Of each the start in, foot out
+      type(foot_type), intent(inout) :: foot(:)
+
+      type(foot_type) :: trial(size(foot))
+      integer :: i, side(size(foot)), walk
+      logical :: walks(size(foot))
+      real(wp) :: distance, least(size(foot))
+
+      trial(:) = foot
+      least(:) = huge(1.0_wp)
+      walks(:) = .true.
       do walk = 1, most_walks
          call descend(self, position, point, trial, side)
-         distance = sqrt(dot_product(trial%gap_vector, trial%gap_vector))
-         if (distance > (1.0_wp - least_gain)*least) return
-         foot = trial
-         if (side == 0) return
-         least = distance
-         call cross(self, side, trial)
+         do i = 1, size(foot)
+            if (.not. walks(i)) cycle
+            distance = sqrt(dot_product(trial(i)%gap_vector, trial(i)%gap_vector))
+            walks(i) = distance <= (1.0_wp - least_gain)*least(i)
+            if (.not. walks(i)) cycle
+            foot(i) = trial(i)
+            walks(i) = side(i) > 0
+            least(i) = distance
+            if (walks(i)) call cross(self, side(i), trial(i))
+         end do
+         if (.not. any(walks)) return
       end do
-   end subroutine project
+   end subroutine project_some
 
    !> Start in the neighbour, at the same point of the common side
    pure subroutine cross(self, side, foot)
@@ -179,126 +197,44 @@ contains
       foot%facet = next
    end subroutine cross
 
-   !> Closest point of one facet, and the side over which the point lies
+   !> Closest points of one facet each, and the sides over which the points lie
    pure subroutine descend(self, position, point, foot, side)
       !> The surface
       type(surface_type), intent(in) :: self
       !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Any point, length
-      real(wp), intent(in) :: point(3)
-      !> Facet and start in, foot out
-      type(foot_type), intent(inout) :: foot
+      !> Any points, no more than lanes, (3, points), length
+      real(wp), intent(in) :: point(:, :)
+      !> Of each facet and start in, foot out
+      type(foot_type), intent(inout) :: foot(:)
       !> Side with a neighbour beyond which the point lies, 0 for none
-      integer, intent(out) :: side
+      integer, intent(out) :: side(:)
 
-      real(wp) :: frame(wide, frame_size), last, polynomial(wide, 0:2, 0:2), squared, step(2)
-      integer :: iteration
+      real(wp) :: frame(lanes, 3, frame_size), place(lanes, 2), x(lanes, 3, self%nodes)
+      integer :: i, k, l
 
-      call see_facet(self, position, point, foot%facet, polynomial)
-      last = 0.5_wp*huge(1.0_wp)
-      step(:) = 1.0_wp
-      do iteration = 1, most_steps
-         call frame_at(polynomial, foot%place, frame)
-         foot%gap_vector(:) = -frame(:3, frame_value)
-         if (maxval(abs(step)) <= last_step .or. iteration == most_steps) exit
-         squared = dot_product(foot%gap_vector, foot%gap_vector)
-         if (squared > (1.0_wp + round_off)*last) then
-            ! too far: go half of the way back
-            step(:) = 0.5_wp*step
-            foot%place(:) = foot%place - step
-         else
-            last = squared
-            step(:) = newton_step(frame, foot%gap_vector, foot%place)
-            foot%place(:) = foot%place + step
-         end if
+      do l = 1, lanes
+         ! what is over does as the last one
+         i = min(l, size(foot))
+         do k = 1, self%nodes
+            x(l, :, k) = position(:, self%facet(k, foot(i)%facet)) - point(:, i)
+         end do
+         place(l, :) = foot(i)%place
       end do
-      call finish_foot(self, frame, foot, side)
+      call closest_points(self%nodes, x, place, frame)
+      do i = 1, size(foot)
+         foot(i)%place(:) = place(i, :)
+         foot(i)%gap_vector(:) = -frame(i, :, frame_value)
+         call finish_foot(self, frame(i, :, frame_xi), frame(i, :, frame_eta), foot(i), side(i))
+      end do
    end subroutine descend
 
-   !> A facet as a polynomial, seen from a point
-   pure subroutine see_facet(self, position, point, facet, polynomial)
-      !> The surface
-      type(surface_type), intent(in) :: self
-      !> Surface points, length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Any point, length
-      real(wp), intent(in) :: point(3)
-      !> Which facet
-      integer, intent(in) :: facet
-      !> The facet relative to the point
-      real(wp), intent(out) :: polynomial(wide, 0:2, 0:2)
-
-      real(wp) :: x(wide, self%nodes)
-      integer :: i
-
-      do i = 1, self%nodes
-         x(:3, i) = position(:, self%facet(i, facet)) - point
-         x(wide, i) = 0.0_wp
-      end do
-      call facet_polynomial(self%nodes, x, polynomial)
-   end subroutine see_facet
-
-   !> Newton step towards the closest point, kept inside the facet
-   pure function newton_step(frame, gap_vector, place) result(step)
-      !> The facet at the place
-      real(wp), intent(in) :: frame(wide, frame_size)
-      !> From there to the point, length
-      real(wp), intent(in) :: gap_vector(3)
-      !> Place in the facet
-      real(wp), intent(in) :: place(2)
-      real(wp) :: step(2)
-
-      real(wp) :: along_gap(frame_size), curve(3), determinant, metric(3)
-
-      along_gap(:) = frame(1, :)*gap_vector(1) + frame(2, :)*gap_vector(2) &
-         & + frame(3, :)*gap_vector(3)
-      metric(1) = dot_product(frame(:3, frame_xi), frame(:3, frame_xi))
-      metric(2) = dot_product(frame(:3, frame_eta), frame(:3, frame_eta))
-      metric(3) = dot_product(frame(:3, frame_xi), frame(:3, frame_eta))
-      curve(:) = metric - along_gap(frame_xi_xi:frame_xi_eta)
-      determinant = curve(1)*curve(2) - curve(3)**2
-      if (any(curve(:2) < regular*metric(:2)) .or. determinant < regular*metric(1)*metric(2)) then
-         ! not convex here: Gauss-Newton
-         curve(:) = metric
-         determinant = curve(1)*curve(2) - curve(3)**2
-      end if
-      associate (slope => along_gap(frame_xi:frame_eta))
-         step(1) = (curve(2)*slope(1) - curve(3)*slope(2))/determinant
-         step(2) = (curve(1)*slope(2) - curve(3)*slope(1))/determinant
-         call keep_inside(place, slope, curve, step)
-      end associate
-   end function newton_step
-
-   !> Cut a step at the side that it crosses first, and go on along that side
-   pure subroutine keep_inside(place, slope, curve, step)
-      !> Place in the facet
-      real(wp), intent(in) :: place(2)
-      !> Slope of the squared distance there, downhill
-      real(wp), intent(in) :: slope(2)
-      !> Its second derivatives
-      real(wp), intent(in) :: curve(3)
-      !> Newton step, free in, inside out
-      real(wp), intent(inout) :: step(2)
-
-      real(wp) :: room(2)
-      integer :: first, other
-
-      room(:) = max(0.0_wp, merge(1.0_wp - place, 1.0_wp + place, step > 0.0_wp))
-      if (all(abs(step) <= room)) return
-      first = merge(1, 2, room(1)*abs(step(2)) <= room(2)*abs(step(1)))
-      other = 3 - first
-      step(first) = sign(room(first), step(first))
-      step(other) = (slope(other) - curve(3)*step(first))/curve(other)
-      step(other) = max(-1.0_wp - place(other), min(1.0_wp - place(other), step(other)))
-   end subroutine keep_inside
-
    !> Normal and gap at the closest point, and the side over which the point lies
-   pure subroutine finish_foot(self, frame, foot, side)
+   pure subroutine finish_foot(self, along_xi, along_eta, foot, side)
       !> The surface
       type(surface_type), intent(in) :: self
-      !> The facet at the foot
-      real(wp), intent(in) :: frame(wide, frame_size)
+      !> Tangents at the foot, length
+      real(wp), intent(in) :: along_xi(3), along_eta(3)
       !> Facet, place and gap vector in, all out
       type(foot_type), intent(inout) :: foot
       !> Side with a neighbour beyond which the point lies, 0 for none
@@ -307,7 +243,7 @@ contains
       real(wp) :: over(sides), towards(sides)
       integer :: s
 
-      foot%normal(:) = self%side*unit_normal(frame(:3, frame_xi), frame(:3, frame_eta))
+      foot%normal(:) = self%side*unit_normal(along_xi, along_eta)
       foot%gap = dot_product(foot%gap_vector, foot%normal)
       foot%beside = .false.
       side = 0
@@ -315,8 +251,8 @@ contains
       if (all(towards < at_side)) return
 
       ! how far beyond each side the point lies, in local coordinates
-      over(2) = dot_product(foot%gap_vector, frame(:3, frame_xi))/sum(frame(:3, frame_xi)**2)
-      over(3) = dot_product(foot%gap_vector, frame(:3, frame_eta))/sum(frame(:3, frame_eta)**2)
+      over(2) = dot_product(foot%gap_vector, along_xi)/sum(along_xi**2)
+      over(3) = dot_product(foot%gap_vector, along_eta)/sum(along_eta**2)
       over(1) = -over(3)
       over(4) = -over(2)
       over(:) = merge(over, 0.0_wp, towards >= at_side)

@@ -1,8 +1,8 @@
-!> A facet as a polynomial.
+!> Facets as polynomials.
 program test_contact_facet
-   use plydyn_base_precision, only : wp
-   use plydyn_contact_facet, only : facet_polynomial, frame_at, frame_eta, frame_eta_eta, &
-      & frame_size, frame_value, frame_xi, frame_xi_eta, frame_xi_xi, wide
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_contact_facet, only : facet_polynomials, frame_eta, frame_eta_eta, frame_size, &
+      & frame_value, frame_xi, frame_xi_eta, frame_xi_xi, frames_at
    use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -22,16 +22,16 @@ contains
       !> Points of the facet
       integer, intent(in) :: nodes
 
-      real(wp) :: frame(wide, frame_size), height(nodes), place(2, nodes)
+      real(wp) :: frame(3, frame_size), height(nodes), place(2, nodes)
       integer :: a, b, degree
 
-      call begin("frame_at, monomials")
+      call begin("frames_at, monomials")
       degree = merge(1, 2, nodes == bilinear_nodes)
       place(:, :) = local_nodes(nodes)
       do b = 0, degree
          do a = 0, degree
             height(:) = place(1, :)**a*place(2, :)**b
-            call find_frame(nodes, spread(height, 1, wide), frame)
+            call find_frame(nodes, spread(height, 1, 3), frame)
             call check(frame(3, frame_value), xi**a*eta**b, round_off, "value")
             call check(frame(3, frame_xi), slope(xi, a)*eta**b, round_off, "along xi")
             call check(frame(3, frame_eta), xi**a*slope(eta, b), round_off, "along eta")
@@ -47,12 +47,12 @@ contains
       !> Points of the facet
       integer, intent(in) :: nodes
 
-      real(wp) :: dn(2, nodes), frame(wide, frame_size), n(nodes), x(wide, nodes)
+      real(wp) :: dn(2, nodes), frame(3, frame_size), n(nodes), x(3, nodes)
       integer :: i
 
-      call begin("frame_at, any facet")
+      call begin("frames_at, any facet")
       do i = 1, nodes
-         x(:, i) = [sin(3.1_wp*i), cos(1.7_wp*i), sin(0.9_wp*i**2), 0.0_wp]
+         x(:, i) = [sin(3.1_wp*i), cos(1.7_wp*i), sin(0.9_wp*i**2)]
       end do
       call find_frame(nodes, x, frame)
       call shape_functions(nodes, xi, eta, n, dn)
@@ -61,18 +61,26 @@ contains
       call check(frame(:, frame_eta), matmul(x, dn(2, :)), round_off, "along eta")
    end subroutine check_interpolation
 
-   !> Frame of a facet at the place of the test
+   !> Frame of a facet at the place of the test, in the last lane; another one is in the others
    subroutine find_frame(nodes, x, frame)
       !> Points of the facet: how many, and where
       integer, intent(in) :: nodes
-      real(wp), intent(in) :: x(wide, nodes)
+      real(wp), intent(in) :: x(3, nodes)
       !> The frame
-      real(wp), intent(out) :: frame(wide, frame_size)
+      real(wp), intent(out) :: frame(3, frame_size)
 
-      real(wp) :: polynomial(wide, 0:2, 0:2)
+      real(wp) :: frames(lanes, 3, frame_size), place(lanes, 2), polynomial(lanes, 3, 0:2, 0:2)
+      real(wp) :: points(lanes, 3, nodes)
 
-      call facet_polynomial(nodes, x, polynomial)
-      call frame_at(polynomial, [xi, eta], frame)
+      points(:, :, :) = 1.0_wp
+      place(:, :) = 0.0_wp
+      points(lanes, :, :) = x
+      place(lanes, :) = [xi, eta]
+      call facet_polynomials(nodes, points, polynomial)
+      call frames_at(polynomial, place, frames)
+      call check(maxval(abs(frames(:lanes - 1, :, frame_value) - 1.0_wp)), 0.0_wp, round_off, &
+         & "the other lanes do not mind")
+      frame(:, :) = frames(lanes, :, :)
    end subroutine find_frame
 
    !> Derivative of x**power
