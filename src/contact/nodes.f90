@@ -6,6 +6,7 @@ module plydyn_contact_nodes
    use plydyn_contact_constraint, only : constraints_type
    use plydyn_contact_near, only : near_type
    use plydyn_contact_neighbours, only : sides
+   use plydyn_contact_sleepers, only : new_sleepers, sleepers_type
    use plydyn_contact_sphere, only : sphere_nodes
    use plydyn_contact_surface, only : foot_type, surface_type
    use plydyn_fem_shape, only : bilinear_nodes, shape_functions
@@ -41,18 +42,12 @@ module plydyn_contact_nodes
       real(wp), allocatable :: position(:, :)
       !> Multiplier times the step squared, mass times length
       real(wp), allocatable :: push(:)
-      !> First node of each ring, and one more at the end
-      integer, allocatable, private :: ring(:)
       !> Facet under each node, 0 when unknown
       integer, allocatable, private :: facet(:)
       !> Place in that facet, (2, nodes)
       real(wp), allocatable, private :: place(:, :)
-      !> Travel from which a node is looked at again, length
-      real(wp), allocatable, private :: wake(:)
-      !> The least of these in each ring, length
-      real(wp), allocatable, private :: ring_wake(:)
-      !> Nodes to look at in this step, in the first places
-      integer, allocatable, private :: awake(:)
+      !> Until when they sleep: nodes far above the surface need not be looked at
+      type(sleepers_type), private :: sleepers
    contains
       procedure :: collect
       procedure :: forget
@@ -94,12 +89,12 @@ contains
             & //text(1.01_wp*sqrt(two_pi*radius*cap/most_nodes), 3)//" or more, or use METHOD 2")
          return
       end if
-      call sphere_nodes(radius, used, reach, nint(surface%side), self%position, self%ring)
+      call sphere_nodes(radius, used, reach, nint(surface%side), self%position)
       nodes = size(self%position, 2)
-      allocate (self%facet(nodes), self%awake(nodes), source=0)
+      allocate (self%facet(nodes), source=0)
       allocate (self%place(2, nodes), source=0.0_wp)
-      allocate (self%push(nodes), self%wake(nodes), source=0.0_wp)
-      allocate (self%ring_wake(size(self%ring) - 1), source=0.0_wp)
+      allocate (self%push(nodes), source=0.0_wp)
+      call new_sleepers(self%sleepers, nodes)
    end subroutine new_nodes
 
    !> Distance from the axis of the impactor to the farthest point of the surface, length
@@ -186,8 +181,8 @@ contains
       class(node_set_type), intent(inout) :: self
 
       self%facet(:) = 0
-      self%wake(:) = 0.0_wp
-      self%ring_wake(:) = 0.0_wp
+      self%sleepers%wake(:size(self%facet)) = 0.0_wp
+      call self%sleepers%renew()
    end subroutine forget
 
    !> Append what is remembered from step to step
@@ -200,7 +195,8 @@ contains
       real(wp), allocatable, intent(inout) :: numbers(:)
 
       places = [places, self%facet]
-      numbers = [numbers, self%push, self%wake, reshape(self%place, [size(self%place)])]
+      numbers = [numbers, self%push, self%sleepers%wake(:size(self%facet)), &
+         & reshape(self%place, [size(self%place)])]
    end subroutine remember
 
    !> Take back what `remember` gave
@@ -213,19 +209,15 @@ contains
       !> False when they are not for as many nodes
       logical, intent(out) :: good
 
-      integer :: r
-
       associate (nodes => size(self%facet))
          good = size(places) == nodes .and. size(numbers) == 4*nodes
          if (.not. good) return
          self%facet(:) = places
          self%push(:) = numbers(:nodes)
-         self%wake(:) = numbers(nodes + 1:2*nodes)
+         self%sleepers%wake(:nodes) = numbers(nodes + 1:2*nodes)
          self%place(:, :) = reshape(numbers(2*nodes + 1:), shape(self%place))
       end associate
-      do r = 1, size(self%ring_wake)
-         self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
-      end do
+      call self%sleepers%renew()
    end subroutine recall
 
    !> Make a row of every node below the surface, looking only at those that can be
@@ -243,41 +235,15 @@ contains
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      integer :: count, first, r
+      integer :: first
 
       if (size(near%facet) == 0) return
-      call list_awake(self, near%travel, count)
-      do first = 1, count, lanes
-         call look(self, surface, near, position, centre, &
-            & self%awake(first:min(first + lanes - 1, count)), rows)
-      end do
-      do r = 1, size(self%ring_wake)
-         if (self%ring_wake(r) > near%travel) cycle
-         self%ring_wake(r) = minval(self%wake(self%ring(r):self%ring(r + 1) - 1))
+      call self%sleepers%find_awake(near%travel)
+      do first = 1, self%sleepers%count, lanes
+         call look(self, surface, near, position, centre, self%sleepers%awake( &
+            & first:min(first + lanes - 1, self%sleepers%count)), rows)
       end do
    end subroutine collect
-
-   !> List the nodes that sleep no longer
-   pure subroutine list_awake(self, travel, count)
-      !> The nodes
-      class(node_set_type), intent(inout) :: self
-      !> Bound on the approach of sphere and listed facets since the start, length
-      real(wp), intent(in) :: travel
-      !> How many they are
-      integer, intent(out) :: count
-
-      integer :: r, s
-
-      count = 0
-      do r = 1, size(self%ring_wake)
-         if (self%ring_wake(r) > travel) cycle
-         do s = self%ring(r), self%ring(r + 1) - 1
-            if (self%wake(s) > travel) cycle
-            count = count + 1
-            self%awake(count) = s
-         end do
-      end do
-   end subroutine list_awake
 
    !> Look where some nodes are, no more than lanes, and make rows of those below the surface
    pure subroutine look(self, surface, near, position, centre, node, rows)
@@ -332,10 +298,10 @@ contains
       self%facet(node) = merge(0, foot%facet, foot%beside)
       self%place(:, node) = foot%place
       if (foot%gap >= 0.0_wp) then
-         self%wake(node) = travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
+         self%sleepers%wake(node) = travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
       else if (foot%beside) then
          ! below the border: how far beyond it
-         self%wake(node) = travel + norm2(foot%gap_vector - foot%gap*foot%normal)
+         self%sleepers%wake(node) = travel + norm2(foot%gap_vector - foot%gap*foot%normal)
       end if
       if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
    end subroutine note

@@ -21,7 +21,7 @@ contains
    !> meridian and about a spacing apart along the ring, none on the x or y axis where sides of
    !> facets like to be. A quarter turn leaves the pattern as it is, to the last bit, and so does
    !> a mirror to round-off. Rings wider than the reach are left out.
-   pure subroutine sphere_nodes(radius, spacing, reach, side, node, first)
+   pure subroutine sphere_nodes(radius, spacing, reach, side, node)
       !> Length
       real(wp), intent(in) :: radius
       !> Distance between nodes, length
@@ -32,15 +32,15 @@ contains
       integer, intent(in) :: side
       !> Positions relative to the centre, (3, nodes), ring after ring from the pole
       real(wp), allocatable, intent(out) :: node(:, :)
-      !> First node of each ring, and one more at the end
-      integer, allocatable, intent(out) :: first(:)
 
+      integer, allocatable :: first(:)
       integer :: r, rings
       real(wp) :: step
 
       rings = max(1, ceiling(right_angle*radius/spacing))
       step = right_angle/rings
       rings = max(1, count([(radius*sin(r*step) <= reach, r=1, rings)]))
+      ! first node of each ring, and one more at the end
       allocate (first(rings + 2), source=1)
       first(2) = 2
       do r = 1, rings

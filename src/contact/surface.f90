@@ -211,13 +211,17 @@ contains
       integer, intent(out) :: side(:)
 
       real(wp) :: frame(lanes, 3, frame_size), place(lanes, 2), x(lanes, 3, self%nodes)
-      integer :: i, k, l
+      integer :: i, k, l, p
 
       do l = 1, lanes
          ! what is over does as the last one
          i = min(l, size(foot))
+         !GCC$ novector
          do k = 1, self%nodes
-            x(l, :, k) = position(:, self%facet(k, foot(i)%facet)) - point(:, i)
+            p = self%facet(k, foot(i)%facet)
+            x(l, 1, k) = position(1, p) - point(1, i)
+            x(l, 2, k) = position(2, p) - point(2, i)
+            x(l, 3, k) = position(3, p) - point(3, i)
          end do
          place(l, :) = foot(i)%place
       end do

@@ -6,15 +6,10 @@ module plydyn_fem_shape
    implicit none
    private
 
-   public :: local_nodes, shape_functions, shape_jets
+   public :: local_nodes, shape_functions
 
    !> Numbers of nodes that a quad can have
    integer, parameter, public :: bilinear_nodes = 4, biquadratic_nodes = 9
-
-   !> A shape function at a point up to second order: value, slopes along xi and eta, second
-   !> derivatives along xi xi, eta eta and xi eta; filled up to whole vectors
-   integer, parameter, public :: jet_value = 1, jet_xi = 2, jet_eta = 3, jet_xi_xi = 4, &
-      & jet_eta_eta = 5, jet_xi_eta = 6, jet_size = 8
 
    !> Place of each node along xi and along eta: -1, 0, 1
    integer, parameter :: place(2, biquadratic_nodes) = reshape( &
@@ -45,34 +40,6 @@ contains
       end do
    end subroutine shape_functions
 
-   !> Shape functions at a point of the quad up to second order
-   pure subroutine shape_jets(nodes, xi, eta, jet)
-      !> Nodes of the quad, 4 or 9
-      integer, intent(in) :: nodes
-      !> Place in the quad, each from -1 to 1
-      real(wp), intent(in) :: xi, eta
-      !> That of each node, (jet_size, nodes); zero behind the second derivatives
-      real(wp), intent(out) :: jet(jet_size, nodes)
-
-      real(wp), dimension(-1:1) :: a, b, bend, da, db
-      real(wp) :: along_xi(jet_size, -1:1), along_eta(jet_size, -1:1)
-      integer :: i, k
-
-      call line_functions(nodes, xi, a, da)
-      call line_functions(nodes, eta, b, db)
-      bend(:) = line_bend(nodes)
-      do i = -1, 1
-         along_xi(:, i) = [a(i), da(i), a(i), bend(i), a(i), da(i), 0.0_wp, 0.0_wp]
-         along_eta(:, i) = [b(i), b(i), db(i), b(i), bend(i), db(i), 0.0_wp, 0.0_wp]
-      end do
-      do i = 1, nodes
-         !$omp simd
-         do k = 1, jet_size
-            jet(k, i) = along_xi(k, place(1, i))*along_eta(k, place(2, i))
-         end do
-      end do
-   end subroutine shape_jets
-
    !> Local coordinates of the nodes, (2, nodes)
    pure function local_nodes(nodes) result(coordinates)
       !> Nodes of the quad, 4 or 9
@@ -101,15 +68,5 @@ contains
          slope(:) = [x - 0.5_wp, -2.0_wp*x, x + 0.5_wp]
       end if
    end subroutine line_functions
-
-   !> Second derivatives of the Lagrange polynomials along a line, by place of the node
-   pure function line_bend(nodes) result(bend)
-      !> Nodes of the quad, 4 or 9
-      integer, intent(in) :: nodes
-      real(wp) :: bend(-1:1)
-
-      bend(:) = 0.0_wp
-      if (nodes == biquadratic_nodes) bend(:) = [1.0_wp, -2.0_wp, 1.0_wp]
-   end function line_bend
 
 end module plydyn_fem_shape

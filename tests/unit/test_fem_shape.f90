@@ -1,8 +1,7 @@
 !> Plane shape functions.
 program test_fem_shape
    use plydyn_base_precision, only : wp
-   use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, jet_eta, jet_eta_eta, jet_size, &
-      & jet_value, jet_xi, jet_xi_eta, jet_xi_xi, local_nodes, shape_functions, shape_jets
+   use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
 
@@ -49,25 +48,18 @@ contains
       integer, intent(in) :: nodes
 
       real(wp), parameter :: xi = 0.3_wp, eta = -0.7_wp
-      real(wp) :: n(nodes), dn(2, nodes), jet(jet_size, nodes), place(2, nodes), value(nodes)
+      real(wp) :: n(nodes), dn(2, nodes), place(2, nodes), value(nodes)
       integer :: a, b, degree
 
       degree = merge(1, 2, nodes == bilinear_nodes)
       place(:, :) = local_nodes(nodes)
       call shape_functions(nodes, xi, eta, n, dn)
-      call shape_jets(nodes, xi, eta, jet)
-      call check(maxval(abs(jet(jet_value, :) - n)), 0.0_wp, round_off, "the same values")
-      call check(maxval(abs(jet(jet_xi:jet_eta, :) - dn)), 0.0_wp, round_off, "the same slopes")
       do b = 0, degree
          do a = 0, degree
             value(:) = place(1, :)**a*place(2, :)**b
             call check(dot_product(n, value), xi**a*eta**b, round_off, "value")
             call check(dot_product(dn(1, :), value), slope(xi, a)*eta**b, round_off, "along xi")
             call check(dot_product(dn(2, :), value), xi**a*slope(eta, b), round_off, "along eta")
-            call check(dot_product(jet(jet_xi_xi, :), value), bend(a)*eta**b, round_off, "xi xi")
-            call check(dot_product(jet(jet_eta_eta, :), value), xi**a*bend(b), round_off, "eta eta")
-            call check(dot_product(jet(jet_xi_eta, :), value), slope(xi, a)*slope(eta, b), &
-               & round_off, "xi eta")
          end do
       end do
    end subroutine check_reproduction
@@ -99,14 +91,5 @@ contains
       value = 0.0_wp
       if (power > 0) value = power*x**(power - 1)
    end function slope
-
-   !> Second derivative of x**power, up to 2
-   pure function bend(power) result(value)
-      !> Power, 0 to 2
-      integer, intent(in) :: power
-      real(wp) :: value
-
-      value = merge(2.0_wp, 0.0_wp, power == 2)
-   end function bend
 
 end program test_fem_shape
