@@ -55,7 +55,7 @@ from studies.commands import (
     run_all,
     tell,
 )
-from studies.jobs import ROOT, Job, StudyError, find_tools
+from studies.jobs import ROOT, Job, StudyError, find_tools, made_by
 from studies.ladder_figures import draw_ladder
 from studies.markdown import insert
 from studies.rungs import ORDER, OUTPUTS, open_rungs, rungs
@@ -157,9 +157,13 @@ def schemes_command(
     elastic, damaged = schemes.elastic_cases(names), schemes.damage_cases()
     jobs = [case.job for case in (*elastic, *damaged)]
     run_all(find_tools(plydyn), jobs, output, parallel, again)
-    sections = [("Damage schemes", schemes.damage_text(damaged, output))]
+    text = schemes.damage_text(damaged, output)
+    by = made_by([case.job for case in damaged], output)
+    sections = [("Damage schemes", f"{text}\n{by}")]
     if elastic:
-        sections.append(("Elastic schemes", schemes.elastic_text(elastic, output)))
+        text = schemes.elastic_text(elastic, output)
+        by = made_by([case.job for case in elastic], output)
+        sections.append(("Elastic schemes", f"{text}\n{by}"))
     tell(output / "schemes.md", sections)
     if into:
         for heading, text in sections:

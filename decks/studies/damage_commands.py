@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
@@ -30,7 +31,7 @@ from studies.commands import (
 )
 from studies.damage import MODELS, Model, answers_text, areas_text, model_of, read_answer
 from studies.damage_figures import draw_forces
-from studies.jobs import StudyError, builds, find_tools, kept_effort, made_by
+from studies.jobs import ROOT, StudyError, builds, find_tools, kept_effort, made_by
 from studies.markdown import insert
 
 Tests = Annotated[
@@ -107,8 +108,13 @@ def runs_command(
     text = f"{runs.runs_text(shown)}\n{made_by(jobs, output)}"
     sections = [("Runs", text), ("Bounds", runs.bounds_text(held))]
     tell(output / "runs.md", sections)
+    orders = [(run.words, one) for run, one in shown if run in runs.ORDERS]
     list_files(draw_forces([(run.words, one) for run, one in shown], (), output, "runs"))
+    pictures = draw_forces(orders, (), output, "damage_force") if orders else []
+    list_files(pictures)
     if into:
+        if pictures and into.resolve().is_relative_to(ROOT):
+            shutil.copy(pictures[0], runs.PICTURES)
         for heading, text in sections:
             insert(into, heading.lower(), text)
     complain(failed)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from plydyn_post.results import open_results
+from plydyn_pre.recipe import load_recipe
 
 from studies.damage import RECIPES, Answer, change, energies, read_answer
 from studies.jobs import Effort, StudyError, kept_effort
@@ -23,19 +24,22 @@ HEADINGS = (
 
 def cases_of(models: str, schemes: str, overrides: Sequence[str]) -> list[Case]:
     """Recipes with central differences and with some schemes, both named between commas."""
-    wanted = [EXPLICIT, *(_scheme(words) for words in schemes.split(",") if words)]
-    return [
-        case_of(model, RECIPES / f"{model}.toml", tuple(overrides), scheme)
-        for model in models.split(",")
-        for scheme in wanted
-    ]
+    cases = []
+    for model in models.split(","):
+        recipe = RECIPES / f"{model}.toml"
+        share = load_recipe(recipe, overrides).control.step_factor
+        wanted = [words for words in (EXPLICIT[0], *schemes.split(",")) if words]
+        cases += [
+            case_of(model, recipe, tuple(overrides), _scheme(words, share)) for words in wanted
+        ]
+    return cases
 
 
-def _scheme(words: str) -> Scheme:
+def _scheme(words: str, share: float) -> Scheme:
     """A scheme from its name and its largest step in ns, between which is a colon."""
     name, _, step = words.partition(":")
     try:
-        return name, float(step or 0.0), EXPLICIT[2]
+        return name, float(step or 0.0), share
     except ValueError as error:
         raise StudyError(f"{words} is not a scheme like implicit_interfaces:20") from error
 

@@ -137,7 +137,7 @@ def run_job(
 def _follow(process: subprocess.Popen[str], log: Path, tick: Tick) -> str:
     """Keep what a process prints, and tell how far it is; gives its last line."""
     last = ""
-    with log.open("w", encoding="utf-8") as file:
+    with log.open("w", buffering=1, encoding="utf-8") as file:
         for line in process.stdout or ():
             last = line
             file.write(line)

@@ -43,22 +43,17 @@ class Ladder:
 
     model: str
     sizes: tuple[int, ...]
-    overrides: tuple[str, ...] = ()
 
     def jobs(self, overrides: Sequence[str] = ()) -> list[Job]:
         """Its jobs from the coarsest on; values may be replaced further."""
         path = RECIPES / f"{self.model}.toml"
-        return [
-            Job(f"{self.model}_n{n}", path, (*mesh_of(n), *self.overrides, *overrides))
-            for n in self.sizes
-        ]
+        return [Job(f"{self.model}_n{n}", path, (*mesh_of(n), *overrides)) for n in self.sizes]
 
 
-#: The ladders of the page; a whole disc goes as far as its quarter
+#: The ladders of the page
 LADDERS = (
     Ladder("quarter", (8, 12, 16, 24, 32, 48)),
     Ladder("quarter_elastic", (12, 16, 24)),
-    Ladder("coarse", (8, 12, 16, 24), ("control.end_time=1.5e-3",)),
 )
 
 

@@ -30,7 +30,7 @@ from studies.markdown import insert
 def refine(
     output: Folder = DEFAULT / "refine",
     model: Annotated[
-        str, typer.Option("--model", help="Recipe; without it the three ladders of the page.")
+        str, typer.Option("--model", help="Recipe; without it the ladders of the page.")
     ] = "",
     sizes: Annotated[
         str, typer.Option("--n", help="Quads along the core, by commas; else those of the page.")

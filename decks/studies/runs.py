@@ -12,12 +12,13 @@ from plydyn_post.grid import read_point_field, read_times
 from plydyn_post.results import Results, open_results
 
 from studies.damage import MODELS, RECIPES, answers_text, areas_text, mean_force, read_answer
-from studies.jobs import Job, StudyError, kept_effort
+from studies.jobs import ROOT, Job, StudyError, kept_effort
 from studies.markdown import table
 
 #: As in a test: large displacement, and steps that do not take long
 LARGE = (
     "control.kinematics=total_lagrangian",
+    "control.step_factor=0.9",
     "control.scheme=implicit_interfaces",
     "control.largest_step=3.0e-8",
     "control.end_time=3.0e-3",
@@ -34,6 +35,8 @@ BY_HAND = {
 LATE_BY_HAND = "1.05 to 1.6 kN"
 #: The last part of a run over which its force is averaged, s
 LATE = 1e-3
+#: Where the picture of the page lies
+PICTURES = ROOT / "manual/pictures"
 #: Places are told apart down to this, mm
 SAME = 1e-6
 
@@ -56,11 +59,10 @@ class Run:
 COARSE = Run("coarse", "128 Q9/LE1, `coarse`", "coarse")
 LINEAR = Run("q192_le1_linear", "192 Q9/LE1, the recipe as it stands", "q192_le1")
 ELASTIC = Run("tied_le1", "192 Q9/LE1, tied and elastic", "tied_le1")
-RUNS = (
-    COARSE,
-    *(Run(model.recipe, model.label, model.recipe, LARGE) for model in MODELS),
-    LINEAR,
-)
+_LARGE = {model: Run(model.recipe, model.label, model.recipe, LARGE) for model in MODELS}
+RUNS = (COARSE, *_LARGE.values(), LINEAR)
+#: Those that the picture of the page lays over each other
+ORDERS = tuple(run for model, run in _LARGE.items() if model.quads == 192)
 
 
 def collect(runs: Sequence[Run], folder: Path) -> list[tuple[Run, Results]]:

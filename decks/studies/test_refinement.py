@@ -53,7 +53,7 @@ def test_meshes_are_refined_with_rings_in_proportion(model):
 
 def test_without_a_recipe_the_ladders_of_the_page_are_run():
     assert pick("", "") == list(LADDERS)
-    assert [one.model for one in pick("coarse", "")] == ["coarse"]
+    assert [one.model for one in pick("quarter_elastic", "")] == ["quarter_elastic"]
     assert pick("q192_le1", "8")[0].jobs()[0].name == "q192_le1_n8"
     with pytest.raises(StudyError, match="q192_le1 has no ladder"):
         pick("q192_le1", "")

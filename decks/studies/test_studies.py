@@ -16,18 +16,14 @@ from studies.choices import BASE, CHOICES, choices_text, job_of, pick
 from studies.damage import (
     MODELS,
     Answer,
-    answers_text,
-    areas_text,
     mesh_words,
-    read_answer,
 )
-from studies.damage_figures import whole_force
 from studies.damage_times import Timing, times_text
 from studies.differences import force_difference, ply_means, section, velocity_difference
 from studies.implicit import cases_of, implicit_text
 from studies.jobs import Effort, StudyError, read_effort
 from studies.markdown import insert, table
-from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, RUNS, late_force, off_symmetry
+from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, ORDERS, RUNS, late_force, off_symmetry
 from studies.stress import agreement
 
 
@@ -147,50 +143,6 @@ def _answer(peak: float, projected: float) -> Answer:
     return Answer(peak, 1e-3, 1900.0, 3e-3, 3.0, 2000.0, projected, 3 * projected, taken, 1e-12)
 
 
-def test_an_answer_is_read_off_the_histories_of_a_run(tmp_path):
-    # the force rises to 4 kN and falls back over 2 ms; delamination begins at 2 kN
-    time = np.linspace(0.0, 3e-3, 3001)
-    force = 4000.0 * np.maximum(0.0, 1.0 - np.abs(time - 1e-3) / 1e-3)
-    pairs = zip(time, force, strict=True)
-    rows = [f"{t:.6e},{f:.9e},{-1e3 * t:.6e},-1,{1e6 * t:.6e}\n" for t, f in pairs]
-    head = "time [s],force [N],displacement [mm],velocity [mm/s],absorbed [mJ]\n"
-    (tmp_path / "job.impactor_1.csv").write_text(head + "".join(rows))
-    head = "time [s],error [-],delamination [mJ],matrix damage [mJ]\n"
-    (tmp_path / "job.energy.csv").write_text(head + "0,0,0,0\n3e-3,1e-9,900,100\n")
-    head = "time [s],interface 1 area [mm2],interface 2 area [mm2],sum [mm2],projected area [mm2]\n"
-    (tmp_path / "job.delamination.csv").write_text(
-        head + "0,0,0,0,0\n5e-4,1,0,1,1\n1e-3,60,40,100,70\n"
-    )
-    answer = read_answer(open_results(tmp_path / "job"))
-    # the mean of a peak over 20 microseconds lies a quarter of their slope below it
-    assert answer.peak == pytest.approx(4000.0 - 4e6 * 5e-6, rel=1e-6)
-    assert answer.peak_time == pytest.approx(1e-3)
-    assert answer.threshold == pytest.approx(2000.0, rel=1e-3)
-    assert answer.duration == pytest.approx(2e-3, rel=1e-2)
-    assert (answer.projected, answer.total) == (70.0, 100.0)
-    assert answer.taken == {"delamination": 900.0, "matrix damage": 100.0}
-    assert answer.absorbed == pytest.approx(2000.0, rel=1e-2)
-    (row,) = answers_text([("one", answer)]).splitlines()[2:]
-    assert row.startswith("| one | 3980 | 1.00 | 2000 |")
-    head, _, row = areas_text([("one", open_results(tmp_path / "job"))]).splitlines()
-    assert head == "| model | interface 1 [mm2] | interface 2 [mm2] |"
-    assert row == "| one | 60 | 40 |"
-    # the same run as one of four parts: four times the forces, areas and energies
-    whole = read_answer(open_results(tmp_path / "job"), 4)
-    assert (whole.peak, whole.threshold) == pytest.approx((4.0 * answer.peak, 8000.0), rel=1e-3)
-    assert (whole.projected, whole.total) == (280.0, 400.0)
-    assert whole.taken == {"delamination": 3600.0, "matrix damage": 400.0}
-    assert whole.absorbed == pytest.approx(4.0 * answer.absorbed)
-    assert (whole.duration, whole.displacement) == (answer.duration, answer.displacement)
-    assert areas_text([("one", open_results(tmp_path / "job"))], 4).endswith(
-        "| one | 240 | 160 |\n"
-    )
-    history = open_results(tmp_path / "job").impactor()
-    forces = whole_force(history, 4)
-    assert forces["force"] == pytest.approx(4.0 * history["force"])
-    assert forces["time"] == pytest.approx(history["time"])
-
-
 def test_choices_are_told_against_the_recipes_as_they_are():
     other = next(choice for choice in CHOICES if choice.name == "eta_low")
     text = choices_text([(BASE, _answer(4000.0, 200.0)), (other, _answer(3800.0, 250.0))])
@@ -270,6 +222,7 @@ def test_runs_of_the_page_are_recipes():
         job = run.job(["control.end_time=1e-3"])
         assert load_recipe(job.recipe, job.overrides).control.end_time == 1e-3
     assert len({run.name for run in RUNS}) == len(RUNS)
+    assert [run.words for run in ORDERS] == ["192 Q9/LE1", "192 Q9/LE2", "192 Q9/LE3"]
     assert set(BY_HAND) == {run.name for run in (COARSE, ELASTIC, LINEAR)}
 
 

@@ -31,6 +31,20 @@ module plydyn_base_files
          integer(c_int64_t), value :: length
       end function c_truncate
 
+      integer(c_int) function c_ftruncate(descriptor, length) bind(c, name="ftruncate")
+         import :: c_int, c_int64_t
+         implicit none
+         integer(c_int), value :: descriptor
+         integer(c_int64_t), value :: length
+      end function c_ftruncate
+
+      integer(c_int64_t) function c_lseek(descriptor, shift, from) bind(c, name="lseek")
+         import :: c_int, c_int64_t
+         implicit none
+         integer(c_int), value :: descriptor, from
+         integer(c_int64_t), value :: shift
+      end function c_lseek
+
       integer(c_int) function c_fsync(descriptor) bind(c, name="fsync")
          import :: c_int
          implicit none
@@ -123,26 +137,33 @@ contains
       good = all(status == 0)
    end subroutine secure_file
 
-   !> Whether the disk has room for so many bytes behind the end of a file, which stays as it is
+   !> Whether the disk has room for so many bytes behind the end of a file, which stays as it is.
+   !> The end is asked of the file once it is open: what a file system on a network says of its name
+   !> may be older than what other ranks wrote
    logical function has_room(path, length)
       !> Path of the file
       character(*), intent(in) :: path
       !> Bytes, at least one
       integer(int64), intent(in) :: length
 
+      !> As POSIX numbers the end of a file
+      integer(c_int), parameter :: from_end = 2
       type(c_ptr) :: stream
-      integer(c_int) :: status(2)
-      integer(int64) :: before
-      logical :: good
+      integer(c_int) :: descriptor, status(3)
+      integer(c_int64_t) :: before
 
       has_room = .false.
-      inquire (file=path, size=before)
       stream = c_fopen(path//c_null_char, "r+"//c_null_char)
-      if (before < 0 .or. .not. c_associated(stream)) return
-      status(1) = c_fallocate(c_fileno(stream), int(before, c_int64_t), int(length, c_int64_t))
-      status(2) = c_fclose(stream)
-      call cut_file(path, before, good)
-      has_room = good .and. all(status == 0)
+      if (.not. c_associated(stream)) return
+      descriptor = c_fileno(stream)
+      before = c_lseek(descriptor, 0_c_int64_t, from_end)
+      status(:) = -1
+      if (before >= 0) then
+         status(1) = c_fallocate(descriptor, before, int(length, c_int64_t))
+         status(2) = c_ftruncate(descriptor, before)
+      end if
+      status(3) = c_fclose(stream)
+      has_room = all(status == 0)
    end function has_room
 
    !> Cut a file behind some byte

@@ -6,6 +6,7 @@
 !> there between the best points (Barlow, 1976), by the sampling of the MITC elements (Bathe, 1986).
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_layer_scalars, only : layer_scalars, point_history
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
@@ -14,8 +15,7 @@ module plydyn_element_recover
    implicit none
    private
 
-   public :: layer_values, new_plane_shares, plane_value, point_history, &
-      & thickness_interpolation
+   public :: layer_values, new_plane_shares, plane_value, thickness_interpolation
 
    !> Where each kind of recovered values begins, less one: strain and stress in the axes of the
    !> plate, then of the ply, each xx, yy, zz, xy, xz, yz with engineering shear; the scalars that
@@ -65,6 +65,7 @@ contains
          rotation(:, :) = strain_rotation(plate%angle(batch%layer(lane, block)))
          stiffness(:, :) = full_stiffness(batch, block, lane)
       end associate
+      values(scalars_at + 1:, :, :) = layer_scalars(plate, b, block, lane, quad, history)
       do m = 1, size(h, 4)
          do q = 1, size(h, 3)
             strain(:) = strain_of(h(:, :, q, m), large)
@@ -78,33 +79,11 @@ contains
                stress(:) = matmul(stiffness, strain)
             end if
             values(ply_stress_at + 1:scalars_at, q, m) = ply_stress(rotation, stress)
-            values(scalars_at + 1:, q, m) = law_scalars(plate, b, block, lane, quad, q, m, history)
             if (large) stress(:) = cauchy(h(:, :, q, m), stress)
             values(stress_at + 1:ply_strain_at, q, m) = stress
          end do
       end do
    end function layer_values
-
-   !> Scalars that the law of a lane shows at a Gauss point; 0 in elastic layers
-   pure function law_scalars(plate, b, block, lane, quad, q, m, history) result(values)
-      type(plate_type), intent(in) :: plate
-      integer, intent(in) :: b, block, lane, quad, q, m
-      real(wp), intent(in) :: history(:)
-      real(wp) :: values(scalars)
-
-      real(wp) :: point(lanes, plate%batches(b)%histories)
-      integer :: k
-
-      values(:) = 0.0_wp
-      do k = 1, size(plate%batches(b)%laws)
-         associate (entry => plate%batches(b)%laws(k))
-            if (entry%block /= block .or. .not. entry%law%owns(lane)) cycle
-            if (entry%law%histories == 0) cycle
-            point(:, :) = point_history(plate, plate%batches(b), block, quad, q, m, history)
-            values(:) = entry%law%show(point(lane, :entry%law%histories))
-         end associate
-      end do
-   end function law_scalars
 
    !> Stress of a law in ply axes
    pure function law_stress(batch, block, lane, strain, history) result(stress)
@@ -124,24 +103,6 @@ contains
       end do
       stress(:) = all_stress(lane, :)
    end function law_stress
-
-   !> History of one Gauss point, (lanes, histories)
-   pure function point_history(plate, batch, block, quad, q, m, history) result(point)
-      !> The plate and one of its batches
-      type(plate_type), intent(in) :: plate
-      type(layer_batch_type), intent(in) :: batch
-      !> Block of layers, quad, Gauss point of the plane and of the thickness
-      integer, intent(in) :: block, quad, q, m
-      !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
-      real(wp) :: point(lanes, batch%histories)
-
-      integer :: first
-
-      first = batch%first_history + lanes*batch%histories*((m - 1) + (batch%expansion%order + 1) &
-         & *((q - 1) + size(plate%node, 1)*((block - 1) + batch%blocks*(quad - 1))))
-      point(:, :) = reshape(history(first:first + size(point) - 1), shape(point))
-   end function point_history
 
    !> Displacement gradients at the Gauss points, (3, 3, plane, thickness)
    pure function gradients(plate, batch, block, lane, quad, displacement) result(h)

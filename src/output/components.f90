@@ -7,6 +7,9 @@ module plydyn_output_components
 
    public :: field_components, tensor
 
+   !> Numbers of a symmetric tensor
+   integer, parameter, public :: tensor_components = 6
+
    !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in ours
    integer, parameter :: vtk_order(6) = [1, 2, 3, 4, 6, 5]
    !> From engineering shear to tensor shear
@@ -21,7 +24,7 @@ contains
 
       select case (name)
       case ("displacement", "velocity"); components = 3
-      case default; components = merge(1, 6, any(scalar_names == name))
+      case default; components = merge(1, tensor_components, any(scalar_names == name))
       end select
    end function field_components
 

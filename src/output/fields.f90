@@ -3,13 +3,14 @@ module plydyn_output_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_layer_scalars, only : layer_scalars
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
       & plane_value, recovered, scalars_at, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
-   use plydyn_output_components, only : field_components
+   use plydyn_output_components, only : field_components, tensor_components
    use plydyn_output_grid, only : grid_type, new_grid
    use plydyn_output_point_fields, only : point_fields_type
    use plydyn_output_vtkhdf, only : piece_type
@@ -27,6 +28,8 @@ module plydyn_output_fields
       integer, allocatable :: node(:)
       !> Shares of the Gauss points at the nodes of a quad
       type(plane_shares_type), allocatable :: at_node(:)
+      !> Whether strain or stress is asked for; they take longer than the scalars of laws
+      logical :: has_tensors = .false.
    contains
       procedure :: create_grid
       procedure :: add_cell_fields
@@ -49,6 +52,7 @@ contains
       if (size(domain%plates) == 0) return
       self%names = model%request%fields
       self%components = field_components(self%names)
+      self%has_tensors = any(self%components == tensor_components)
       call new_grid(model%mesh, domain, self%grid, piece)
       call look_at_nodes(self, domain)
       self%at_node = node_shares(domain%plates(1)%side)
@@ -159,8 +163,8 @@ contains
       call self%grid%slots%hand_over(at_slot, values)
    end function motion_values
 
-   !> Strain and stress at the points of this rank: the mean of the quads of a part that meet there,
-   !> by area, (recovered, points)
+   !> Scalars, and strain and stress if asked for, at the points of this rank: the mean of the quads
+   !> of a part that meet there, by area, (recovered, points)
    function recovered_values(self, domain, state) result(values)
       class(fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
@@ -200,14 +204,26 @@ contains
 
       associate (plate => domain%plates(self%grid%home(1, i)), e => self%grid%home(2, i), &
          & home => domain%columns%home(:, k))
-         at_gauss = layer_values(plate, home(1), home(2), home(3), e, &
-            & domain%control%kinematics == total_lagrangian, state%displacement, state%history)
+         if (self%has_tensors) then
+            at_gauss = layer_values(plate, home(1), home(2), home(3), e, &
+               & domain%control%kinematics == total_lagrangian, state%displacement, state%history)
+         else
+            allocate (at_gauss(recovered, size(plate%node, 1), &
+               & plate%batches(home(1))%expansion%order + 1), source=0.0_wp)
+            at_gauss(scalars_at + 1:, :, :) = layer_scalars(plate, home(1), home(2), home(3), e, &
+               & state%history)
+         end if
          do t = 1, size(sums, 2)
             height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(size(sums, 2) - 1, wp)
             at_level = level_values(at_gauss, &
                & thickness_interpolation(plate%batches(home(1)), height))
             do n = 1, size(plate%node, 1)
-               here(:) = within_cell(plane_value(plate, e, k, self%at_node(n), at_level), at_gauss)
+               if (self%has_tensors) then
+                  here(:) = plane_value(plate, e, k, self%at_node(n), at_level)
+               else
+                  here(:) = matmul(at_level, self%at_node(n)%full)
+               end if
+               here(:) = within_cell(here, at_gauss)
                associate (total => sums(:, t, self%grid%slots%slot(n, i)), area => self%area(n, i))
                   total(:recovered) = total(:recovered) + area*here
                   total(recovered + 1) = total(recovered + 1) + area

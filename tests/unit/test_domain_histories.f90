@@ -6,7 +6,7 @@ program test_domain_histories
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_histories, only : start_histories
-   use plydyn_element_recover, only : point_history
+   use plydyn_element_layer_scalars, only : point_history
    use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : snap_refuse
    use plydyn_law_ply_history, only : fibre_gate, matrix_gate

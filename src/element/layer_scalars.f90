@@ -1,0 +1,64 @@
+!> What the laws of a layer show of their histories, at its Gauss points.
+module plydyn_element_layer_scalars
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_law_law, only : scalars
+   implicit none
+   private
+
+   public :: layer_scalars, point_history
+
+contains
+
+   !> Scalars of the law of one layer of one quad at its Gauss points; 0 in elastic layers
+   pure function layer_scalars(plate, b, block, lane, quad, history) result(values)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Batch of layers, block and lane in it
+      integer, intent(in) :: b, block, lane
+      !> Quad of the plate
+      integer, intent(in) :: quad
+      !> History of all Gauss points
+      real(wp), intent(in) :: history(:)
+      !> (scalars, points of the plane, points of the thickness)
+      real(wp) :: values(scalars, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
+
+      real(wp) :: point(lanes, plate%batches(b)%histories)
+      integer :: k, m, q
+
+      values(:, :, :) = 0.0_wp
+      do k = 1, size(plate%batches(b)%laws)
+         associate (entry => plate%batches(b)%laws(k))
+            if (entry%block /= block .or. .not. entry%law%owns(lane)) cycle
+            if (entry%law%histories == 0) cycle
+            do m = 1, size(values, 3)
+               do q = 1, size(values, 2)
+                  point(:, :) = point_history(plate, plate%batches(b), block, quad, q, m, history)
+                  values(:, q, m) = entry%law%show(point(lane, :entry%law%histories))
+               end do
+            end do
+         end associate
+      end do
+   end function layer_scalars
+
+   !> History of one Gauss point, (lanes, histories)
+   pure function point_history(plate, batch, block, quad, q, m, history) result(point)
+      !> The plate and one of its batches
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      !> Block of layers, quad, Gauss point of the plane and of the thickness
+      integer, intent(in) :: block, quad, q, m
+      !> History of all Gauss points
+      real(wp), intent(in) :: history(:)
+      real(wp) :: point(lanes, batch%histories)
+
+      integer :: first, k
+
+      first = batch%first_history + lanes*batch%histories*((m - 1) + (batch%expansion%order + 1) &
+         & *((q - 1) + size(plate%node, 1)*((block - 1) + batch%blocks*(quad - 1))))
+      do k = 1, batch%histories
+         point(:, k) = history(first + lanes*(k - 1):first + lanes*k - 1)
+      end do
+   end function point_history
+
+end module plydyn_element_layer_scalars
