@@ -93,28 +93,48 @@ contains
 
       real(wp), parameter :: limb_size = 2.0_wp**limb_bits
       integer(int64) :: digit(-1:limbs)
-      integer :: top
+      integer :: first, top
 
       if (self%limb(0, k) /= 0_int64) then
          value = ieee_value(value, ieee_quiet_nan)
          return
       end if
-      digit(-1:0) = 0_int64
-      digit(1:) = self%limb(1:, k)
-      call carry(digit(1:))
+      call find_ends(self%limb(1:, k), first, top)
+      value = 0.0_wp
+      if (top == 0) return
+      digit(first - 2:first - 1) = 0_int64
+      digit(first:top) = self%limb(first:top, k)
+      call carry(digit(first:top))
       value = 1.0_wp
-      if (digit(limbs) < 0_int64) then
+      if (digit(top) < 0_int64) then
          value = -1.0_wp
-         digit(1:) = -self%limb(1:, k)
-         call carry(digit(1:))
+         digit(first:top) = -self%limb(first:top, k)
+         call carry(digit(first:top))
       end if
-      do top = limbs, 2, -1
+      do top = top, first + 1, -1
          if (digit(top) /= 0_int64) exit
       end do
       ! of three limbs at least 65 bits are there
       value = value*scale((real(digit(top), wp)*limb_size + real(digit(top - 1), wp))*limb_size &
          & + real(digit(top - 2), wp), limb_bits*(top - 3) + lowest)
    end function value
+
+   !> The lowest limb that is not zero, and the one that the highest may carry into; none where all
+   !> are zero
+   pure subroutine find_ends(limb, first, last)
+      integer(int64), intent(in) :: limb(limbs)
+      integer, intent(out) :: first, last
+
+      first = 1
+      do last = limbs, 1, -1
+         if (limb(last) /= 0_int64) exit
+      end do
+      if (last == 0) return
+      last = min(last + 1, limbs)
+      do while (limb(first) == 0_int64)
+         first = first + 1
+      end do
+   end subroutine find_ends
 
    !> Let every limb but the last be from 0 to 2**32 - 1
    pure subroutine carry(digit)

@@ -13,8 +13,8 @@ module plydyn_solver_motion
 
    public :: accelerate, accelerate_chunk, advance, count_sums
 
-   !> Sums of a block, lane by lane: momentum along x, y, z, then these
-   integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, parts = 6
+   !> Sums of a block, lane by lane: momentum along x, y, z, then these; at last no sum but a bound
+   integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, fastest_at = 7, parts = 7
    !> Share by which the last step may exceed the largest, and room for round-off
    real(wp), parameter :: room = 1.0e-5_wp
 
@@ -142,9 +142,12 @@ contains
       real(wp), intent(inout), contiguous :: force(:)
       type(sums_type), intent(inout) :: sums
 
-      real(wp) :: part(lanes, parts)
+      real(wp) :: part(lanes, parts), reach
       integer :: f, first, i, mass, n
+      logical :: is_coupled
 
+      is_coupled = domain%thickness%active .or. domain%pairs%active
+      reach = (1.0_wp + room)*domain%step
       part(:, :) = 0.0_wp
       do i = 1, size(columns)
          n = columns(i)
@@ -156,14 +159,14 @@ contains
                   call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
                      & force(first:))
                end if
-               call divide(family%blocks*(family%order + 1), half_step, domain%mass(mass:), &
-                  & domain%inverse_mass(mass:), velocity(first:), force(first:), part)
+               call divide(family%blocks*(family%order + 1), half_step, reach, &
+                  & domain%mass(mass:), domain%inverse_mass(mass:), velocity(first:), &
+                  & force(first:), part)
             end associate
          end do
-         call couple(domain, n, half_step, velocity, force, sums)
-         sums%fastest = max(sums%fastest, &
-            & speed_of_column(domain%columns%height, n, domain%step, velocity, force))
+         if (is_coupled) call couple(domain, n, half_step, reach, velocity, force, sums)
       end do
+      if (.not. is_coupled) sums%fastest = max(sums%fastest, maxval(part(:, fastest_at)))
       sums%momentum(:) = sums%momentum + sum(part(:, :3), 1)
       sums%twice_kinetic = sums%twice_kinetic + sum(part(:, kinetic_at))
       sums%power = sums%power + sum(part(:, power_at))
@@ -171,16 +174,14 @@ contains
    end subroutine accelerate_columns
 
    !> What no component of the velocity of a column will exceed half a step after the next motion
-   pure real(wp) function speed_of_column(height, n, step, velocity, acceleration) result(most)
+   pure real(wp) function speed_of_column(height, n, reach, velocity, acceleration) result(most)
       integer, intent(in) :: height, n
-      !> Largest step
-      real(wp), intent(in) :: step
+      !> Largest step, and room for round-off
+      real(wp), intent(in) :: reach
       real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
 
-      real(wp) :: reach
       integer :: k
 
-      reach = (1.0_wp + room)*step
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do k = front + height*(n - 1) + 1, front + height*n
@@ -212,11 +213,11 @@ contains
       if (size(chunk_sums) > 0) call tally%add(speed_sum, maxval(chunk_sums%fastest))
    end subroutine count_sums
 
-   !> Inertia that the points of a column share, where the scheme adds any
-   pure subroutine couple(domain, node, half_step, velocity, acceleration, sums)
+   !> Inertia that the points of a column share, as the scheme adds it, and how fast they get
+   pure subroutine couple(domain, node, half_step, reach, velocity, acceleration, sums)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: node
-      real(wp), intent(in) :: half_step
+      real(wp), intent(in) :: half_step, reach
       real(wp), intent(in), contiguous :: velocity(:)
       real(wp), intent(inout), contiguous :: acceleration(:)
       type(sums_type), intent(inout) :: sums
@@ -226,10 +227,12 @@ contains
             & velocity, acceleration, sums)
          call add_pair_energy(domain%pairs, domain%columns, node, half_step, velocity, &
             & acceleration, sums)
-      else if (domain%pairs%active) then
+      else
          call couple_pairs(domain%pairs, domain%columns, node, half_step, velocity, &
             & acceleration, sums)
       end if
+      sums%fastest = max(sums%fastest, &
+         & speed_of_column(domain%columns%height, node, reach, velocity, acceleration))
    end subroutine couple
 
    !> Give both points of every tied face between lanes side by side the sum of their forces
@@ -257,16 +260,16 @@ contains
    end subroutine share_forces
 
    !> Force over mass of one family above a node, and its part in the sums
-   pure subroutine divide(rows, half_step, mass, inverse_mass, v, a, part)
+   pure subroutine divide(rows, half_step, reach, mass, inverse_mass, v, a, part)
       integer, intent(in) :: rows
-      real(wp), intent(in) :: half_step, mass(lanes, rows), inverse_mass(lanes, rows)
+      real(wp), intent(in) :: half_step, reach, mass(lanes, rows), inverse_mass(lanes, rows)
       real(wp), intent(in) :: v(lanes, rows, 3)
       real(wp), intent(inout) :: a(lanes, rows, 3), part(lanes, parts)
 
-      real(wp) :: kinetic, power, pull, px, py, pz, vx, vy, vz
+      real(wp) :: fastest, kinetic, power, pull, px, py, pz, vx, vy, vz
       integer :: l, r
 
-      !$omp simd private(kinetic, power, pull, px, py, pz, vx, vy, vz, r)
+      !$omp simd private(fastest, kinetic, power, pull, px, py, pz, vx, vy, vz, r)
       do l = 1, lanes
          px = part(l, 1)
          py = part(l, 2)
@@ -274,6 +277,7 @@ contains
          kinetic = part(l, kinetic_at)
          power = part(l, power_at)
          pull = part(l, pull_at)
+         fastest = part(l, fastest_at)
          r = 0
          ! with its end tested last: around a loop that may be empty there are no vectors
          do
@@ -291,6 +295,8 @@ contains
             power = power + mass(l, r)*(a(l, r, 1)*v(l, r, 1) + a(l, r, 2)*v(l, r, 2) &
                & + a(l, r, 3)*v(l, r, 3))
             pull = pull + mass(l, r)*(a(l, r, 1)**2 + a(l, r, 2)**2 + a(l, r, 3)**2)
+            fastest = max(fastest, abs(v(l, r, 1)) + reach*abs(a(l, r, 1)), &
+               & abs(v(l, r, 2)) + reach*abs(a(l, r, 2)), abs(v(l, r, 3)) + reach*abs(a(l, r, 3)))
             if (r == rows) exit
          end do
          part(l, 1) = px
@@ -299,6 +305,7 @@ contains
          part(l, kinetic_at) = kinetic
          part(l, power_at) = power
          part(l, pull_at) = pull
+         part(l, fastest_at) = fastest
       end do
    end subroutine divide
 
