@@ -32,6 +32,7 @@ module plydyn_contact_constraint
       real(wp), allocatable :: push(:)
    contains
       procedure :: add
+      procedure :: drop
    end type constraints_type
 
 contains
@@ -60,6 +61,24 @@ contains
       self%source(self%count) = source
       self%push(self%count) = push
    end subroutine add
+
+   !> Leave a row out
+   pure subroutine drop(self, row)
+      !> The rows
+      class(constraints_type), intent(inout) :: self
+      !> Which
+      integer, intent(in) :: row
+
+      associate (last => self%count)
+         self%source(row:last - 1) = self%source(row + 1:last)
+         self%point(:, row:last - 1) = self%point(:, row + 1:last)
+         self%weight(:, row:last - 1) = self%weight(:, row + 1:last)
+         self%normal(:, row:last - 1) = self%normal(:, row + 1:last)
+         self%gap(row:last - 1) = self%gap(row + 1:last)
+         self%push(row:last - 1) = self%push(row + 1:last)
+      end associate
+      self%count = self%count - 1
+   end subroutine drop
 
    !> Double the room for rows
    pure subroutine enlarge(self)

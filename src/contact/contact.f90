@@ -14,6 +14,7 @@ module plydyn_contact_contact
    use plydyn_contact_constraint, only : constraints_type, new_constraints, opening
    use plydyn_contact_correction, only : correction_type, new_correction
    use plydyn_contact_multiplier, only : active_set_type, new_active_set
+   use plydyn_contact_ground, only : ground_type, new_ground
    use plydyn_contact_near, only : near_type, new_near
    use plydyn_contact_nodes, only : new_nodes, node_set_type, point_distance
    use plydyn_contact_separate, only : is_separate, solve_separate
@@ -54,6 +55,8 @@ module plydyn_contact_contact
    type, public :: contact_pair_type
       !> What of the surface is near the impactor: nothing else is pushed
       type(near_type) :: near
+      !> Facets that can be pushed in the coming step, as long as the former are not listed anew
+      type(ground_type) :: ground
       !> What the last step added to the surface points
       type(correction_type) :: correction
       type(contact_setup_type), private :: setup
@@ -93,6 +96,7 @@ contains
       if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
       call new_surface(self%surface, facet, position, setup%side)
       call new_near(self%near, self%surface, setup%radius)
+      call new_ground(self%ground, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
@@ -170,6 +174,7 @@ contains
       if (.not. good) return
       if (self%setup%exact_sphere) then
          good = used(1) == size(places) .and. used(2) == size(numbers)
+         call self%ground%take(self%near%facet)
       else
          call self%nodes%recall(places(used(1) + 1:), numbers(used(2) + 1:), good)
       end if
@@ -200,10 +205,13 @@ contains
       call self%near%update(self%surface, position, centre, rebuilt)
       call self%correction%clear()
       if (self%setup%exact_sphere) then
+         if (rebuilt) call self%ground%take(self%near%facet)
          call collect_points(self, position, centre)
       else
          if (rebuilt) call self%nodes%forget()
+         self%ground%is_all = self%ground%is_all .or. rebuilt
          call self%nodes%collect(self%near%patch, self%near, position, centre, self%rows)
+         call self%ground%follow(self%surface, self%near%travel, self%nodes, self%rows)
       end if
       if (self%rows%count == 0) return
 

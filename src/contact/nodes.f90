@@ -43,11 +43,11 @@ module plydyn_contact_nodes
       !> Multiplier times the step squared, mass times length
       real(wp), allocatable :: push(:)
       !> Facet under each node, 0 when unknown
-      integer, allocatable, private :: facet(:)
+      integer, allocatable :: facet(:)
       !> Place in that facet, (2, nodes)
       real(wp), allocatable, private :: place(:, :)
       !> Until when they sleep: nodes far above the surface need not be looked at
-      type(sleepers_type), private :: sleepers
+      type(sleepers_type) :: sleepers
    contains
       procedure :: collect
       procedure :: forget

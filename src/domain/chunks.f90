@@ -3,14 +3,14 @@ module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type, front
-   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_domain, only : chunk_type, domain_type, surface_type
    use plydyn_element_brick, only : bricks_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: border_nodes, divide_quads, give_borders, give_held, give_makers, quad_centres, &
-      & set_targets
+   public :: border_nodes, divide_quads, give_borders, give_held, give_makers, list_chunks, &
+      & quad_centres, set_targets
 
    !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -138,13 +138,10 @@ contains
       !> With columns and borders of all chunks; the chunks get their makers
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, i, maker((domain%columns%forces - front)/domain%columns%height)
+      integer :: c, i, maker(column_count(domain))
       integer, allocatable :: list(:)
 
-      maker(:) = 0
-      do c = 1, size(domain%chunks)
-         maker(domain%chunks(c)%column) = c
-      end do
+      maker(:) = makers_of(domain)
       do c = 1, size(domain%chunks)
          associate (chunk => domain%chunks(c))
             list = [c, maker([chunk%own, chunk%guests])]
@@ -153,8 +150,7 @@ contains
                   list = [list, maker(border(2):border(3))]
                end associate
             end do
-            list = list(sorted_order(list))
-            chunk%makers = pack(list, [.true., list(2:) /= list(:size(list) - 1)])
+            chunk%makers = each_once(list)
          end associate
       end do
    end subroutine give_makers
@@ -171,6 +167,72 @@ contains
          domain%chunks(c)%held = pack([(i, i=1, size(chunk))], chunk == c)
       end do
    end subroutine give_held
+
+   !> Chunks at the points of each facet of a face
+   pure subroutine list_chunks(domain, surface, last, list)
+      !> With columns and borders of all chunks
+      type(domain_type), intent(in) :: domain
+      !> The face
+      type(surface_type), intent(in) :: surface
+      !> Last place of each facet in the list, after that of none
+      integer, allocatable, intent(out) :: last(:)
+      !> The chunks, facet by facet, each once
+      integer, allocatable, intent(out) :: list(:)
+
+      integer :: border(domain%columns%count), maker(column_count(domain))
+      integer :: b, f, i
+      integer, allocatable :: here(:)
+
+      maker(:) = makers_of(domain)
+      border(:) = 0
+      border(domain%borders(1, :)) = [(b, b=1, size(domain%borders, 2))]
+      allocate (last(0:size(surface%facet, 2)), source=0)
+      allocate (list(size(surface%facet)))
+      do f = 1, size(surface%facet, 2)
+         here = [integer ::]
+         do i = 1, size(surface%facet, 1)
+            associate (place => surface%freedom(1, surface%facet(i, f)))
+               if (place == 0) cycle
+               b = domain%columns%column_of(place)
+               here = [here, maker(b)]
+               if (border(b) == 0) cycle
+               here = [here, maker(domain%borders(2, border(b)):domain%borders(3, border(b)))]
+            end associate
+         end do
+         here = each_once(pack(here, here > 0))
+         last(f) = last(f - 1) + size(here)
+         if (last(f) > size(list)) list = [list, list]
+         list(last(f - 1) + 1:last(f)) = here
+      end do
+   end subroutine list_chunks
+
+   !> Columns of a domain, with those behind
+   pure integer function column_count(domain) result(columns)
+      type(domain_type), intent(in) :: domain
+
+      columns = (domain%columns%forces - front)/domain%columns%height
+   end function column_count
+
+   !> Chunk that makes the forces of each column; 0 where another rank does
+   pure function makers_of(domain) result(maker)
+      type(domain_type), intent(in) :: domain
+      integer :: maker(column_count(domain))
+      integer :: c
+
+      maker(:) = 0
+      do c = 1, size(domain%chunks)
+         maker(domain%chunks(c)%column) = c
+      end do
+   end function makers_of
+
+   !> Numbers in rising order, each once
+   pure function each_once(list) result(numbers)
+      integer, intent(in) :: list(:)
+      integer, allocatable :: numbers(:)
+
+      numbers = list(sorted_order(list))
+      if (size(list) > 1) numbers = pack(numbers, [.true., numbers(2:) /= numbers(:size(list) - 1)])
+   end function each_once
 
    !> Chunks that move some columns
    pure function chunks_of(domain, column) result(chunk)

@@ -6,6 +6,7 @@ module plydyn_solver_contacts
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
    use plydyn_contact_correction, only : correction_type
+   use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
    use plydyn_solver_column_inertia, only : pull_column
@@ -28,6 +29,8 @@ module plydyn_solver_contacts
       integer, allocatable :: listed(:), counts(:)
       !> How often these were listed anew
       integer :: rebuilds = -1
+      !> Last place of each facet in the list of chunks at its points, after that of none; the list
+      integer, allocatable :: last_chunk(:), chunk(:)
       !> Positions of the points that this rank counts, and of those of all ranks
       real(wp), allocatable :: sent(:), received(:)
    end type pair_type
@@ -36,13 +39,9 @@ module plydyn_solver_contacts
    type, public :: contacts_type
       !> In the order of `domain%contacts`
       type(pair_type), allocatable :: pairs(:)
-      !> Chunks with a point near an impactor; whether contact may reach any other in this step
+      !> Chunks with a point that contact may push in the coming step; whether it may push any
       logical, allocatable :: reached(:)
       logical :: reaches_all = .true.
-      !> Whether the former are others than in the step before
-      logical :: is_new = .true.
-      !> How often points near impactors were listed anew when they were found
-      integer, private :: rebuilds = -1
    contains
       procedure :: approach
       procedure :: enforce
@@ -68,6 +67,7 @@ contains
       integer :: i
 
       allocate (self%pairs(size(domain%contacts)))
+      allocate (self%reached(size(domain%chunks)), source=.false.)
       do i = 1, size(domain%contacts)
          associate (contact => domain%contacts(i), surface => domain%surfaces(i), &
             & impactor => domain%impactors(domain%contacts(i)%impactor), pair => self%pairs(i))
@@ -80,6 +80,7 @@ contains
                   & contact%method == points_on_plate))//error%message
                return
             end if
+            call list_chunks(domain, surface, pair%last_chunk, pair%chunk)
             pair%position = surface%position
             pair%inverse_mass = surface%inverse_mass
             allocate (pair%sent(3*count(surface%own)), pair%received(size(surface%position)))
@@ -142,50 +143,36 @@ contains
       !> Impactors; the plate is not advanced yet
       type(state_type), intent(inout) :: state
 
-      integer :: i, rebuilds
+      integer :: i
 
       do i = 1, size(domain%impactors)
          call move_impactor(domain, i, state)
       end do
-      ! what a second pair of an impactor finds is known after the push of the first only
-      self%reaches_all = size(domain%motions) > 0 .or. size(self%pairs) > size(domain%impactors)
-      rebuilds = 0
+      self%reaches_all = size(domain%motions) > 0
       do i = 1, size(self%pairs)
-         associate (near => self%pairs(i)%pair%near)
-            call near%approach(largest_move(domain, state), &
-               & state%impactors(domain%contacts(i)%impactor)%centre)
-            self%reaches_all = self%reaches_all .or. near%needs_all
-            rebuilds = rebuilds + near%rebuilds
+         associate (pair => self%pairs(i)%pair, impactor => domain%contacts(i)%impactor)
+            call pair%near%approach(largest_move(domain, state), state%impactors(impactor)%centre)
+            ! what a second pair of an impactor finds is known after the push of the first only
+            self%reaches_all = self%reaches_all .or. pair%near%needs_all .or. pair%ground%is_all &
+               & .or. any(domain%contacts(:i - 1)%impactor == impactor)
          end associate
       end do
-      self%is_new = rebuilds /= self%rebuilds
-      if (.not. self%is_new) return
-      self%rebuilds = rebuilds
-      self%reached = chunks_near(self, domain)
    end subroutine approach
 
-   !> Chunks that have one of the listed points
-   pure function chunks_near(self, domain) result(reached)
-      class(contacts_type), intent(in) :: self
-      type(domain_type), intent(in) :: domain
-      logical :: reached(size(domain%chunks))
+   !> Mark the chunks at the ground of a contact
+   pure subroutine reach(self, reached)
+      type(pair_type), intent(in) :: self
+      logical, intent(inout) :: reached(:)
 
-      logical :: is_near(domain%columns%column_of(domain%columns%forces))
-      integer :: b, c, i
+      integer :: f, i, k
 
-      is_near(:) = .false.
-      do i = 1, size(self%pairs)
-         associate (place => domain%surfaces(i)%freedom(1, self%pairs(i)%pair%near%point))
-            is_near(domain%columns%column_of(pack(place, place > 0))) = .true.
-         end associate
+      do i = 1, self%pair%ground%count
+         f = self%pair%ground%facet(i)
+         do k = self%last_chunk(f - 1) + 1, self%last_chunk(f)
+            reached(self%chunk(k)) = .true.
+         end do
       end do
-      do b = 1, size(domain%borders, 2)
-         if (is_near(domain%borders(1, b))) then
-            is_near(domain%borders(2, b):domain%borders(3, b)) = .true.
-         end if
-      end do
-      reached(:) = [(any(is_near(domain%chunks(c)%column)), c=1, size(reached))]
-   end function chunks_near
+   end subroutine reach
 
    !> Push the impactors and the plate apart where they meet
    subroutine enforce(self, domain, state)
@@ -197,8 +184,10 @@ contains
 
       integer :: i
 
+      self%reached(:) = .false.
       do i = 1, size(self%pairs)
          call enforce_pair(self%pairs(i), domain, i, state)
+         call reach(self%pairs(i), self%reached)
       end do
    end subroutine enforce
 

@@ -4,8 +4,8 @@
 !> Chunks that contact may reach wait for it; the others need not. A chunk moves its points as soon
 !> as the forces on them are there, whoever makes them: no thread waits while there is such a chunk.
 module plydyn_solver_crew
-   use omp_lib, only : omp_get_thread_num, omp_init_lock, omp_lock_kind, omp_set_lock, &
-      & omp_unset_lock
+   use omp_lib, only : omp_get_max_threads, omp_get_thread_num, omp_init_lock, omp_lock_kind, &
+      & omp_set_lock, omp_unset_lock
    use plydyn_domain_domain, only : domain_type
    use plydyn_parallel_halo, only : messages_type
    use plydyn_solver_turns, only : turns_type
@@ -21,6 +21,10 @@ module plydyn_solver_crew
    type, public :: crew_type
       !> Lists of chunks to make the forces of, and all of them to move
       type(turns_type) :: makers(lists), movers
+      !> How many threads there are
+      integer, private :: threads = 1
+      !> Whether each chunk waits for contact
+      logical, allocatable, private :: waits(:)
       !> Forces on their way to and from other ranks
       type(messages_type) :: messages
       !> Whether the forces of a chunk are made in this step; in place 0 those of other
@@ -35,7 +39,7 @@ module plydyn_solver_crew
       !> Held by the thread that does it until it is
       integer(omp_lock_kind), private :: gate
    contains
-      procedure :: arrange
+      procedure :: let_wait
       procedure :: begin
       procedure :: close => close_gate
       procedure :: open => open_gate
@@ -55,31 +59,42 @@ contains
       !> The threads of the coming parallel regions
       type(crew_type), intent(out) :: self
 
-      logical :: waits(size(domain%chunks))
+      integer :: c, chunks
 
-      allocate (self%is_made(0:size(waits)), self%is_moved(size(waits)))
+      chunks = size(domain%chunks)
+      self%threads = omp_get_max_threads()
+      allocate (self%is_made(0:chunks), self%is_moved(chunks))
+      allocate (self%waits(chunks), source=.false.)
       call omp_init_lock(self%gate)
-      waits(:) = .false.
-      call self%arrange(domain, waits)
+      call self%movers%arrange([(c, c=1, chunks)], self%waits, self%threads)
+      call arrange(self, domain)
       call self%begin(.false.)
       self%is_open = .true.
    end subroutine new_crew
 
-   !> Give the chunks to the threads
-   subroutine arrange(self, domain, waits)
+   !> Let other chunks wait for contact than in the step before; no other thread may be at work
+   pure subroutine let_wait(self, domain, waits)
       class(crew_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Whether each chunk waits for contact
+      !> Whether each chunk waits
       logical, intent(in) :: waits(:)
 
-      logical :: none(size(waits))
-      integer :: c
+      ! one thread has done contact before it takes a chunk
+      if (self%threads == 1 .or. all(self%waits .eqv. waits)) return
+      self%waits(:) = waits
+      call arrange(self, domain)
+   end subroutine let_wait
 
-      none(:) = .false.
-      call self%makers(outer)%arrange(domain%order(:domain%outer), waits)
-      call self%makers(inner)%arrange(domain%order(domain%outer + 1:), waits)
-      call self%movers%arrange([(c, c=1, size(waits))], none)
+   !> Give the chunks to the threads
+   pure subroutine arrange(self, domain)
+      type(crew_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      associate (first => domain%order(:domain%outer), rest => domain%order(domain%outer + 1:))
+         call self%makers(outer)%arrange(first, self%waits, self%threads)
+         call self%makers(inner)%arrange(rest, self%waits, self%threads)
+      end associate
    end subroutine arrange
 
    !> A new step; no other thread may be at work

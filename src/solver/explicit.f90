@@ -55,8 +55,9 @@ contains
          state%step = next_step(domain, state)
          if (state%cycle == 0) state%first_step = state%step
          call change_step(state)
+         ! the impactors alone, and the chunks that must wait for contact
          call contacts%approach(domain, state)
-         if (contacts%is_new) call crew%arrange(domain, contacts%reached)
+         call crew%let_wait(domain, contacts%reached)
          call crew%begin(contacts%reaches_all)
 
          !$omp parallel default(shared)

@@ -7,7 +7,6 @@
 !> Some chunks may have to wait. They are the first of their stretch once they need not any more,
 !> and are passed over until then.
 module plydyn_solver_turns
-   use omp_lib, only : omp_get_max_threads
    implicit none
    private
 
@@ -35,31 +34,55 @@ module plydyn_solver_turns
 contains
 
    !> Give each thread of the coming parallel regions a stretch of a list; then `begin`
-   subroutine arrange(self, list, waits)
-      class(turns_type), intent(out) :: self
+   pure subroutine arrange(self, list, waits, threads)
+      class(turns_type), intent(inout) :: self
       !> The chunks
       integer, intent(in) :: list(:)
       !> Whether each of all chunks waits
       logical, intent(in) :: waits(:)
+      !> How many threads there are; the same at all calls
+      integer, intent(in) :: threads
 
-      integer :: first, last, t, threads
+      integer :: first, last, t
 
-      threads = omp_get_max_threads()
-      allocate (self%before(2, 0:threads - 1), self%last(2, 0:threads - 1))
-      allocate (self%taken(line, 0:threads - 1))
-      self%list = list
+      if (.not. allocated(self%list)) then
+         allocate (self%before(2, 0:threads - 1), self%last(2, 0:threads - 1))
+         allocate (self%taken(line, 0:threads - 1), self%list(size(list)))
+      end if
       last = 0
       do t = 0, threads - 1
          first = last + 1
          ! as with `schedule(static)`
          last = last + size(list)/threads + merge(1, 0, t < mod(size(list), threads))
-         associate (own => list(first:last))
-            self%list(first:last) = [pack(own, waits(own)), pack(own, .not. waits(own))]
-            self%before(:, t) = first - 1 + [0, count(waits(own))]
-         end associate
+         call put_first(list(first:last), waits, self%list(first:last), self%before(free, t))
+         self%before(:, t) = first - 1 + [0, self%before(free, t)]
          self%last(:, t) = [self%before(free, t), last]
       end do
    end subroutine arrange
+
+   !> Put those that wait in front, in their order
+   pure subroutine put_first(list, waits, sorted, count)
+      integer, intent(in) :: list(:)
+      logical, intent(in) :: waits(:)
+      integer, intent(out) :: sorted(:)
+      !> How many wait
+      integer, intent(out) :: count
+
+      integer :: i, next
+
+      next = 0
+      do i = 1, size(list)
+         if (.not. waits(list(i))) cycle
+         next = next + 1
+         sorted(next) = list(i)
+      end do
+      count = next
+      do i = 1, size(list)
+         if (waits(list(i))) cycle
+         next = next + 1
+         sorted(next) = list(i)
+      end do
+   end subroutine put_first
 
    !> Nothing is taken any more
    pure subroutine begin(self)

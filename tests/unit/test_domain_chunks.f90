@@ -3,8 +3,11 @@ program test_domain_chunks
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
-   use plydyn_domain_chunks, only : divide_quads
+   use plydyn_domain_chunks, only : divide_quads, list_chunks
    use plydyn_domain_domain, only : domain_type
+   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : top_face
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -12,6 +15,7 @@ program test_domain_chunks
    call test_division()
    call test_targets()
    call test_makers()
+   call test_face()
    call finish()
 
 contains
@@ -102,5 +106,38 @@ contains
          end do
       end do
    end subroutine test_makers
+
+   !> The chunks at a facet are those with a quad at one of its nodes
+   subroutine test_face()
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      integer, allocatable :: last(:), list(:)
+      integer :: f, i, k
+      logical :: meets
+
+      call begin("list_chunks")
+      model = rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), [0.0_wp], 0.25_wp, &
+         & [1])
+      model%impactors = [impactor_type(id=1, title="sphere", radius=8.0_wp, mass=1.0_wp, &
+         & centre=[4.0_wp, 3.0_wp, 9.0_wp])]
+      model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face)]
+      call build_domain(model, domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      associate (surface => domain%surfaces(1))
+         call list_chunks(domain, surface, last, list)
+         do f = 1, size(surface%facet, 2)
+            do k = 1, size(domain%chunks)
+               associate (node => surface%node(surface%facet(:, f)), &
+                  & quads => domain%chunks(k)%quads)
+                  meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == node(i)), &
+                     & i=1, size(node))])
+                  call check(count(list(last(f - 1) + 1:last(f)) == k), merge(1, 0, meets), &
+                     & "each that meets it, once")
+               end associate
+            end do
+         end do
+      end associate
+   end subroutine test_face
 
 end program test_domain_chunks

@@ -58,7 +58,7 @@ contains
       do threads = 1, 4
          call omp_set_num_threads(threads)
          call new_crew(domain, crew)
-         call crew%arrange(domain, waits)
+         call crew%let_wait(domain, waits)
          call crew%begin(all_wait)
          is_done = .false.
          early(:) = .false.

@@ -15,14 +15,13 @@ contains
    !> One thread after the other: the stretches are those of a static schedule, and what is left is
    !> taken by whoever asks
    subroutine check_alone()
-      type(turns_type) :: turns
+      type(turns_type) :: none, turns
       logical :: waits(11)
       integer :: i
 
       call begin("take")
-      call omp_set_num_threads(3)
       waits(:) = .false.
-      call turns%arrange([(i, i=4, 11)], waits)
+      call turns%arrange([(i, i=4, 11)], waits, 3)
       call turns%begin()
       call check(all([(turns%own(1, i), i=1, 4)] == [7, 8, 9, 0]), "a stretch has its end")
       call check(turns%take(1, .true.), 7, "the second thread begins behind three of the first")
@@ -34,9 +33,9 @@ contains
       call check(all([(turns%take(i, .true.), i=0, 2)] == 0), "nothing is left")
       call turns%begin()
       call check(turns%take(1, .true.), 7, "all begins anew")
-      call turns%arrange([integer ::], waits)
-      call turns%begin()
-      call check(turns%take(1, .true.), 0, "nothing was there")
+      call none%arrange([integer ::], waits, 3)
+      call none%begin()
+      call check(none%take(1, .true.), 0, "nothing was there")
    end subroutine check_alone
 
    !> Chunks that wait are passed over, and then come first in their stretch
@@ -46,9 +45,8 @@ contains
       integer :: i
 
       call begin("arrange")
-      call omp_set_num_threads(2)
       waits(:) = [.false., .true., .true., .false., .true., .false.]
-      call turns%arrange([(i, i=1, 6)], waits)
+      call turns%arrange([(i, i=1, 6)], waits, 2)
       call turns%begin()
       call check(all([(turns%own(0, i), i=1, 3)] == [2, 3, 1]), "what waits is first in a stretch")
       call check(all([(turns%take(1, .false.), i=1, 4)] == [4, 6, 1, 0]), "it is passed over")
@@ -60,7 +58,7 @@ contains
    !> All threads at once, for several numbers of them
    subroutine check_together()
       integer, parameter :: chunks = 1000
-      type(turns_type) :: turns
+      type(turns_type) :: turns(5)
       logical :: waits(chunks)
       integer :: chunk, i, taken(chunks), threads
 
@@ -69,11 +67,11 @@ contains
       do threads = 1, 5
          call omp_set_num_threads(threads)
          taken(:) = 0
-         call turns%arrange([(i, i=1, chunks)], waits)
-         call turns%begin()
+         call turns(threads)%arrange([(i, i=1, chunks)], waits, threads)
+         call turns(threads)%begin()
          !$omp parallel default(shared) private(chunk)
          do
-            chunk = turns%take(omp_get_thread_num(), .true.)
+            chunk = turns(threads)%take(omp_get_thread_num(), .true.)
             if (chunk == 0) exit
             !$omp atomic
             taken(chunk) = taken(chunk) + 1
