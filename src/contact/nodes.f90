@@ -277,12 +277,28 @@ contains
       end do
       call surface%project_some(position, point, foot)
       do i = 1, size(node)
+         call see_border(self, surface, node(i), foot(i))
          call note(self, near%travel, node(i), foot(i))
          if (foot(i)%beside .or. foot(i)%gap >= 0.0_wp) cycle
          if (.not. is_faced(self, foot(i), node(i))) cycle
          call add_row(self, surface, position, centre, foot(i), node(i), rows)
       end do
    end subroutine look
+
+   !> A node below the surface is beside it only where the radius of the sphere through it is, too
+   pure subroutine see_border(self, surface, node, foot)
+      !> The nodes
+      type(node_set_type), intent(in) :: self
+      !> The surface
+      type(surface_type), intent(in) :: surface
+      !> Its number
+      integer, intent(in) :: node
+      !> Its foot on the surface
+      type(foot_type), intent(inout) :: foot
+
+      if (.not. foot%beside .or. foot%gap >= 0.0_wp) return
+      if (is_faced(self, foot, node)) foot%beside = surface%is_missed(foot, self%position(:, node))
+   end subroutine see_border
 
    !> Note where a node is; above the surface it then sleeps
    pure subroutine note(self, travel, node, foot)

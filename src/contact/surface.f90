@@ -42,6 +42,7 @@ module plydyn_contact_surface
       procedure :: start_near
       procedure :: project
       procedure :: project_some
+      procedure :: is_missed
    end type surface_type
 
    !> Foot of the perpendicular from a point to the surface
@@ -50,13 +51,15 @@ module plydyn_contact_surface
       integer :: facet = 0
       !> Place in the facet, each from -1 to 1
       real(wp) :: place(2) = 0.0_wp
+      !> Tangents of the facet there, along xi and eta, length
+      real(wp) :: tangent(3, 2) = 0.0_wp
       !> From the surface to the point, length
       real(wp) :: gap_vector(3) = 0.0_wp
       !> Unit normal of the facet there, outward of the plate
       real(wp) :: normal(3) = 0.0_wp
       !> Distance along the normal, negative when the point penetrates
       real(wp) :: gap = huge(1.0_wp)
-      !> The point lies beyond the border of the surface: nothing is under it
+      !> The point lies beyond the border of the surface: nothing is under it along the normal
       logical :: beside = .false.
    end type foot_type
 
@@ -229,37 +232,30 @@ contains
       do i = 1, size(foot)
          foot(i)%place(:) = place(i, :)
          foot(i)%gap_vector(:) = -frame(i, :, frame_value)
-         call finish_foot(self, frame(i, :, frame_xi), frame(i, :, frame_eta), foot(i), side(i))
+         foot(i)%tangent(:, :) = frame(i, :, frame_xi:frame_eta)
+         call finish_foot(self, foot(i), side(i))
       end do
    end subroutine descend
 
    !> Normal and gap at the closest point, and the side over which the point lies
-   pure subroutine finish_foot(self, along_xi, along_eta, foot, side)
+   pure subroutine finish_foot(self, foot, side)
       !> The surface
       type(surface_type), intent(in) :: self
-      !> Tangents at the foot, length
-      real(wp), intent(in) :: along_xi(3), along_eta(3)
-      !> Facet, place and gap vector in, all out
+      !> Facet, place, tangents and gap vector in, all out
       type(foot_type), intent(inout) :: foot
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
-      real(wp) :: over(sides), towards(sides)
+      real(wp) :: over(sides)
       integer :: s
 
-      foot%normal(:) = self%side*unit_normal(along_xi, along_eta)
+      foot%normal(:) = self%side*unit_normal(foot%tangent(:, 1), foot%tangent(:, 2))
       foot%gap = dot_product(foot%gap_vector, foot%normal)
       foot%beside = .false.
       side = 0
-      towards(:) = [-foot%place(2), foot%place(1), foot%place(2), -foot%place(1)]
-      if (all(towards < at_side)) return
+      if (all(abs(foot%place) < at_side)) return
 
-      ! how far beyond each side the point lies, in local coordinates
-      over(2) = dot_product(foot%gap_vector, along_xi)/sum(along_xi**2)
-      over(3) = dot_product(foot%gap_vector, along_eta)/sum(along_eta**2)
-      over(1) = -over(3)
-      over(4) = -over(2)
-      over(:) = merge(over, 0.0_wp, towards >= at_side)
+      over(:) = beyond(foot, foot%gap_vector)
       do s = 1, sides
          if (over(s) <= side_tolerance) cycle
          if (self%neighbour(s, foot%facet) == 0) then
@@ -271,6 +267,45 @@ contains
          end if
       end do
    end subroutine finish_foot
+
+   !> How far beyond each side of the facet an arm from the foot ends, in local coordinates; zero
+   !> for sides on which the foot is not
+   pure function beyond(foot, arm) result(over)
+      !> The foot
+      type(foot_type), intent(in) :: foot
+      !> From the foot, length
+      real(wp), intent(in) :: arm(3)
+      real(wp) :: over(sides)
+
+      real(wp) :: towards(sides)
+
+      towards(:) = [-foot%place(2), foot%place(1), foot%place(2), -foot%place(1)]
+      over(2) = dot_product(arm, foot%tangent(:, 1))/sum(foot%tangent(:, 1)**2)
+      over(3) = dot_product(arm, foot%tangent(:, 2))/sum(foot%tangent(:, 2)**2)
+      over(1) = -over(3)
+      over(4) = -over(2)
+      over(:) = merge(over, 0.0_wp, towards >= at_side)
+   end function beyond
+
+   !> Whether a line through the point of a foot misses the surface beyond its border
+   !>
+   !> Under a dent that a plane of symmetry cuts, the normal of the facet leans out over the
+   !> border: the point is beside the surface along that normal, but not along the plane.
+   pure logical function is_missed(self, foot, direction)
+      !> The surface
+      class(surface_type), intent(in) :: self
+      !> The foot
+      type(foot_type), intent(in) :: foot
+      !> Along the line, not along the facet
+      real(wp), intent(in) :: direction(3)
+
+      real(wp) :: arm(3)
+
+      ! from the foot to where the line meets the plane of the facet
+      arm(:) = foot%gap_vector - foot%gap/dot_product(direction, foot%normal)*direction
+      is_missed = any(beyond(foot, arm) > side_tolerance &
+         & .and. self%neighbour(:, foot%facet) == 0)
+   end function is_missed
 
    !> Unit vector across two tangents
    pure function unit_normal(along_xi, along_eta) result(normal)

@@ -14,6 +14,7 @@ program test_contact_surface
    call check_sides_of_plate()
    call check_border()
    call check_fold()
+   call check_line()
    call finish()
 
 contains
@@ -165,6 +166,33 @@ contains
       call check(foot%gap_vector, [0.01_wp, 0.0_wp, -0.1_wp], round_off, "from the fold")
       call check(.not. foot%beside, "the surface is there")
    end subroutine check_fold
+
+   !> Where the border leans out over a point, as in half a dent, a line across finds the surface
+   subroutine check_line()
+      real(wp), parameter :: across(3) = [0.0_wp, 0.0_wp, -2.0_wp]
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      type(surface_type) :: surface
+      type(foot_type) :: foot
+
+      call begin("is_missed")
+      call make_grid(2, 9, position, facet)
+      position(3, :) = 0.2_wp*position(1, :)
+      call new_surface(surface, facet, position, 1)
+      foot%facet = 1
+      call surface%project(position, [0.0_wp, 0.5_wp, -0.1_wp], foot)
+      call check(foot%beside, "beside along the normal")
+      call check(.not. surface%is_missed(foot, across), "not along the border's own plane")
+      call check(surface%is_missed(foot, [0.1_wp, 0.0_wp, -1.0_wp]), "but on a line from outside")
+      call surface%project(position, [-1.0e-3_wp, 0.5_wp, -0.1_wp], foot)
+      call check(surface%is_missed(foot, across), "a point outside of that plane is missed")
+      call surface%project(position, [1.0e-3_wp, 0.5_wp, -0.1_wp], foot)
+      call check(.not. surface%is_missed(foot, across), "one inside is not")
+      call surface%project(position, [0.0_wp, 2.0_wp, -0.1_wp], foot)
+      call check(.not. surface%is_missed(foot, across), "nor one under the corner")
+      call surface%project(position, [0.0_wp, 2.1_wp, -0.1_wp], foot)
+      call check(surface%is_missed(foot, across), "but beyond the corner")
+   end subroutine check_line
 
    !> A flat grid of squares of side one
    subroutine make_grid(along, nodes, position, facet)

@@ -113,3 +113,43 @@ def test_two_free_bodies_keep_their_momentum(method: int, tmp_path: Path) -> Non
     away = (momentum[-1] - mass * after) / block
     restitution = (after - away) / velocity
     assert 0.0 < restitution < 1.0
+
+
+def part_of_impact(folder: Path, method: int, planes: int) -> tuple[np.ndarray, np.ndarray]:
+    """Force of a whole impact over time, from what planes of symmetry through its axis leave."""
+    sizes = [0.5 * SIDE if axis < planes else SIDE for axis in range(2)]
+    middle = [0.0 if axis < planes else 0.5 * SIDE for axis in range(2)]
+    mesh = regular(*sizes, *(6 if axis < planes else 12 for axis in range(2)), 9)
+    deck = Deck("part", 5.0e-5)
+    deck.control(linear=True)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.5 * THICKNESS, 0.0), Ply(CARBON, 0.5 * THICKNESS, 90.0)], 1)
+    cut = [set(mesh.where(**{name: 0.0})) for name in "xy"[:planes]]
+    held = {*mesh.where(x=sizes[0]), *mesh.where(y=sizes[1])}
+    held |= {node for name in "xy"[planes:] for node in mesh.where(**{name: 0.0})}
+    deck.hold(sorted(held), "xyz")
+    for name, nodes in zip("xy", cut, strict=False):
+        deck.hold(sorted(nodes - held), name)
+    share = 0.5**planes
+    centre = (*middle, RADIUS + 0.5 * THICKNESS)
+    velocity = (0.0, 0.0, -5.0e3)
+    deck.sphere(Sphere(RADIUS, 1.0e-5 * share, centre, velocity, guided=True, method=method))
+    deck.intervals(impactor=0.0)
+    history = run(deck, folder).table("impactor_1")
+    return history["time"], history["force"] / share
+
+
+@METHODS
+@pytest.mark.parametrize("planes", [1, 2], ids=["half", "quarter"])
+def test_planes_of_symmetry_leave_the_force_as_it_is(
+    method: int, planes: int, tmp_path: Path
+) -> None:
+    """Half or a quarter of an impact, cut through the axis of the sphere, is the whole one."""
+    folders = [tmp_path / "whole", tmp_path / "part"]
+    for folder in folders:
+        folder.mkdir()
+    time, whole = part_of_impact(folders[0], method, 0)
+    part_time, part = part_of_impact(folders[1], method, planes)
+    assert part_time == pytest.approx(time, rel=1.0e-6)
+    assert whole.max() > 0.0
+    assert np.abs(part - whole).max() < 1.0e-6 * whole.max()
