@@ -81,7 +81,6 @@ def test_the_deck_of_a_quarter_is_held_and_hit_as_a_quarter() -> None:
         ("0 and 90 only", {"laminate": pre.Laminate("[45/90]s", 0.25, "carbon")}),
         ("hit along z", {"impactor": pre.Impactor(5.0, 4.0e-5, (1.0, 0.0, -2000.0))}),
         ("in the middle", {"impactor": pre.Impactor(5.0, 1e-5, (0.0, 0.0, -1.0), (4.0, -2.0))}),
-        ("points_on_plate", {"contact": None}),
         ("pressures", {"loads": (pre.FrameAcceleration(direction="x", value=1.0),)}),
     ],
 )
@@ -91,10 +90,14 @@ def test_what_has_no_quarter_is_refused(words: str, changes: dict[str, object]) 
     replace(study_of(DISC), **changes)
 
 
-def test_a_quarter_comes_to_a_quarter_of_the_whole(solver: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize("method", ["points_on_plate", "nodes_on_impactor"])
+def test_a_quarter_comes_to_a_quarter_of_the_whole(
+    solver: str, tmp_path: Path, method: str
+) -> None:
     force, area = [], []
     for name in ("whole", "quarter"):
         study = study_of(replace(DISC, quarter=name == "quarter"))
+        study = replace(study, contact=pre.Contact(method=method))
         deck = tmp_path / f"{name}.k"
         pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), deck)
         subprocess.run([solver, "run", deck, "-o", tmp_path], check=True, capture_output=True)
