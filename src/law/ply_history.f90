@@ -4,7 +4,8 @@ module plydyn_law_ply_history
    implicit none
    private
 
-   public :: find_remains, find_share, give_own, keep_driving, swap_closed, take_mean, take_own
+   public :: find_remains, find_share, give, give_own, keep_driving, swap_closed, take_mean, &
+      & take_own
 
    !> What a step without growth looks at stands side by side, but for the damage of matrix. Energy
    !> dissipated per volume by the shear strain that stays, largest shear strain up to the onset of
@@ -79,26 +80,32 @@ contains
       !> Stress
       real(wp), intent(inout) :: stress(lanes, 6)
 
-      real(wp) :: kept, value
+      call give(own, histories, h, history)
+      call give(own, 6, s, stress)
+   end subroutine give_own
+
+   !> Give numbers to some lanes
+   pure subroutine give(own, columns, from, to)
+      !> 1 in the lanes to give, else 0
+      real(wp), intent(in) :: own(lanes)
+      !> Numbers of a lane
+      integer, intent(in) :: columns
+      !> What is given, and what gets it
+      real(wp), intent(in) :: from(lanes, columns)
+      real(wp), intent(inout) :: to(lanes, columns)
+
+      real(wp) :: given, kept
       integer :: k, l
 
-      do k = 1, histories
-         !$omp simd private(kept, value)
+      do k = 1, columns
+         !$omp simd private(given, kept)
          do l = 1, lanes
-            kept = history(l, k)
-            value = h(l, k)
-            history(l, k) = merge(value, kept, own(l) > 0.0_wp)
+            given = from(l, k)
+            kept = to(l, k)
+            to(l, k) = merge(given, kept, own(l) > 0.0_wp)
          end do
       end do
-      do k = 1, 6
-         !$omp simd private(kept, value)
-         do l = 1, lanes
-            kept = stress(l, k)
-            value = s(l, k)
-            stress(l, k) = merge(value, kept, own(l) > 0.0_wp)
-         end do
-      end do
-   end subroutine give_own
+   end subroutine give
 
    !> Strains that drive damage, from their averages over neighbours
    pure subroutine take_mean(modulus, mean, strain, shear)

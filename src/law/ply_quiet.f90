@@ -6,7 +6,7 @@
 !> law, which finds the history as it was.
 module plydyn_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_gate, matrix_gate
+   use plydyn_law_ply_history, only : fibre_gate, give, matrix_gate
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_shear, only : bend, keep_shear, most_points, shear_type
    use plydyn_law_ply_steady, only : hold
@@ -45,7 +45,7 @@ contains
       else
          call find_stress(ply, points, histories, strain, history, shear, all_lanes, quiet)
          do m = 1, points
-            call give(ply%own, all_lanes(:, :, m), stress(:, :, m))
+            call give(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
          end do
       end if
       if (.not. shear%grows) return
@@ -72,26 +72,6 @@ contains
       quiet(:) = far
       if (.not. far) call hold(ply, points, histories, strain, history, shear, stress, quiet)
    end subroutine find_stress
-
-   !> Give the stress of a point to some lanes
-   pure subroutine give(own, from, stress)
-      !> 1 in those lanes, else 0
-      real(wp), intent(in) :: own(lanes)
-      real(wp), intent(in) :: from(lanes, 6)
-      real(wp), intent(inout) :: stress(lanes, 6)
-
-      real(wp) :: given, kept
-      integer :: k, l
-
-      do k = 1, 6
-         !$omp simd private(given, kept)
-         do l = 1, lanes
-            given = from(l, k)
-            kept = stress(l, k)
-            stress(l, k) = merge(given, kept, own(l) > 0.0_wp)
-         end do
-      end do
-   end subroutine give
 
    !> Stress of intact plies, and whether all points are so far from onset that little is needed to
    !> see it
