@@ -3,9 +3,9 @@ module plydyn_solver_accelerations
    use omp_lib, only : omp_get_thread_num
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : chunk_type, domain_type
-   use plydyn_solver_crew, only : crew_type, new_crew
+   use plydyn_solver_crew, only : crew_type, inner, new_crew
    use plydyn_solver_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
-      & make_forces
+      & make_chunk_forces, make_outer_forces, push_messages_on
    use plydyn_solver_motion, only : accelerate, accelerate_chunk, count_sums
    use plydyn_solver_supports, only : hold_points, hold_supports, resist_columns
    use plydyn_state_state, only : state_type
@@ -32,8 +32,7 @@ contains
       call count_accelerations(domain, state)
    end subroutine begin_accelerations
 
-   !> Accelerations of all points, by all threads together: each makes the forces of chunks of
-   !> quads, and then moves the points of chunks
+   !> Accelerations of all points, by all threads together
    subroutine find_accelerations(domain, crew, step, state)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -46,8 +45,8 @@ contains
 
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
          if (size(domain%loads) + size(domain%motions) + size(domain%far_ties) == 0) then
-            call make_forces(domain, crew, step, u, v, state%history, force)
-            call move_ahead(domain, crew, step, state)
+            call make_outer_forces(domain, crew, step, u, v, state%history, force)
+            call make_and_move(domain, crew, step, state)
             call await_forces(domain, crew, force)
             call move_rest(domain, crew, step, state)
          else
@@ -59,24 +58,59 @@ contains
       end associate
    end subroutine find_accelerations
 
-   !> Chunks of this thread that have all their forces, while those of others are being made
-   subroutine move_ahead(domain, crew, step, state)
+   !> Forces of chunks, and after each the motion of those of this thread that now have all theirs,
+   !> while these are in the cache
+   subroutine make_and_move(domain, crew, step, state)
       type(domain_type), intent(in) :: domain
       type(crew_type), intent(inout) :: crew
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
 
-      integer :: chunk, k
+      integer :: chunk, place
+      logical :: is_moved
 
-      k = 0
+      place = 1
+      associate (u => state%displacement, v => state%velocity, force => state%acceleration)
+         do
+            chunk = crew%take(inner)
+            if (chunk == 0) exit
+            call make_chunk_forces(domain, crew, chunk, step, u, v, state%history, force)
+            call push_messages_on(domain, crew, force)
+            do
+               call move_ahead(domain, crew, place, step, state, is_moved)
+               if (.not. is_moved) exit
+               place = place + 1
+            end do
+         end do
+      end associate
+      ! whatever else has its forces, while the other threads make theirs
       do while (.not. crew%has_made_all())
-         k = k + 1
-         chunk = crew%movers%own(omp_get_thread_num(), k)
-         if (chunk == 0) exit
-         if (.not. crew%has_forces(domain%chunks(chunk)%makers)) cycle
-         call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
-         crew%is_moved(chunk) = .true.
+         if (crew%movers%own(omp_get_thread_num(), place) == 0) exit
+         call move_ahead(domain, crew, place, step, state, is_moved)
+         place = place + 1
       end do
+   end subroutine make_and_move
+
+   !> Move a chunk of this thread ahead of the others, if there is one with all its forces
+   subroutine move_ahead(domain, crew, place, step, state, is_moved)
+      type(domain_type), intent(in) :: domain
+      type(crew_type), intent(inout) :: crew
+      !> Its place among those of this thread
+      integer, intent(in) :: place
+      real(wp), intent(in) :: step
+      type(state_type), intent(inout) :: state
+      !> Whether it is moved
+      logical, intent(out) :: is_moved
+
+      integer :: chunk
+
+      is_moved = .false.
+      chunk = crew%movers%own(omp_get_thread_num(), place)
+      if (chunk == 0) return
+      is_moved = crew%has_forces(domain%chunks(chunk)%makers)
+      if (.not. is_moved) return
+      call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
+      crew%is_moved(chunk) = .true.
    end subroutine move_ahead
 
    !> All other chunks, whoever takes them

@@ -15,7 +15,7 @@ module plydyn_solver_forces
    private
 
    public :: add_borders, add_interface_forces, add_loads, await_forces, count_load_power, &
-      & find_internal_forces, make_forces
+      & find_internal_forces, make_chunk_forces, make_outer_forces, push_messages_on
 
 contains
 
@@ -35,9 +35,15 @@ contains
       !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      integer :: c
+      integer :: c, chunk
 
-      call make_forces(domain, crew, step, displacement, velocity, history, force)
+      call make_outer_forces(domain, crew, step, displacement, velocity, history, force)
+      do
+         chunk = crew%take(inner)
+         if (chunk == 0) exit
+         call make_chunk_forces(domain, crew, chunk, step, displacement, velocity, history, force)
+         call push_messages_on(domain, crew, force)
+      end do
       call await_forces(domain, crew, force)
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
@@ -46,9 +52,9 @@ contains
       !$omp end do nowait
    end subroutine find_internal_forces
 
-   !> Internal forces, chunk by chunk, each on columns of its own. What other ranks need comes
-   !> first, and is on its way while the other chunks are taken. All threads come here together
-   subroutine make_forces(domain, crew, step, displacement, velocity, history, force)
+   !> Internal forces of the chunks that hold what other ranks need, which is then on its way. All
+   !> threads come here together
+   subroutine make_outer_forces(domain, crew, step, displacement, velocity, history, force)
       !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
       type(crew_type), intent(inout) :: crew
@@ -57,7 +63,7 @@ contains
       real(wp), intent(inout), contiguous :: history(:)
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      integer :: c
+      integer :: c, chunk
 
       if (size(domain%averages) > 0) then
          if (domain%comm%ranks > 1) then
@@ -72,15 +78,17 @@ contains
          end do
          !$omp end do
       end if
-      if (domain%outer > 0) then
-         call take_chunks(domain, crew, outer, step, displacement, velocity, history, force)
-         !$omp barrier
-         !$omp master
-         call domain%halo%start(force, crew%messages)
-         !$omp end master
-      end if
-      call take_chunks(domain, crew, inner, step, displacement, velocity, history, force)
-   end subroutine make_forces
+      if (domain%outer == 0) return
+      do
+         chunk = crew%take(outer)
+         if (chunk == 0) exit
+         call make_chunk_forces(domain, crew, chunk, step, displacement, velocity, history, force)
+      end do
+      !$omp barrier
+      !$omp master
+      call domain%halo%start(force, crew%messages)
+      !$omp end master
+   end subroutine make_outer_forces
 
    !> Wait until the forces of all chunks are there, and those of other ranks. All threads come here
    !> together
@@ -111,32 +119,20 @@ contains
       call domain%loans%finish(history, messages)
    end subroutine borrow_strains
 
-   !> Internal forces of the chunks whose turn it is
-   subroutine take_chunks(domain, crew, list, step, displacement, velocity, history, force)
+   !> Let the forces for other ranks get on while chunks are taken
+   subroutine push_messages_on(domain, crew, force)
+      !> The domain
       type(domain_type), intent(in) :: domain
+      !> The threads
       type(crew_type), intent(inout) :: crew
-      !> Which list
-      integer, intent(in) :: list
-      real(wp), intent(in) :: step
-      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
-      real(wp), intent(inout), contiguous :: history(:)
+      !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      integer :: chunk
-
-      do
-         chunk = crew%take(list)
-         if (chunk == 0) exit
-         call find_chunk_forces(domain, domain%chunks(chunk), step, displacement, velocity, &
-            & history, force)
-         call crew%count_made(chunk)
-         if (domain%outer > 0 .and. list == inner) then
-            !$omp master
-            call domain%halo%push_on(force, crew%messages)
-            !$omp end master
-         end if
-      end do
-   end subroutine take_chunks
+      if (domain%outer == 0) return
+      !$omp master
+      call domain%halo%push_on(force, crew%messages)
+      !$omp end master
+   end subroutine push_messages_on
 
    !> Average what the points of one chunk and their neighbours had in the step before
    pure subroutine find_chunk_averages(domain, chunk, history)
@@ -153,26 +149,33 @@ contains
       end do
    end subroutine find_chunk_averages
 
-   !> Internal forces of one chunk, on columns of its own
-   subroutine find_chunk_forces(domain, chunk, step, displacement, velocity, history, force)
+   !> Internal forces of one chunk that a thread has taken, on columns of its own
+   subroutine make_chunk_forces(domain, crew, number, step, displacement, velocity, history, force)
+      !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
-      type(chunk_type), intent(in) :: chunk
+      type(crew_type), intent(inout) :: crew
+      !> Which chunk
+      integer, intent(in) :: number
       real(wp), intent(in) :: step
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
-      real(wp), intent(inout), contiguous :: history(:), force(:)
+      real(wp), intent(inout), contiguous :: history(:)
+      real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
-      if (size(domain%bricks) > 0) then
-         associate (bricks => domain%bricks(chunk%plate))
-            call add_brick_forces(bricks, chunk%quads, &
-               & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
-               & history(bricks%first_history:), force)
-         end associate
-      else
-         call add_ply_forces(domain, chunk, step, displacement, history, force)
-         call add_interface_forces(domain, chunk, displacement, history, force)
-      end if
-   end subroutine find_chunk_forces
+      associate (chunk => domain%chunks(number))
+         call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
+         if (size(domain%bricks) > 0) then
+            associate (bricks => domain%bricks(chunk%plate))
+               call add_brick_forces(bricks, chunk%quads, &
+                  & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
+                  & history(bricks%first_history:), force)
+            end associate
+         else
+            call add_ply_forces(domain, chunk, step, displacement, history, force)
+            call add_interface_forces(domain, chunk, displacement, history, force)
+         end if
+      end associate
+      call crew%count_made(number)
+   end subroutine make_chunk_forces
 
    !> Set some columns to zero
    pure subroutine clear_columns(height, column, force)
