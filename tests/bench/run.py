@@ -24,7 +24,7 @@ import pairs  # noqa: E402
 
 PAGE = ROOT / "manual/performance.md"
 BUILD = ROOT / "build/release"
-BEGIN, END = "<!-- bench -->", "<!-- /bench -->"
+MARKS = ("<!-- bench -->", "<!-- /bench -->")
 
 # recipe, name in the paper, and what the paper says: Table 2 on one core, Table 7 on six
 ELASTIC = [
@@ -58,6 +58,16 @@ def table(heads: list[str], rows: list[list[str]]) -> str:
     """A table of the manual, names left and numbers right."""
     marks = ["---"] + ["---:"] * (len(heads) - 1)
     return "\n".join("| " + " | ".join(row) + " |" for row in [heads, marks, *rows])
+
+
+def publish(text: str, page: Path | None, marks: tuple[str, str]) -> None:
+    """Print tables, or put them into a page between its marks."""
+    if page is None:
+        sys.stdout.write(text + "\n")
+        return
+    whole, (first, last) = page.read_text(), marks
+    before, after = whole.split(first)[0], whole.split(last)[1]
+    page.write_text(f"{before}{first}\n\n{text}\n\n{last}{after}")
 
 
 def clock(seconds: float) -> str:
@@ -205,12 +215,7 @@ def main() -> None:
                 bricks(folder),
             ]
         )
-    if "--print" in sys.argv:
-        sys.stdout.write(text + "\n")
-        return
-    page = PAGE.read_text()
-    before, after = page.split(BEGIN)[0], page.split(END)[1]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+    publish(text, None if "--print" in sys.argv else PAGE, MARKS)
 
 
 if __name__ == "__main__":

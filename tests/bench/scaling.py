@@ -22,7 +22,7 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 
 import jobs  # noqa: E402
 import paper  # noqa: E402
-from run import machine, table  # noqa: E402
+from run import machine, publish, table  # noqa: E402
 from shares import (  # noqa: E402
     ANYHOW,
     PANELS,
@@ -34,7 +34,7 @@ from shares import (  # noqa: E402
     patient,
 )
 
-BEGIN, END = "<!-- scaling -->", "<!-- /scaling -->"
+MARKS = ("<!-- scaling -->", "<!-- /scaling -->")
 RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 1500
 # quads along a side of a panel: what is timed, and the large one on paper
 TIMED, TIMED_STEPS, LARGE = 40, 400, 156
@@ -240,15 +240,9 @@ def main() -> None:
     parser.add_argument("--launcher", default=ANYHOW, help='the number follows, as "srun -n"')
     parser.add_argument("--latency", type=float, default=1.5e-6, help="of the network, s")
     parser.add_argument("--bandwidth", type=float, default=12.5e9, help="of the network, bytes/s")
-    parser.add_argument("--into", type=Path, help=f"page with {BEGIN} and {END}")
+    parser.add_argument("--into", type=Path, help=f"page with {MARKS[0]} and {MARKS[1]}")
     options = parser.parse_args()
-    text = tables(options)
-    if options.into is None:
-        sys.stdout.write(text + "\n")
-        return
-    page = options.into.read_text()
-    before, after = page.split(BEGIN)[0], page.split(END)[1]
-    options.into.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+    publish(tables(options), options.into, MARKS)
 
 
 if __name__ == "__main__":

@@ -21,10 +21,10 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 
 import jobs  # noqa: E402
 import paper  # noqa: E402
-from run import BUILD, machine, table  # noqa: E402
+from run import BUILD, machine, publish, table  # noqa: E402
 
 SOLVER = BUILD / "plydyn"
-BEGIN, END = "<!-- shares -->", "<!-- /shares -->"
+MARKS = ("<!-- shares -->", "<!-- /shares -->")
 ANYHOW = "mpirun --oversubscribe --allow-run-as-root --bind-to none -n"
 # where no time is measured there may be more ranks than cores: those that wait give way
 PATIENT = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMP_WAIT_POLICY": "passive"}
@@ -93,15 +93,9 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ranks", type=numbers, default=[1, 2, 4, 8])
     parser.add_argument("--launcher", default=ANYHOW, help='the number follows, as "srun -n"')
-    parser.add_argument("--into", type=Path, help=f"page with {BEGIN} and {END}")
+    parser.add_argument("--into", type=Path, help=f"page with {MARKS[0]} and {MARKS[1]}")
     options = parser.parse_args()
-    text = tables(options)
-    if options.into is None:
-        sys.stdout.write(text + "\n")
-        return
-    page = options.into.read_text()
-    before, after = page.split(BEGIN)[0], page.split(END)[1]
-    options.into.write_text(f"{before}{BEGIN}\n\n{text}\n\n{END}{after}")
+    publish(tables(options), options.into, MARKS)
 
 
 if __name__ == "__main__":

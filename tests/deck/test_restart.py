@@ -10,7 +10,7 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, averaged, bricks, impact, metal, said, unlike
+from broken import CYCLES, KINDS, impact, said, unlike
 from decks import Deck
 from elasticity import Array
 from runs import DIGITS, Results
@@ -18,18 +18,9 @@ from runs import DIGITS, Results
 NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
 
 CASES: dict[str, Callable[[], Deck]] = {
-    "nodes on sphere": lambda: impact(1),
+    **KINDS,
     "points of plate": lambda: impact(2),
     "springs": lambda: impact(1, "springs"),
-    "implicit springs": lambda: impact(1, "springs", implicit=1),
-    "implicit thickness": lambda: impact(2, "springs", implicit=2),
-    "failing interfaces": lambda: impact(1, "cohesive"),
-    "failing plies": lambda: impact(1, "springs", failing=True),
-    "failing plies by averages": averaged,
-    "metal": metal,
-    "bricks of one point": lambda: bricks(1),
-    "bricks of eight points": lambda: bricks(8),
-    "bricks that crack": lambda: bricks(1, failing=True),
 }
 
 

@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, averaged, averaged_parts, bricks, impact, metal, unlike, weak_plies
+from broken import CYCLES, KINDS, averaged, averaged_parts, impact, unlike, weak_plies
 from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
@@ -21,19 +21,10 @@ from spread import solid, springs, tied
 NORMAL, INPUT, FAILED = 0, 2, 3
 
 CASES: dict[str, Callable[[], Deck]] = {
+    **KINDS,
     "tied": tied,
     "springs": springs,
-    "nodes on sphere": lambda: impact(1),
-    "implicit springs": lambda: impact(1, "springs", implicit=1),
-    "implicit thickness": lambda: impact(2, "springs", implicit=2),
-    "failing interfaces": lambda: impact(1, "cohesive"),
-    "failing plies": lambda: impact(1, "springs", failing=True),
-    "averages over neighbours": averaged,
     "averages in two parts": averaged_parts,
-    "metal": metal,
-    "bricks of one point": lambda: bricks(1),
-    "bricks of eight points": lambda: bricks(8),
-    "bricks that crack": lambda: bricks(1, failing=True),
     "bricks of many chunks": solid,
 }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import h5py
@@ -161,6 +161,21 @@ def bricks(points: int, *, failing: bool = False) -> Deck:
 def yielding(deck: Deck) -> None:
     """A metal that hardens in both ways, and with the rate."""
     deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
+
+
+#: Every kind of model that a run may be broken off with
+KINDS: dict[str, Callable[[], Deck]] = {
+    "nodes on sphere": lambda: impact(1),
+    "implicit springs": lambda: impact(1, "springs", implicit=1),
+    "implicit thickness": lambda: impact(2, "springs", implicit=2),
+    "failing interfaces": lambda: impact(1, "cohesive"),
+    "failing plies": lambda: impact(1, "springs", failing=True),
+    "averages over neighbours": averaged,
+    "metal": metal,
+    "bricks of one point": lambda: bricks(1),
+    "bricks of eight points": lambda: bricks(8),
+    "bricks that crack": lambda: bricks(1, failing=True),
+}
 
 
 def unlike(whole: Path, broken: Path) -> list[str]:

@@ -52,3 +52,14 @@ HTS40 = DamagedPly(
     matrix_toughness=(0.22, 1.1),
     cross_strength=40.0,
 )
+
+# Its modes: fibre angle, modulus, strength, toughness, sense of the load along x, or of shear
+MODES = {
+    "fibre tension": (0.0, HTS40.young[0], 2537.0, 91.6, 1.0),
+    "fibre compression": (0.0, HTS40.young[0], 1580.0, 79.9, -1.0),
+    "matrix tension": (90.0, HTS40.young[1], 82.0, 0.22, 1.0),
+    "matrix compression": (90.0, HTS40.young[1], 236.0, 1.1, -1.0),
+    "shear": (0.0, HTS40.shear[0], 90.0, 0.22, 1.0),
+}
+# Rules of the width of the crack band, as LRULE counts them
+BAND, POINT, ROOT_POINT, ROOT_QUAD = range(4)

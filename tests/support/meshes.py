@@ -63,6 +63,13 @@ def regular(length: float, width: float, nx: int, ny: int, nodes: int) -> Mesh:
     return rectangle(np.linspace(0.0, length, nx + 1), np.linspace(0.0, width, ny + 1), nodes)
 
 
+def without(mesh: Mesh, cut: NDArray[np.bool_]) -> Mesh:
+    """What is left when some quads, (m,), are cut out; nodes that no quad has go with them."""
+    quads = mesh.quads[~cut]
+    used, number = np.unique(quads, return_inverse=True)
+    return Mesh(mesh.points[used], number.reshape(quads.shape))
+
+
 def disc(n: int, rings: int, radius: float, core: float) -> Mesh:
     """A square core of n x n quads of nine nodes, and rings of 4 n quads up to the circle."""
     places: dict[tuple[float, float], int] = {}

@@ -1,5 +1,6 @@
 !> Facets as polynomials.
 program test_contact_facet
+   use monomial, only : bend, slope
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_facet, only : facet_polynomials, frame_eta, frame_eta_eta, frame_size, &
       & frame_value, frame_xi, frame_xi_eta, frame_xi_xi, frames_at
@@ -35,8 +36,8 @@ contains
             call check(frame(3, frame_value), xi**a*eta**b, round_off, "value")
             call check(frame(3, frame_xi), slope(xi, a)*eta**b, round_off, "along xi")
             call check(frame(3, frame_eta), xi**a*slope(eta, b), round_off, "along eta")
-            call check(frame(3, frame_xi_xi), bend(a)*eta**b, round_off, "xi xi")
-            call check(frame(3, frame_eta_eta), xi**a*bend(b), round_off, "eta eta")
+            call check(frame(3, frame_xi_xi), bend(xi, a)*eta**b, round_off, "xi xi")
+            call check(frame(3, frame_eta_eta), xi**a*bend(eta, b), round_off, "eta eta")
             call check(frame(3, frame_xi_eta), slope(xi, a)*slope(eta, b), round_off, "xi eta")
          end do
       end do
@@ -82,26 +83,5 @@ contains
          & "the other lanes do not mind")
       frame(:, :) = frames(lanes, :, :)
    end subroutine find_frame
-
-   !> Derivative of x**power
-   pure function slope(x, power) result(value)
-      !> Where
-      real(wp), intent(in) :: x
-      !> Power, 0 to 2
-      integer, intent(in) :: power
-      real(wp) :: value
-
-      value = 0.0_wp
-      if (power > 0) value = power*x**(power - 1)
-   end function slope
-
-   !> Second derivative of x**power, up to 2
-   pure function bend(power) result(value)
-      !> Power, 0 to 2
-      integer, intent(in) :: power
-      real(wp) :: value
-
-      value = merge(2.0_wp, 0.0_wp, power == 2)
-   end function bend
 
 end program test_contact_facet

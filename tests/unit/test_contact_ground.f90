@@ -1,25 +1,20 @@
 !> The ground of contact: no node presses beside it, and it is a small part of the face.
 program test_contact_ground
-   use plydyn_base_error, only : error_type
+   use ball, only : new_plate, points, radius, set_ball, squares
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type, new_constraints
+   use plydyn_contact_constraint, only : constraints_type
    use plydyn_contact_ground, only : ground_type, new_ground
-   use plydyn_contact_near, only : near_type, new_near
-   use plydyn_contact_nodes, only : new_nodes, node_set_type
-   use plydyn_contact_surface, only : new_surface, surface_type
-   use sample, only : flat_surface
+   use plydyn_contact_near, only : near_type
+   use plydyn_contact_nodes, only : node_set_type
+   use plydyn_contact_surface, only : surface_type
    use testing, only : begin, check, finish
    implicit none
-
-   integer, parameter :: squares = 12, points = (2*squares + 1)**2
-   real(wp), parameter :: radius = 5.0_wp
 
    real(wp) :: flat(3, points)
    integer :: facet(9, squares**2)
    type(surface_type) :: surface
 
-   call flat_surface(squares, flat, facet)
-   call new_surface(surface, facet, flat, 1)
+   call new_plate(flat, facet, surface)
    call check_rolling()
    call check_jump()
    call check_taken()
@@ -33,15 +28,12 @@ contains
       type(near_type) :: near
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
-      type(error_type), allocatable :: error
       logical :: is_ground(squares**2), rebuilt
       real(wp) :: centre(3), position(3, points)
       integer :: found, presses, row, step, steps_with_ground
 
       call begin("follow")
-      call new_near(near, surface, radius)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
-      call new_constraints(rows, 9)
+      call set_ball(surface, flat, near, nodes, rows)
       call new_ground(ground, squares**2)
       presses = 0
       steps_with_ground = 0
@@ -81,15 +73,12 @@ contains
       type(near_type) :: near
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
-      type(error_type), allocatable :: error
       logical :: rebuilt
       real(wp) :: centre(3)
       integer :: step
 
       call begin("drop")
-      call new_near(near, surface, radius)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
-      call new_constraints(rows, 9)
+      call set_ball(surface, flat, near, nodes, rows)
       call new_ground(ground, squares**2)
       do step = 0, 3
          centre(:) = [0.0_wp, 0.0_wp, radius - 1.0e-4_wp*step]

@@ -1,24 +1,20 @@
 !> Contact nodes on the impactor: their spacing, and how long they may sleep.
 program test_contact_nodes
+   use ball, only : new_plate, points, radius, set_ball, spacing, squares, touching
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_near, only : near_type, new_near
+   use plydyn_contact_constraint, only : constraints_type
+   use plydyn_contact_near, only : near_type
    use plydyn_contact_nodes, only : new_nodes, node_set_type
-   use plydyn_contact_surface, only : new_surface, surface_type
-   use sample, only : flat_surface
+   use plydyn_contact_surface, only : surface_type
    use testing, only : begin, check, finish
    implicit none
-
-   integer, parameter :: squares = 12, line = 2*squares + 1, points = line**2
-   real(wp), parameter :: radius = 5.0_wp
 
    real(wp) :: flat(3, points)
    integer :: facet(9, squares**2)
    type(surface_type) :: surface
 
-   call flat_surface(squares, flat, facet)
-   call new_surface(surface, facet, flat, 1)
+   call new_plate(flat, facet, surface)
    call check_spacing()
    call check_travel()
    call check_patch()
@@ -33,15 +29,15 @@ contains
       type(error_type), allocatable :: error
 
       call begin("new_nodes")
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
       call check(.not. allocated(error), "a spacing can be given")
-      call check_first_ring(nodes, 0.4_wp)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.0_wp, error)
+      call check_first_ring(nodes, spacing)
+      call new_nodes(nodes, surface, flat, touching, radius, 0.0_wp, error)
       call check(.not. allocated(error), "a spacing is made from the mesh")
       call check_first_ring(nodes, 0.25_wp)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e4_wp], 1.0e4_wp, 0.4_wp, error)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e4_wp], 1.0e4_wp, spacing, error)
       call check(.not. allocated(error), "a sphere much wider than the plate has few nodes over it")
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 1.0e-3_wp, error)
+      call new_nodes(nodes, surface, flat, touching, radius, 1.0e-3_wp, error)
       call check(allocated(error), "millions of nodes are refused")
    end subroutine check_spacing
 
@@ -60,16 +56,15 @@ contains
 
    !> No gap shrinks by more than the travel grows, unless the list is new; outside is far away
    subroutine check_travel()
+      type(constraints_type) :: rows
       type(near_type) :: near
       type(node_set_type) :: nodes
-      type(error_type), allocatable :: error
       real(wp) :: after, before, centre(3), position(3, points), travel
       integer :: f, rebuilds, step
       logical :: rebuilt
 
       call begin("update")
-      call new_near(near, surface, radius)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call set_ball(surface, flat, near, nodes, rows)
       before = huge(1.0_wp)
       rebuilds = 0
       do step = 1, 200
@@ -100,18 +95,13 @@ contains
       type(near_type) :: lazy, near
       type(node_set_type) :: nodes, others
       type(constraints_type) :: all_rows, rows
-      type(error_type), allocatable :: error
       real(wp) :: before(3, points), centre(3), given(3, points), position(3, points)
       integer :: looks, presses, step
       logical :: rebuilt, rebuilt_lazily
 
       call begin("approach")
-      call new_near(near, surface, radius)
-      call new_near(lazy, surface, radius)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
-      call new_nodes(others, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
-      call new_constraints(all_rows, 9)
-      call new_constraints(rows, 9)
+      call set_ball(surface, flat, near, nodes, all_rows)
+      call set_ball(surface, flat, lazy, others, rows)
       looks = 0
       presses = 0
       before(:, :) = flat
@@ -152,14 +142,11 @@ contains
       type(constraints_type) :: rows
       type(near_type) :: near
       type(node_set_type) :: nodes
-      type(error_type), allocatable :: error
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
 
       call begin("collect")
-      call new_near(near, surface, radius)
-      call new_constraints(rows, 9)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, radius], radius, 0.4_wp, error)
+      call set_ball(surface, flat, near, nodes, rows)
       centre(:) = [0.1_wp, 0.2_wp, radius - depth]
       call near%update(surface, flat, centre, rebuilt)
       call nodes%collect(surface, near, flat, centre, rows)

@@ -1,5 +1,6 @@
 !> Plane shape functions.
 program test_fem_shape
+   use monomial, only : slope
    use plydyn_base_precision, only : wp
    use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
@@ -79,17 +80,5 @@ contains
       call check(maxval(abs(place(:, :4) - local_nodes(bilinear_nodes))), 0.0_wp, round_off, &
          & "the same corners")
    end subroutine check_order
-
-   !> Derivative of x**power
-   pure function slope(x, power) result(value)
-      !> Where
-      real(wp), intent(in) :: x
-      !> Power, 0 to 2
-      integer, intent(in) :: power
-      real(wp) :: value
-
-      value = 0.0_wp
-      if (power > 0) value = power*x**(power - 1)
-   end function slope
 
 end program test_fem_shape

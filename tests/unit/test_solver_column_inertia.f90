@@ -1,7 +1,7 @@
 !> Inertia through the thickness: closed forms, symmetry, momentum, supports, sums.
 program test_solver_column_inertia
+   use acceleration, only : accelerate_points
    use plydyn_base_error, only : error_type
-   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -13,9 +13,8 @@ program test_solver_column_inertia
    use plydyn_model_support, only : all_planes, bottom_face, hold_type
    use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_forces, only : find_internal_forces
-   use plydyn_solver_motion, only : accelerate, count_sums
    use plydyn_solver_supports, only : resist_columns
-   use plydyn_state_state, only : sums_of, sums_type, tally_sums
+   use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -239,21 +238,5 @@ contains
          & "the support takes what the added inertia of its column needs")
       call check(sums%momentum(3), mass - sum(support), 1.0e-13_wp*mass, "momentum")
    end subroutine test_held
-
-   !> Accelerations of all points, and their sums
-   subroutine accelerate_points(domain, step, velocity, force, sums)
-      type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: step, velocity(:)
-      real(wp), intent(inout) :: force(:)
-      type(sums_type), intent(out) :: sums
-
-      type(exact_sums_type) :: tally
-      type(sums_type) :: chunk_sums(size(domain%chunks))
-
-      tally = new_exact_sums(tally_sums)
-      call accelerate(domain, step, velocity, force, chunk_sums)
-      call count_sums(chunk_sums, tally)
-      sums = sums_of(tally)
-   end subroutine accelerate_points
 
 end program test_solver_column_inertia

@@ -1,7 +1,7 @@
 !> Inertia across interfaces: closed forms, symmetry, momentum, and what it does to springs.
 program test_solver_pair_inertia
+   use acceleration, only : accelerate_points
    use plydyn_base_error, only : error_type
-   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
@@ -11,8 +11,7 @@ program test_solver_pair_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_solver_forces, only : add_interface_forces
-   use plydyn_solver_motion, only : accelerate, count_sums
-   use plydyn_state_state, only : sums_of, sums_type, tally_sums
+   use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -258,21 +257,5 @@ contains
          end do
       end do
    end function spread_mass
-
-   !> Accelerations of all points, and their sums
-   subroutine accelerate_points(domain, step, velocity, force, sums)
-      type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: step, velocity(:)
-      real(wp), intent(inout) :: force(:)
-      type(sums_type), intent(out) :: sums
-
-      type(exact_sums_type) :: tally
-      type(sums_type) :: chunk_sums(size(domain%chunks))
-
-      tally = new_exact_sums(tally_sums)
-      call accelerate(domain, step, velocity, force, chunk_sums)
-      call count_sums(chunk_sums, tally)
-      sums = sums_of(tally)
-   end subroutine accelerate_points
 
 end program test_solver_pair_inertia

@@ -16,7 +16,7 @@ import pytest
 from damage import HTS40, DamagedPly
 from decks import BOTTOM, Deck, Ply
 from elasticity import Array
-from meshes import Mesh, regular
+from meshes import Mesh, regular, without
 from runs import Results, run
 
 THICKNESS, END, DAMPING = 0.125, 4.0e-5, 1.0e6
@@ -211,12 +211,7 @@ def notched(columns: int, rows: int, radius: float, folder: Path) -> Results:
     middle = whole.points[whole.quads].mean(axis=1)
     cut = np.abs(middle[:, 0] - 0.5 * length) < 0.1 * length
     cut &= np.abs(middle[:, 1] - 0.5 * height) > 0.25 * height
-    quads = whole.quads[~cut]
-    used = np.unique(quads)
-    number = np.full(len(whole.points), -1)
-    number[used] = np.arange(len(used))
-    mesh = Mesh(whole.points[used], number[quads])
-    return pull(mesh, ply((radius, radius), (0.3, 0.3, 0.4)), folder)
+    return pull(without(whole, cut), ply((radius, radius), (0.3, 0.3, 0.4)), folder)
 
 
 def test_notched(tmp_path: Path) -> None:

@@ -8,14 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from damage import HTS40
+from damage import BAND, HTS40, POINT
 from decks import BOTTOM, Deck, Ply
-from meshes import Mesh, regular
+from meshes import Mesh, regular, without
 from runs import Table, run
 
 THICKNESS = 0.125
 TOUGHNESS, STRENGTH = HTS40.matrix_toughness[0], HTS40.matrix_strength[0]
-BAND, POINT = range(2)
 END, DAMPING = 1.0e-3, 5.0e5
 
 
@@ -72,11 +71,7 @@ def notched(columns: int, folder: Path) -> Table:
     middle = whole.points[whole.quads].mean(axis=1)
     cut = np.abs(middle[:, 0] - 0.5 * length) < 0.4 * length / columns
     cut &= np.abs(middle[:, 1] - 0.5 * height) > 0.25 * height
-    quads = whole.quads[~cut]
-    used = np.unique(quads)
-    number = np.full(len(whole.points), -1)
-    number[used] = np.arange(len(used))
-    mesh = Mesh(whole.points[used], number[quads])
+    mesh = without(whole, cut)
     deck = Deck("a plate with two notches", 0.5 * END)
     deck.control(linear=True, damping=DAMPING)
     deck.mesh(mesh)

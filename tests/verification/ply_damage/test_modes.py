@@ -8,22 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from damage import HTS40, DamagedPly
+from damage import BAND, HTS40, MODES, POINT, ROOT_POINT, ROOT_QUAD, DamagedPly
 from decks import BOTTOM, Deck, Ply
 from meshes import regular
 from runs import Results, run
 
 THICKNESS = 0.125
 END, DAMPING = 1.0e-3, 5.0e5
-# mode: fibre angle, modulus, strength, toughness, sense; loaded along x, or sheared
-MODES = {
-    "fibre tension": (0.0, HTS40.young[0], 2537.0, 91.6, 1.0),
-    "fibre compression": (0.0, HTS40.young[0], 1580.0, 79.9, -1.0),
-    "matrix tension": (90.0, HTS40.young[1], 82.0, 0.22, 1.0),
-    "matrix compression": (90.0, HTS40.young[1], 236.0, 1.1, -1.0),
-    "shear": (0.0, HTS40.shear[0], 90.0, 0.22, 1.0),
-}
-BAND, POINT, ROOT_POINT, ROOT_QUAD = range(4)
 
 
 def strip(

@@ -1,0 +1,57 @@
+!> A ball over a flat plate, and all that finds its contact.
+module ball
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_constraint, only : constraints_type, new_constraints
+   use plydyn_contact_near, only : near_type, new_near
+   use plydyn_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_surface, only : new_surface, surface_type
+   use sample, only : flat_surface
+   implicit none
+   private
+
+   public :: new_plate, set_ball
+
+   !> Squares along an edge of the plate, and its points
+   integer, parameter, public :: squares = 12, points = (2*squares + 1)**2
+   !> Radius of the ball, and distance of its contact nodes; squares have sides of one
+   real(wp), parameter, public :: radius = 5.0_wp, spacing = 0.4_wp
+   !> Centre of the ball that touches the middle of the plate
+   real(wp), parameter, public :: touching(3) = [0.0_wp, 0.0_wp, radius]
+
+contains
+
+   !> The plate: its points, and its face
+   subroutine new_plate(flat, facet, surface)
+      !> Places of the points
+      real(wp), intent(out) :: flat(3, points)
+      !> Points of each facet
+      integer, intent(out) :: facet(9, squares**2)
+      !> The face
+      type(surface_type), intent(out) :: surface
+
+      call flat_surface(squares, flat, facet)
+      call new_surface(surface, facet, flat, 1)
+   end subroutine new_plate
+
+   !> Contact nodes of the ball, what of the plate is near, and room for rows
+   subroutine set_ball(surface, flat, near, nodes, rows)
+      !> The face of the plate
+      type(surface_type), intent(in) :: surface
+      !> Places of its points
+      real(wp), intent(in) :: flat(3, points)
+      !> The part of it near the ball
+      type(near_type), intent(out) :: near
+      !> Contact nodes
+      type(node_set_type), intent(out) :: nodes
+      !> Constraints, none yet
+      type(constraints_type), intent(out) :: rows
+
+      type(error_type), allocatable :: error
+
+      call new_near(near, surface, radius)
+      call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
+      call new_constraints(rows, 9)
+   end subroutine set_ball
+
+end module ball
