@@ -8,6 +8,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+from plydyn_post.cscan import draw_cscan
 from plydyn_post.grid import read_point_field, read_times
 from plydyn_post.results import Results, open_results
 
@@ -35,7 +36,7 @@ BY_HAND = {
 LATE_BY_HAND = "1.05 to 1.6 kN"
 #: The last part of a run over which its force is averaged, s
 LATE = 1e-3
-#: Where the picture of the page lies
+#: Where the pictures of the pages lie
 PICTURES = ROOT / "manual/pictures"
 #: Places are told apart down to this, mm
 SAME = 1e-6
@@ -97,6 +98,11 @@ def bounds_text(found: Sequence[tuple[Run, Results]]) -> str:
         off = f"{asymmetry(results):.1g} mm"
         rows.append([run.words, "displacements off symmetry to x and y", "0", off])
     return table(("run", "what", "by hand", "here"), rows)
+
+
+def draw_scan(found: Sequence[tuple[Run, Results]]) -> list[Path]:
+    """The picture of the first page: what delaminates in the quick start, where that has run."""
+    return [draw_cscan(results, PICTURES / "cscan.png") for run, results in found if run is COARSE]
 
 
 def late_force(results: Results) -> float:

@@ -39,7 +39,7 @@ class DamagedPly(Material):
         ]
 
 
-# The paper's Table 5, in mm, s, t: HTS40/977-2, shear along a line
+# The paper's Table 5, in mm, s, t: HTS40/9772, shear along a line
 HTS40 = DamagedPly(
     density=1.6e-9,
     young=(153.0e3, 10.3e3, 10.3e3),

@@ -29,7 +29,7 @@ from plydyn_post.units import Scale, factor, in_brackets, readable
 ENERGIES = {
     "impactor": "impactor",
     "internal": "internal",
-    "dissipated": "dissipated, part of internal",
+    "dissipated": "internal, dissipated",
     "kinetic": "kinetic of the plate",
     "damping": "damping",
     "contact": "contact",

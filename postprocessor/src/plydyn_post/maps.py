@@ -110,13 +110,13 @@ def _triangulation(sheet: Sheet) -> Triangulation:
 
 
 def scale_bar(axes: Axes, middle: np.ndarray, half: float, unit: str) -> None:
-    """A bar of a round length in the lower left corner."""
+    """A bar of a round length at the lower edge of a map, its words below the map."""
     length = _round(0.5 * half)
     scale = readable(unit, length)
-    x, y = middle[0] - 0.96 * half, middle[1] - 0.96 * half
-    axes.plot([x, x + length], [y, y], color=INK, linewidth=1.6, solid_capstyle="butt", zorder=6)
+    x, y = middle[0] - 0.98 * half, middle[1] - half
+    axes.plot([x, x + length], [y, y], color=INK, linewidth=1.6, clip_on=False, zorder=6)
     words = f"{length * scale.factor:g} {scale.unit}".rstrip()
-    axes.text(x, y + 0.03 * half, words, fontsize=7.5, va="bottom", ha="left", zorder=6)
+    axes.annotate(words, (x, y), (0, -3), textcoords="offset points", fontsize=7.5, va="top")
 
 
 def _round(length: float) -> float:
