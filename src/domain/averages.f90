@@ -201,19 +201,19 @@ contains
       integer, allocatable, intent(out) :: point(:)
       real(wp), allocatable, intent(out) :: weight(:, :)
 
-      real(wp) :: all(lanes, size(candidates)), away(2)
+      real(wp) :: away(2), share(lanes, size(candidates))
       integer :: j, l
 
       do j = 1, size(candidates)
          away(:) = around%position(:, candidates(j)) - around%position(:, i)
          do l = 1, lanes
-            all(l, j) = 0.0_wp
-            if (law%owns(l)) all(l, j) = around%area(candidates(j)) &
+            share(l, j) = 0.0_wp
+            if (law%owns(l)) share(l, j) = around%area(candidates(j)) &
                & *bell(law%radius(l, :), turned(turn(l, :), away))
          end do
       end do
-      point = pack(candidates, any(all > 0.0_wp, 1))
-      weight = reshape(pack(all, spread(any(all > 0.0_wp, 1), 1, lanes)), [lanes, size(point)])
+      point = pack(candidates, any(share > 0.0_wp, 1))
+      weight = reshape(pack(share, spread(any(share > 0.0_wp, 1), 1, lanes)), [lanes, size(point)])
       do l = 1, lanes
          if (law%owns(l)) weight(l, :) = weight(l, :)/sum(weight(l, :))
       end do

@@ -157,13 +157,15 @@ module plydyn_domain_domain
       type(band_type), allocatable :: bands(:)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
-      !> History variables of all Gauss points together, and room behind for those strains
+      !> History variables of all Gauss points together, and room behind for the strains that other
+      !> ranks lend
       integer :: histories = front, borrowed = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Chunks of all quads or bricks
       type(chunk_type), allocatable :: chunks(:)
-      !> The order in which they are best taken: first those, so many, whose forces other ranks need
+      !> The order in which they are best taken, and how many come first because other ranks need
+      !> their forces
       integer, allocatable :: order(:)
       integer :: outer = 0
       !> Nodes where chunks meet: node, and first and last of its columns behind, (3, nodes)

@@ -42,9 +42,9 @@ module plydyn_output_h5
 contains
 
    !> Dataset of a list of integers
-   subroutine write_integer_list(this, name, values, storage, error, slab)
+   subroutine write_integer_list(self, name, values, storage, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -56,14 +56,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
+      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
          & error, slab)
    end subroutine write_integer_list
 
    !> Dataset of a table of integers
-   subroutine write_integer_table(this, name, values, storage, error, slab)
+   subroutine write_integer_table(self, name, values, storage, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -75,14 +75,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
+      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
          & error, slab)
    end subroutine write_integer_table
 
    !> Dataset of a list of reals
-   subroutine write_real_list(this, name, values, storage, error, slab)
+   subroutine write_real_list(self, name, values, storage, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -94,14 +94,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
+      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
          & error, slab)
    end subroutine write_real_list
 
    !> Dataset of a table of reals
-   subroutine write_real_table(this, name, values, storage, error, slab)
+   subroutine write_real_table(self, name, values, storage, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -113,14 +113,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
+      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
          & error, slab)
    end subroutine write_real_table
 
    !> Dataset of the characters of a text, which is the same on all ranks
-   subroutine write_bytes(this, name, content, error)
+   subroutine write_bytes(self, name, content, error)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
@@ -128,13 +128,13 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%write_all(name, numbers_type(c_loc(content), [len(content)], is_byte, store_byte), &
+      call self%write_all(name, numbers_type(c_loc(content), [len(content)], is_byte, store_byte), &
          & error)
    end subroutine write_bytes
 
    !> Make sure of room, and write a dataset
-   subroutine write_all(this, name, numbers, error, slab)
-      class(h5_file_type), intent(inout) :: this
+   subroutine write_all(self, name, numbers, error, slab)
+      class(h5_file_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> What this rank writes
       type(numbers_type), intent(in) :: numbers
@@ -149,24 +149,24 @@ contains
       type(room_type) :: room
 
       whole(:) = extent_of_all(numbers, slab)
-      call this%reserve(most_bytes*product(int(whole, int64)), error)
+      call self%reserve(most_bytes*product(int(whole, int64)), error)
       if (allocated(error)) return
       good = .true.
-      if (this%is_alone() .or. .not. present(slab)) then
-         if (this%is_root()) call write_dataset(this%handle, name, numbers, good)
+      if (self%is_alone() .or. .not. present(slab)) then
+         if (self%is_root()) call write_dataset(self%handle, name, numbers, good)
       else
-         if (this%is_root()) call make_dataset(this%handle, name, whole, numbers%storage, room, &
+         if (self%is_root()) call make_dataset(self%handle, name, whole, numbers%storage, room, &
             & good)
-         call this%confirm(good, name, error)
+         call self%confirm(good, name, error)
          if (allocated(error)) return
-         call this%bring(numbers, slab, room, good)
+         call self%bring(numbers, slab, room, good)
       end if
-      call this%confirm(good, name, error)
+      call self%confirm(good, name, error)
    end subroutine write_all
 
    !> Add rows to a dataset for which there is room
-   subroutine append_all(this, name, numbers, error, slab)
-      class(h5_file_type), intent(inout) :: this
+   subroutine append_all(self, name, numbers, error, slab)
+      class(h5_file_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> What this rank adds
       type(numbers_type), intent(in) :: numbers
@@ -178,16 +178,16 @@ contains
       type(room_type) :: room
 
       good = .true.
-      if (this%is_alone() .or. .not. present(slab)) then
-         if (this%is_root()) call append_rows(this%handle, name, numbers, good)
+      if (self%is_alone() .or. .not. present(slab)) then
+         if (self%is_root()) call append_rows(self%handle, name, numbers, good)
       else
-         if (this%is_root()) call add_rows(this%handle, name, extent_of_all(numbers, slab), room, &
+         if (self%is_root()) call add_rows(self%handle, name, extent_of_all(numbers, slab), room, &
             & good)
-         call this%confirm(good, name, error)
+         call self%confirm(good, name, error)
          if (allocated(error)) return
-         call this%bring(numbers, slab, room, good)
+         call self%bring(numbers, slab, room, good)
       end if
-      call this%confirm(good, name, error)
+      call self%confirm(good, name, error)
    end subroutine append_all
 
    !> Extent of what all ranks write together
@@ -201,9 +201,9 @@ contains
    end function extent_of_all
 
    !> Make a dataset of no rows to which rows can be added
-   subroutine make_series(this, name, width, rows_per_chunk, storage, error)
+   subroutine make_series(self, name, width, rows_per_chunk, storage, error)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> Numbers in a row; 0 for a list of numbers
@@ -217,17 +217,17 @@ contains
 
       logical :: good
 
-      this%series = this%series + 1
+      self%series = self%series + 1
       good = .true.
-      if (this%is_root()) call create_series(this%handle, name, width, max(1, rows_per_chunk), &
+      if (self%is_root()) call create_series(self%handle, name, width, max(1, rows_per_chunk), &
          & storage, good)
-      call this%confirm(good, name, error)
+      call self%confirm(good, name, error)
    end subroutine make_series
 
    !> Make sure of room for an entry in all datasets that grow, the same number of rows each time
-   subroutine reserve_rows(this, bytes, entry, error)
+   subroutine reserve_rows(self, bytes, entry, error)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Bytes of the rows of all ranks
       integer(int64), intent(in) :: bytes
       !> Entries before it
@@ -239,14 +239,14 @@ contains
 
       ! each index gets its first node, and two more when that is full and split
       index_bytes = 0
-      if (mod(entry, half_index) == 0) index_bytes = merge(1, 2, entry == 0)*this%series*node_bytes
-      call this%reserve(bytes + index_bytes, error)
+      if (mod(entry, half_index) == 0) index_bytes = merge(1, 2, entry == 0)*self%series*node_bytes
+      call self%reserve(bytes + index_bytes, error)
    end subroutine reserve_rows
 
    !> Add long integers: a list of whole rows
-   subroutine append_longs(this, name, values, error, slab)
+   subroutine append_longs(self, name, values, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add
@@ -256,14 +256,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_long, store_long), &
+      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_long, store_long), &
          & error, slab)
    end subroutine append_longs
 
    !> Add reals: a list of whole rows
-   subroutine append_reals(this, name, values, error, slab)
+   subroutine append_reals(self, name, values, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add
@@ -273,14 +273,14 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
+      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
          & store_double), error, slab)
    end subroutine append_reals
 
    !> Add rows of reals
-   subroutine append_real_rows(this, name, values, error, slab)
+   subroutine append_real_rows(self, name, values, error, slab)
       !> The file
-      class(h5_file_type), intent(inout) :: this
+      class(h5_file_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add, (width, rows)
@@ -290,7 +290,7 @@ contains
       !> Where the rows of this rank go
       type(slab_type), intent(in), optional :: slab
 
-      call this%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
+      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
          & store_double), error, slab)
    end subroutine append_real_rows
 

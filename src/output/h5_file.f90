@@ -62,9 +62,9 @@ module plydyn_output_h5_file
 contains
 
    !> Create the file, in place of one that was there
-   subroutine create(this, path, comm, error)
+   subroutine create(self, path, comm, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the file; its folder must exist
       character(*), intent(in) :: path
       !> The ranks that write it together
@@ -72,44 +72,44 @@ contains
       !> Why the file could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      this%path = trim(path)
-      this%comm = comm
-      if (comm%is_root()) call try_text(this%path, error)
+      self%path = trim(path)
+      self%comm = comm
+      if (comm%is_root()) call try_text(self%path, error)
       call comm%tell(error)
       if (allocated(error)) return
-      this%opened = .true.
-      if (comm%is_root()) call create_file(this%path, this%handle, this%opened)
-      call this%confirm(this%opened, "the file", error)
-      if (allocated(error) .or. this%is_alone()) return
-      call this%bands%open(this%path, this%opened)
-      call this%confirm(this%opened, "the file", error)
+      self%opened = .true.
+      if (comm%is_root()) call create_file(self%path, self%handle, self%opened)
+      call self%confirm(self%opened, "the file", error)
+      if (allocated(error) .or. self%is_alone()) return
+      call self%bands%open(self%path, self%opened)
+      call self%confirm(self%opened, "the file", error)
    end subroutine create
 
    !> True between `create` and `close` or the first failure
-   pure logical function is_open(this)
-      class(h5_base_type), intent(in) :: this
+   pure logical function is_open(self)
+      class(h5_base_type), intent(in) :: self
 
-      is_open = this%opened
+      is_open = self%opened
    end function is_open
 
    !> Whether this is the only rank that writes, or the root of several
-   pure logical function is_root(this)
-      class(h5_base_type), intent(in) :: this
+   pure logical function is_root(self)
+      class(h5_base_type), intent(in) :: self
 
-      is_root = this%comm%is_root()
+      is_root = self%comm%is_root()
    end function is_root
 
    !> Whether one rank alone writes the file
-   pure logical function is_alone(this)
-      class(h5_base_type), intent(in) :: this
+   pure logical function is_alone(self)
+      class(h5_base_type), intent(in) :: self
 
-      is_alone = this%comm%ranks == 1
+      is_alone = self%comm%ranks == 1
    end function is_alone
 
    !> Bring the rows of each of several ranks to the file
-   subroutine bring(this, numbers, slab, room, good)
+   subroutine bring(self, numbers, slab, room, good)
       !> The file
-      class(h5_base_type), intent(in) :: this
+      class(h5_base_type), intent(in) :: self
       !> What this rank has
       type(numbers_type), intent(in) :: numbers
       !> Which rows these are
@@ -122,8 +122,8 @@ contains
       type(room_type) :: same
 
       same = room
-      call tell_room(this%comm, same)
-      call this%bands%write(numbers, slab, same, good)
+      call tell_room(self%comm, same)
+      call self%bands%write(numbers, slab, same, good)
    end subroutine bring
 
    !> Let all ranks know where rows lie
@@ -150,18 +150,18 @@ contains
    end subroutine tell_room
 
    !> Whether all went well on all ranks that write the file
-   subroutine agree(this, good)
-      class(h5_base_type), intent(in) :: this
+   subroutine agree(self, good)
+      class(h5_base_type), intent(in) :: self
       !> Whether it did on this rank in, the same on all ranks out
       logical, intent(inout) :: good
 
-      call this%comm%agree(good)
+      call self%comm%agree(good)
    end subroutine agree
 
    !> Make sure of room for numbers, and for what the library adds
-   subroutine reserve(this, bytes, error)
+   subroutine reserve(self, bytes, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Bytes of the numbers of all ranks
       integer(int64), intent(in) :: bytes
       !> The disk is full
@@ -169,15 +169,15 @@ contains
 
       logical :: good
 
-      good = this%opened
-      if (good .and. this%is_root()) good = has_room(this%path, bytes + overhead)
-      call this%confirm(good, "what is to come", error)
+      good = self%opened
+      if (good .and. self%is_root()) good = has_room(self%path, bytes + overhead)
+      call self%confirm(good, "what is to come", error)
    end subroutine reserve
 
    !> Give the file another name, in place of a file that has it
-   subroutine rename(this, path, error)
+   subroutine rename(self, path, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Its new path, on the same disk
       character(*), intent(in) :: path
       !> Why it keeps its name
@@ -186,19 +186,19 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) call rename_file(this%path, path, good)
-      call this%comm%agree(good)
+      if (self%is_root()) call rename_file(self%path, path, good)
+      call self%comm%agree(good)
       if (good) then
-         this%path = path
+         self%path = path
       else
-         call fail(error, exit_output, "cannot rename "//this%path//" to "//path)
+         call fail(error, exit_output, "cannot rename "//self%path//" to "//path)
       end if
    end subroutine rename
 
    !> Make a group
-   subroutine make_group(this, name, error)
+   subroutine make_group(self, name, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the group in the file; the groups above it must exist
       character(*), intent(in) :: name
       !> Why it could not be made
@@ -207,14 +207,14 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) call create_group(this%handle, name, good)
-      call this%confirm(good, name, error)
+      if (self%is_root()) call create_group(self%handle, name, good)
+      call self%confirm(good, name, error)
    end subroutine make_group
 
    !> Attribute of text, of exactly its length; trailing blanks are left out
-   subroutine write_text(this, place, name, value, error)
+   subroutine write_text(self, place, name, value, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -227,21 +227,21 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) then
+      if (self%is_root()) then
          ! the library has no text without length: a single null reads as none
          if (len_trim(value) > 0) then
-            call write_text_attribute(this%handle, place, name, trim(value), good)
+            call write_text_attribute(self%handle, place, name, trim(value), good)
          else
-            call write_text_attribute(this%handle, place, name, achar(0), good)
+            call write_text_attribute(self%handle, place, name, achar(0), good)
          end if
       end if
-      call this%confirm(good, place//"/"//name, error)
+      call self%confirm(good, place//"/"//name, error)
    end subroutine write_text
 
    !> Attribute of one integer
-   subroutine write_integer(this, place, name, value, error)
+   subroutine write_integer(self, place, name, value, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -254,15 +254,15 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) call write_attribute(this%handle, place, name, &
+      if (self%is_root()) call write_attribute(self%handle, place, name, &
          & numbers_type(c_loc(value), [integer ::], is_integer, store_long), good)
-      call this%confirm(good, place//"/"//name, error)
+      call self%confirm(good, place//"/"//name, error)
    end subroutine write_integer
 
    !> Attribute of several integers
-   subroutine write_integers(this, place, name, value, error)
+   subroutine write_integers(self, place, name, value, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -275,15 +275,15 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) call write_attribute(this%handle, place, name, &
+      if (self%is_root()) call write_attribute(self%handle, place, name, &
          & numbers_type(c_loc(value), shape(value), is_integer, store_long), good)
-      call this%confirm(good, place//"/"//name, error)
+      call self%confirm(good, place//"/"//name, error)
    end subroutine write_integers
 
    !> Attribute of one real
-   subroutine write_real(this, place, name, value, error)
+   subroutine write_real(self, place, name, value, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute
       character(*), intent(in) :: place
       !> Name of the attribute
@@ -296,52 +296,52 @@ contains
       logical :: good
 
       good = .true.
-      if (this%is_root()) call write_attribute(this%handle, place, name, &
+      if (self%is_root()) call write_attribute(self%handle, place, name, &
          & numbers_type(c_loc(value), [integer ::], is_real, store_double), good)
-      call this%confirm(good, place//"/"//name, error)
+      call self%confirm(good, place//"/"//name, error)
    end subroutine write_real
 
    !> Hand all that was written to the operating system: it outlives a kill of this process
-   subroutine flush_all(this, error)
-      class(h5_base_type), intent(inout) :: this
+   subroutine flush_all(self, error)
+      class(h5_base_type), intent(inout) :: self
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
       logical :: good
 
       good = .true.
-      if (.not. this%is_alone()) then
+      if (.not. self%is_alone()) then
          ! first the numbers, of which the root then says that they are there
-         call this%bands%secure(good)
-         call this%comm%agree(good)
+         call self%bands%secure(good)
+         call self%comm%agree(good)
       end if
-      if (good .and. this%is_root()) call flush_file(this%handle, good)
-      call this%confirm(good, "what is not yet on the disk", error)
+      if (good .and. self%is_root()) call flush_file(self%handle, good)
+      call self%confirm(good, "what is not yet on the disk", error)
    end subroutine flush_all
 
    !> Write what is left and close the file; nothing happens when it is not open
-   subroutine close_whole(this, error)
-      class(h5_base_type), intent(inout) :: this
+   subroutine close_whole(self, error)
+      class(h5_base_type), intent(inout) :: self
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
       logical :: good, is_closed
 
-      if (.not. this%opened) return
-      this%opened = .false.
-      call this%bands%close(good)
+      if (.not. self%opened) return
+      self%opened = .false.
+      call self%bands%close(good)
       is_closed = .true.
-      if (this%is_root()) call close_file(this%handle, is_closed)
+      if (self%is_root()) call close_file(self%handle, is_closed)
       good = good .and. is_closed
-      call this%confirm(good, "what is not yet on the disk", error)
+      call self%confirm(good, "what is not yet on the disk", error)
    end subroutine close_whole
 
    !> Turn what went wrong on any rank into an error
    !>
    !> From then on the file is left alone, as closing it would spoil what was flushed before.
-   subroutine confirm(this, good, quantity, error)
+   subroutine confirm(self, good, quantity, error)
       !> The file
-      class(h5_base_type), intent(inout) :: this
+      class(h5_base_type), intent(inout) :: self
       !> True when all went well
       logical, intent(in) :: good
       !> What was to be written
@@ -352,11 +352,11 @@ contains
       logical :: all_good
 
       all_good = good
-      call this%comm%agree(all_good)
+      call self%comm%agree(all_good)
       if (all_good) return
-      this%opened = .false.
-      this%handle = handle_type()
-      call fail(error, exit_output, "cannot write "//quantity//" to "//this%path &
+      self%opened = .false.
+      self%handle = handle_type()
+      call fail(error, exit_output, "cannot write "//quantity//" to "//self%path &
          & //": its disk must have room and be writable")
    end subroutine confirm
 

@@ -71,54 +71,54 @@ module plydyn_output_history
 contains
 
    !> True when an instant has come
-   elemental logical function schedule_due(this, time)
+   elemental logical function schedule_due(self, time)
       !> The instants
-      class(schedule_type), intent(in) :: this
+      class(schedule_type), intent(in) :: self
       !> Time now
       real(wp), intent(in) :: time
 
-      schedule_due = this%interval <= 0.0_wp .or. this%next < 0 &
-         & .or. time >= (this%next - slack)*this%interval
+      schedule_due = self%interval <= 0.0_wp .or. self%next < 0 &
+         & .or. time >= (self%next - slack)*self%interval
    end function schedule_due
 
    !> Note that the instant was used: the next one is later than this time
-   elemental subroutine advance(this, time)
+   elemental subroutine advance(self, time)
       !> The instants
-      class(schedule_type), intent(inout) :: this
+      class(schedule_type), intent(inout) :: self
       !> Time now
       real(wp), intent(in) :: time
 
-      if (this%interval > 0.0_wp) this%next = floor(time/this%interval + slack, int64) + 1
+      if (self%interval > 0.0_wp) self%next = floor(time/self%interval + slack, int64) + 1
    end subroutine advance
 
    !> The instants as they are
-   elemental type(place_type) function mark_schedule(this, amount) result(place)
+   elemental type(place_type) function mark_schedule(self, amount) result(place)
       !> The instants
-      class(schedule_type), intent(in) :: this
+      class(schedule_type), intent(in) :: self
       !> What was written so far
       integer(int64), intent(in) :: amount
 
-      place = place_type(amount=amount, interval=this%interval, next=this%next)
+      place = place_type(amount=amount, interval=self%interval, next=self%next)
    end function mark_schedule
 
    !> Go on with instants from an earlier run, unless their interval is another one
-   elemental subroutine resume(this, place)
+   elemental subroutine resume(self, place)
       !> The instants, with their interval
-      class(schedule_type), intent(inout) :: this
+      class(schedule_type), intent(inout) :: self
       !> As from `mark`
       type(place_type), intent(in) :: place
 
-      if (abs(place%interval - this%interval) <= 0.0_wp) then
-         this%next = place%next
+      if (abs(place%interval - self%interval) <= 0.0_wp) then
+         self%next = place%next
       else if (place%next >= 0) then
-         call this%advance(place%interval*(place%next - 1))
+         call self%advance(place%interval*(place%next - 1))
       end if
    end subroutine resume
 
    !> Create the file and write the heads, such as `force [N]`; or go on with it
-   subroutine open_history(this, path, names, units, interval, places, error)
+   subroutine open_history(self, path, names, units, interval, places, error)
       !> The history
-      class(history_type), intent(inout) :: this
+      class(history_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
       !> Names of the columns
@@ -136,55 +136,55 @@ contains
       type(place_type) :: place
       integer :: i
 
-      this%path = trim(path)
+      self%path = trim(path)
       if (size(names) /= size(units) .or. size(names) == 0) then
-         call fail(error, exit_output, this%path//": each column must have a name and a unit")
+         call fail(error, exit_output, self%path//": each column must have a name and a unit")
          return
       end if
       heads = head(names(1), units(1))
       do i = 2, size(names)
          heads = heads//","//head(names(i), units(i))
       end do
-      this%schedule = schedule_type(interval)
-      place = places%at(this%path)
+      self%schedule = schedule_type(interval)
+      place = places%at(self%path)
       if (place%amount < 0) then
-         call create_text(this%path, this%unit, error)
+         call create_text(self%path, self%unit, error)
          if (allocated(error)) return
-         write (this%unit, "(a)") heads
+         write (self%unit, "(a)") heads
       else
-         call continue_text(this%path, heads, place%amount, this%unit, error)
+         call continue_text(self%path, heads, place%amount, self%unit, error)
          if (allocated(error)) return
-         call this%schedule%resume(place)
+         call self%schedule%resume(place)
       end if
-      this%columns = size(names)
-      if (allocated(this%line)) deallocate (this%line)
-      allocate (character((number_length + 1)*this%columns) :: this%line)
-      this%opened = .true.
-      call this%flush(error)
+      self%columns = size(names)
+      if (allocated(self%line)) deallocate (self%line)
+      allocate (character((number_length + 1)*self%columns) :: self%line)
+      self%opened = .true.
+      call self%flush(error)
    end subroutine open_history
 
    !> True between `open` and `close`
-   pure logical function is_open(this)
+   pure logical function is_open(self)
       !> The history
-      class(history_type), intent(in) :: this
+      class(history_type), intent(in) :: self
 
-      is_open = this%opened
+      is_open = self%opened
    end function is_open
 
    !> True when a line should be recorded
-   pure logical function due(this, time)
+   pure logical function due(self, time)
       !> The history
-      class(history_type), intent(in) :: this
+      class(history_type), intent(in) :: self
       !> Time now
       real(wp), intent(in) :: time
 
-      due = this%opened .and. this%schedule%due(time)
+      due = self%opened .and. self%schedule%due(time)
    end function due
 
    !> Write a line, due or not; several lines may have the same time
-   subroutine record(this, time, values, error)
+   subroutine record(self, time, values, error)
       !> The history
-      class(history_type), intent(inout) :: this
+      class(history_type), intent(inout) :: self
       !> Time now: what is due next counts from here
       real(wp), intent(in) :: time
       !> All columns, the time among them
@@ -195,29 +195,29 @@ contains
       integer(int64) :: now, rate
       integer :: i, length, status
 
-      if (size(values) /= this%columns) then
-         call fail(error, exit_output, this%path//": a line must have a value for each column")
+      if (size(values) /= self%columns) then
+         call fail(error, exit_output, self%path//": a line must have a value for each column")
          return
       end if
       length = 0
-      do i = 1, this%columns
-         call add_number(values(i), this%line, length)
+      do i = 1, self%columns
+         call add_number(values(i), self%line, length)
       end do
       ! the comma after the last number is left out
-      write (this%unit, "(a)", iostat=status) this%line(:length - 1)
+      write (self%unit, "(a)", iostat=status) self%line(:length - 1)
       if (status /= 0) then
-         call fail(error, exit_output, "cannot write to "//this%path//": its disk must have room")
+         call fail(error, exit_output, "cannot write to "//self%path//": its disk must have room")
          return
       end if
-      call this%schedule%advance(time)
+      call self%schedule%advance(time)
       call system_clock(now, rate)
-      if (now - this%secured > seconds_in_memory*rate) call this%flush(error)
+      if (now - self%secured > seconds_in_memory*rate) call self%flush(error)
    end subroutine record
 
    !> Put all lines on the disk, and note how far the file goes
-   subroutine mark_history(this, places, error)
+   subroutine mark_history(self, places, error)
       !> The history
-      class(history_type), intent(inout) :: this
+      class(history_type), intent(inout) :: self
       !> Places in all files
       type(places_type), intent(inout) :: places
       !> Why the lines are not all there
@@ -226,41 +226,41 @@ contains
       integer(int64) :: bytes
       logical :: good
 
-      if (.not. this%opened) return
-      call this%flush(error)
+      if (.not. self%opened) return
+      call self%flush(error)
       if (allocated(error)) return
-      inquire (file=this%path, size=bytes)
-      call secure_file(this%path, good)
+      inquire (file=self%path, size=bytes)
+      call secure_file(self%path, good)
       if (good) then
-         call places%add(this%path, this%schedule%mark(bytes))
+         call places%add(self%path, self%schedule%mark(bytes))
       else
-         call fail(error, exit_output, "cannot bring "//this%path//" to its disk")
+         call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
       end if
    end subroutine mark_history
 
    !> Put all lines on the disk
-   subroutine flush_history(this, error)
+   subroutine flush_history(self, error)
       !> The history
-      class(history_type), intent(inout) :: this
+      class(history_type), intent(inout) :: self
       !> Why they are not all there
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. this%opened) return
-      call secure_text(this%path, this%unit, error)
-      this%opened = .not. allocated(error)
-      call system_clock(this%secured)
+      if (.not. self%opened) return
+      call secure_text(self%path, self%unit, error)
+      self%opened = .not. allocated(error)
+      call system_clock(self%secured)
    end subroutine flush_history
 
    !> Put all lines on the disk and close the file; nothing happens when it is not open
-   subroutine close_history(this, error)
+   subroutine close_history(self, error)
       !> The history
-      class(history_type), intent(inout) :: this
+      class(history_type), intent(inout) :: self
       !> Why the lines are not all there
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. this%opened) return
-      this%opened = .false.
-      call close_text(this%path, this%unit, error)
+      if (.not. self%opened) return
+      self%opened = .false.
+      call close_text(self%path, self%unit, error)
    end subroutine close_history
 
    !> Head of a column

@@ -103,51 +103,75 @@ contains
       end associate
    end subroutine write_units
 
-   !> Plies of a part and its stiffness as a plate
+   !> Plies of a part from the bottom up
    subroutine write_part(unit, model, part)
       integer, intent(in) :: unit
       type(model_type), intent(in) :: model
       type(part_type), intent(in) :: part
 
-      real(wp) :: a(3, 3), b(3, 3), d(3, 3), z
+      real(wp) :: z
       type(table_type) :: table
       integer :: k
 
       call write_section(unit, "Part "//text(part%id)//" "//part%title)
-      call table%start(unit)
-      call table%add_column("ply", 4, "i0")
-      call table%add_column("angle [deg]", 11, "f9.2")
-      call table%add_column("bottom", 12, "g12.5")
-      call table%add_column("top", 12, "g12.5")
-      call table%add_column("material", 8, "i0")
-      call table%add_column("order", 5, "i0")
-      call table%add_column("layers", 6, "i0")
-      call table%add_column("above it", 24, "a")
-      call table%write_heads()
+      associate (length => model%control%units%length)
+         call table%start(unit)
+         call table%add_column("ply", 4, "i0")
+         call table%add_column("angle [deg]", 11, "f9.2")
+         call table%add_column("bottom ["//trim(length)//"]", 12, "g12.5")
+         call table%add_column("top ["//trim(length)//"]", 12, "g12.5")
+         call table%add_column("material", 8, "i0")
+         call table%add_column("order", 5, "i0")
+         call table%add_column("layers", 6, "i0")
+         call table%add_column("above it", 24, "a")
+         call table%write_heads()
+      end associate
+      z = part%bottom_offset*sum(part%plies%thickness)
+      do k = 1, size(part%plies)
+         associate (ply => part%plies(k))
+            call table%put(ply%id)
+            call table%put(ply%angle)
+            call table%put(z)
+            z = z + ply%thickness
+            call table%put(z)
+            call table%put(model%materials(ply%material)%id)
+            call table%put(ply%order)
+            call table%put(ply%layers)
+            call table%put(joint_name(model, part, k))
+         end associate
+      end do
+      call write_laminate(unit, model, part)
+   end subroutine write_part
+
+   !> Stiffness of a part as a plate
+   subroutine write_laminate(unit, model, part)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+
+      real(wp) :: a(3, 3), b(3, 3), d(3, 3), z
+      integer :: k
+
       a(:, :) = 0.0_wp
       b(:, :) = 0.0_wp
       d(:, :) = 0.0_wp
       z = part%bottom_offset*sum(part%plies%thickness)
       do k = 1, size(part%plies)
          associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
-            call table%put(ply%id)
-            call table%put(ply%angle)
-            call table%put(z)
             call add_ply_stiffness(material%young(1:2), material%poisson(1), material%shear(1), &
                & ply%angle, z, z + ply%thickness, a, b, d)
             z = z + ply%thickness
-            call table%put(z)
-            call table%put(material%id)
-            call table%put(ply%order)
-            call table%put(ply%layers)
-            call table%put(joint_name(model, part, k))
          end associate
       end do
-      write (unit, "(/,a)") "A, B and D of classical laminate theory (xx, yy, xy)"
+      associate (u => model%control%units)
+         write (unit, "(/,11a)") "A [", trim(u%force), "/", trim(u%length), "], B [", &
+            & trim(u%force), "] and D [", trim(u%force), " ", trim(u%length), &
+            & "] of classical laminate theory (xx, yy, xy)"
+      end associate
       do k = 1, 3
          write (unit, "(3(3es12.4,3x))") a(k, :), b(k, :), d(k, :)
       end do
-   end subroutine write_part
+   end subroutine write_laminate
 
    !> A part of bricks
    subroutine write_brick_part(unit, model, p)

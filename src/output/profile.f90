@@ -9,7 +9,7 @@ module plydyn_output_profile
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : plane_table
    use plydyn_element_recover, only : layer_values, new_plane_shares, plane_value, ply_stress_at, &
-      & recovered, thickness_interpolation
+      & recovered, strain_at, stress_at, thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
    use plydyn_output_places, only : places_type
@@ -283,8 +283,8 @@ contains
          all_values(:) = plane_value(plate, e, layer, &
             & new_plane_shares(plate%side, self%local(1, q), self%local(2, q)), at_level)
       end associate
-      values(4:9) = all_values(7:12)
-      values(10:15) = all_values(1:6)
+      values(4:9) = all_values(stress_at + 1:stress_at + 6)
+      values(10:15) = all_values(strain_at + 1:strain_at + 6)
       values(16:21) = all_values(ply_stress_at + 1:ply_stress_at + 6)
    end function values_at
 

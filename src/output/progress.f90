@@ -49,45 +49,45 @@ module plydyn_output_progress
 contains
 
    !> Start the clock; the first line is due at once
-   subroutine start(this)
+   subroutine start(self)
       !> The clock
-      class(pulse_type), intent(inout) :: this
+      class(pulse_type), intent(inout) :: self
 
-      call system_clock(this%started)
-      this%next = 0.0_wp
+      call system_clock(self%started)
+      self%next = 0.0_wp
    end subroutine start
 
    !> Seconds since the start; none before it
-   real(wp) function elapsed(this)
+   real(wp) function elapsed(self)
       !> The clock
-      class(pulse_type), intent(in) :: this
+      class(pulse_type), intent(in) :: self
 
       integer(int64) :: now, rate
 
       elapsed = 0.0_wp
-      if (this%started == 0_int64) return
+      if (self%started == 0_int64) return
       call system_clock(now, rate)
-      elapsed = real(now - this%started, wp)/rate
+      elapsed = real(now - self%started, wp)/rate
    end function elapsed
 
    !> True when a line should be written
-   elemental logical function due(this, seconds)
+   elemental logical function due(self, seconds)
       !> The clock
-      class(pulse_type), intent(in) :: this
+      class(pulse_type), intent(in) :: self
       !> Seconds since the start
       real(wp), intent(in) :: seconds
 
-      due = seconds >= this%next
+      due = seconds >= self%next
    end function due
 
    !> Note that a line was written
-   elemental subroutine advance(this, seconds)
+   elemental subroutine advance(self, seconds)
       !> The clock
-      class(pulse_type), intent(inout) :: this
+      class(pulse_type), intent(inout) :: self
       !> Seconds since the start
       real(wp), intent(in) :: seconds
 
-      this%next = seconds + max(this%interval, share_between*seconds)
+      self%next = seconds + max(self%interval, share_between*seconds)
    end subroutine advance
 
    !> Heads of the columns

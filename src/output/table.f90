@@ -57,21 +57,21 @@ contains
    end subroutine write_section
 
    !> Start a table without columns
-   subroutine start(this, unit)
+   subroutine start(self, unit)
       !> The table
-      class(table_type), intent(out) :: this
+      class(table_type), intent(out) :: self
       !> Unit to write to
       integer, intent(in) :: unit
 
-      this%unit = unit
-      this%columns = [column_type ::]
-      this%line = ""
+      self%unit = unit
+      self%columns = [column_type ::]
+      self%line = ""
    end subroutine start
 
    !> Add a column at the right
-   subroutine add_column(this, head, width, form)
+   subroutine add_column(self, head, width, form)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
       !> Head of the column, with its unit
       character(*), intent(in) :: head
       !> Characters of a cell; more where the head needs them
@@ -79,84 +79,84 @@ contains
       !> Fortran's edit descriptor of the values, such as `f10.3`; `a` for texts
       character(*), intent(in) :: form
 
-      this%columns = [this%columns, column_type(head, max(width, len_trim(head)), form)]
+      self%columns = [self%columns, column_type(head, max(width, len_trim(head)), form)]
    end subroutine add_column
 
    !> Write the heads and a line under them
-   subroutine write_heads(this)
+   subroutine write_heads(self)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
 
       integer :: i
 
-      do i = 1, size(this%columns)
-         call this%add_cell(trim(this%columns(i)%head))
+      do i = 1, size(self%columns)
+         call self%add_cell(trim(self%columns(i)%head))
       end do
-      do i = 1, size(this%columns)
-         call this%add_cell(repeat("-", this%columns(i)%width))
+      do i = 1, size(self%columns)
+         call self%add_cell(repeat("-", self%columns(i)%width))
       end do
    end subroutine write_heads
 
    !> Fill the next cell with a text
-   subroutine put_text(this, value)
+   subroutine put_text(self, value)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
       !> What to write
       character(*), intent(in) :: value
 
-      call this%add_cell(value)
+      call self%add_cell(value)
    end subroutine put_text
 
    !> Fill the next cell with an integer
-   subroutine put_integer(this, value)
+   subroutine put_integer(self, value)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
       !> What to write
       integer, intent(in) :: value
 
       character(cell_length) :: word
 
-      write (word, "("//this%columns(this%filled + 1)%form//")") value
-      call this%add_cell(trim(adjustl(word)))
+      write (word, "("//self%columns(self%filled + 1)%form//")") value
+      call self%add_cell(trim(adjustl(word)))
    end subroutine put_integer
 
    !> Fill the next cell with a real; one that does not fit the column's form gets an exponent
-   subroutine put_real(this, value)
+   subroutine put_real(self, value)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
       !> What to write
       real(wp), intent(in) :: value
 
       character(cell_length) :: word
 
-      write (word, "("//this%columns(this%filled + 1)%form//")") value
+      write (word, "("//self%columns(self%filled + 1)%form//")") value
       if (index(word, "*") > 0) write (word, "(es12.4)") value
-      call this%add_cell(trim(adjustl(word)))
+      call self%add_cell(trim(adjustl(word)))
    end subroutine put_real
 
    !> Add a cell to the line; the last column ends the line
-   subroutine add_cell(this, word)
+   subroutine add_cell(self, word)
       !> The table
-      class(table_type), intent(inout) :: this
+      class(table_type), intent(inout) :: self
       !> What to write, longer than the column if need be
       character(*), intent(in) :: word
 
       character(:), allocatable :: padding
 
-      this%filled = this%filled + 1
-      if (this%filled > 1) this%line = this%line//gap
-      associate (column => this%columns(this%filled))
+      self%filled = self%filled + 1
+      if (self%filled > 1) self%line = self%line//gap
+      associate (column => self%columns(self%filled))
          padding = repeat(" ", max(0, column%width - len(word)))
          if (column%form == "a") then
-            this%line = this%line//word//padding
+            self%line = self%line//word//padding
          else
-            this%line = this%line//padding//word
+            self%line = self%line//padding//word
          end if
       end associate
-      if (this%filled < size(this%columns)) return
-      write (this%unit, "(a)") trim(this%line)
-      this%line = ""
-      this%filled = 0
+      if (self%filled < size(self%columns)) return
+      write (self%unit, "(a)") trim(self%line)
+      self%line = ""
+      self%filled = 0
    end subroutine add_cell
 
 end module plydyn_output_table

@@ -63,16 +63,16 @@ module plydyn_output_vtkhdf
 contains
 
    !> Points of the grid
-   pure integer function all_points(this)
-      class(vtkhdf_type), intent(in) :: this
+   pure integer function all_points(self)
+      class(vtkhdf_type), intent(in) :: self
 
-      all_points = this%points%whole*this%points%levels
+      all_points = self%points%whole*self%points%levels
    end function all_points
 
    !> Announce a field on the points: every state must have it
-   subroutine declare_point_data(this, name, components, error)
+   subroutine declare_point_data(self, name, components, error)
       !> The file
-      class(vtkhdf_type), intent(inout) :: this
+      class(vtkhdf_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values per point: 1, 3 for a vector, 6 for a symmetric tensor
@@ -80,21 +80,21 @@ contains
       !> Why it could not be made
       type(error_type), allocatable, intent(out) :: error
 
-      if (this%states > 0) then
-         call this%refuse("point data "//name//" must come before the first state", error)
+      if (self%states > 0) then
+         call self%refuse("point data "//name//" must come before the first state", error)
          return
       end if
-      if (.not. allocated(this%fields)) allocate (this%fields(0))
-      this%fields = [this%fields, field_type(name, components)]
-      call make_offsets(this%file, point_data_offsets//name, error)
+      if (.not. allocated(self%fields)) allocate (self%fields(0))
+      self%fields = [self%fields, field_type(name, components)]
+      call make_offsets(self%file, point_data_offsets//name, error)
       if (allocated(error)) return
-      call this%file%make_series(point_data//name, merge(components, 0, components > 1), &
-         & min(this%all_points(), points_per_chunk), store_single, error)
+      call self%file%make_series(point_data//name, merge(components, 0, components > 1), &
+         & min(self%all_points(), points_per_chunk), store_single, error)
    end subroutine declare_point_data
 
    !> Put the file in its place, once all fields are declared
-   subroutine settle(this, places, error)
-      class(vtkhdf_type), intent(inout) :: this
+   subroutine settle(self, places, error)
+      class(vtkhdf_type), intent(inout) :: self
       !> Where to go on with files of an earlier run: their states are taken over
       type(places_type), intent(in) :: places
       !> Why the file could not be put there
@@ -102,37 +102,37 @@ contains
 
       type(place_type) :: place
 
-      if (.not. allocated(this%fields)) allocate (this%fields(0))
-      place = places%at(this%path)
+      if (.not. allocated(self%fields)) allocate (self%fields(0))
+      place = places%at(self%path)
       if (place%amount >= 0) then
-         this%states = int(place%amount)
-         call copy_states(this%path, this%states, this%points, this%fields%name, &
-            & this%fields%components, cell_data_offsets//this%cell_fields, this%file, error)
+         self%states = int(place%amount)
+         call copy_states(self%path, self%states, self%points, self%fields%name, &
+            & self%fields%components, cell_data_offsets//self%cell_fields, self%file, error)
          if (allocated(error)) return
       end if
-      call this%file%flush(error)
+      call self%file%flush(error)
       if (allocated(error)) return
-      call this%file%rename(this%path, error)
+      call self%file%rename(self%path, error)
    end subroutine settle
 
    !> Begin a state, if the disk has room for all of it
-   subroutine begin_step(this, time, error)
-      class(vtkhdf_type), intent(inout) :: this
+   subroutine begin_step(self, time, error)
+      class(vtkhdf_type), intent(inout) :: self
       !> Time of the state
       real(wp), intent(in) :: time
       !> The disk is full
       type(error_type), allocatable, intent(out) :: error
 
-      this%time = time
-      this%fields(:)%written = .false.
-      call this%file%reserve_rows(value_bytes*this%all_points()*sum(this%fields%components), &
-         & this%states, error)
+      self%time = time
+      self%fields(:)%written = .false.
+      call self%file%reserve_rows(value_bytes*self%all_points()*sum(self%fields%components), &
+         & self%states, error)
    end subroutine begin_step
 
    !> A real per point
-   subroutine write_point_reals(this, name, values, error)
+   subroutine write_point_reals(self, name, values, error)
       !> The file
-      class(vtkhdf_type), intent(inout) :: this
+      class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
       character(*), intent(in) :: name
       !> Values, (points)
@@ -140,15 +140,15 @@ contains
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%take_field(name, [1, size(values)], error)
+      call self%take_field(name, [1, size(values)], error)
       if (allocated(error)) return
-      call this%file%append(point_data//name, values, error, this%points)
+      call self%file%append(point_data//name, values, error, self%points)
    end subroutine write_point_reals
 
    !> Several reals per point
-   subroutine write_point_vectors(this, name, values, error)
+   subroutine write_point_vectors(self, name, values, error)
       !> The file
-      class(vtkhdf_type), intent(inout) :: this
+      class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
       character(*), intent(in) :: name
       !> Values, (components, points)
@@ -156,14 +156,14 @@ contains
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%take_field(name, shape(values), error)
+      call self%take_field(name, shape(values), error)
       if (allocated(error)) return
-      call this%file%append(point_data//name, values, error, this%points)
+      call self%file%append(point_data//name, values, error, self%points)
    end subroutine write_point_vectors
 
    !> Check that a field belongs to this state, has its shape and comes once
-   subroutine take_field(this, name, extent, error)
-      class(vtkhdf_type), intent(inout) :: this
+   subroutine take_field(self, name, extent, error)
+      class(vtkhdf_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> Components and points
       integer, intent(in) :: extent(2)
@@ -171,40 +171,40 @@ contains
 
       integer :: i, own
 
-      own = this%points%count*this%points%levels
-      do i = 1, size(this%fields)
-         associate (field => this%fields(i))
+      own = self%points%count*self%points%levels
+      do i = 1, size(self%fields)
+         associate (field => self%fields(i))
             if (field%name /= name) cycle
             if (field%written .or. any(extent /= [field%components, own])) exit
             field%written = .true.
             return
          end associate
       end do
-      call this%refuse("point data "//name//" must be declared, and written once per state with " &
+      call self%refuse("point data "//name//" must be declared, and written once per state with " &
          & //"the components declared for each of "//text(own)//" points", error)
    end subroutine take_field
 
    !> End a state: when this returns, the state is in the file whatever happens to the process
-   subroutine end_step(this, error)
+   subroutine end_step(self, error)
       !> The file
-      class(vtkhdf_type), intent(inout) :: this
+      class(vtkhdf_type), intent(inout) :: self
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. all(this%fields%written)) then
-         call this%refuse("state "//text(this%states + 1)//" lacks a declared field", error)
+      if (.not. all(self%fields%written)) then
+         call self%refuse("state "//text(self%states + 1)//" lacks a declared field", error)
          return
       end if
-      call add_state(this%file, this%states + 1, this%time, &
-         & point_data_offsets//this%fields%name, int(this%states, int64)*this%all_points(), &
-         & cell_data_offsets//this%cell_fields, error)
+      call add_state(self%file, self%states + 1, self%time, &
+         & point_data_offsets//self%fields%name, int(self%states, int64)*self%all_points(), &
+         & cell_data_offsets//self%cell_fields, error)
       if (allocated(error)) return
-      this%states = this%states + 1
+      self%states = self%states + 1
    end subroutine end_step
 
    !> Put all states on the disk, and note how many there are
-   subroutine mark(this, places, error)
-      class(vtkhdf_type), intent(inout) :: this
+   subroutine mark(self, places, error)
+      class(vtkhdf_type), intent(inout) :: self
       !> Places in all files
       type(places_type), intent(inout) :: places
       !> Why they are not all there
@@ -212,26 +212,26 @@ contains
 
       logical :: good
 
-      if (.not. this%is_open()) return
-      call this%file%flush(error)
+      if (.not. self%is_open()) return
+      call self%file%flush(error)
       if (allocated(error)) return
       good = .true.
-      if (this%file%is_root()) call secure_file(this%path, good)
-      call this%file%agree(good)
+      if (self%file%is_root()) call secure_file(self%path, good)
+      call self%file%agree(good)
       if (good) then
-         call places%add(this%path, place_type(amount=int(this%states, int64)))
+         call places%add(self%path, place_type(amount=int(self%states, int64)))
       else
-         call fail(error, exit_output, "cannot bring "//this%path//" to its disk")
+         call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
       end if
    end subroutine mark
 
    !> Close the file; nothing happens when it is not open
-   subroutine close_whole(this, error)
-      class(vtkhdf_type), intent(inout) :: this
+   subroutine close_whole(self, error)
+      class(vtkhdf_type), intent(inout) :: self
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%file%close(error)
+      call self%file%close(error)
    end subroutine close_whole
 
 end module plydyn_output_vtkhdf

@@ -45,9 +45,9 @@ module plydyn_output_vtkhdf_grid
 contains
 
    !> Create the file with its grid, under a name of its own
-   subroutine create(this, path, comm, piece, error)
+   subroutine create(self, path, comm, piece, error)
       !> The file
-      class(grid_file_type), intent(inout) :: this
+      class(grid_file_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
       !> The ranks that write it together
@@ -59,32 +59,32 @@ contains
 
       logical :: exists
 
-      this%path = trim(path)
-      this%points = piece%points
-      this%cells = piece%cells
-      this%states = 0
-      this%cell_fields = [character(field_name_length) ::]
-      call check_piece(this, piece, error)
+      self%path = trim(path)
+      self%points = piece%points
+      self%cells = piece%cells
+      self%states = 0
+      self%cell_fields = [character(field_name_length) ::]
+      call check_piece(self, piece, error)
       if (allocated(error)) return
       ! what is there already must be a file that can be replaced
-      inquire (file=this%path, exist=exists)
-      if (exists .and. comm%is_root()) call try_text(this%path, error)
+      inquire (file=self%path, exist=exists)
+      if (exists .and. comm%is_root()) call try_text(self%path, error)
       call comm%tell(error)
       if (allocated(error)) return
-      call this%file%create(this%path//in_the_making, comm, error)
+      call self%file%create(self%path//in_the_making, comm, error)
       if (allocated(error)) return
-      call make_groups(this%file, error)
+      call make_groups(self%file, error)
       if (allocated(error)) return
-      call write_grid(this%file, piece, error)
+      call write_grid(self%file, piece, error)
       if (allocated(error)) return
-      call make_steps(this%file, error)
+      call make_steps(self%file, error)
       if (allocated(error)) return
-      call this%file%flush(error)
+      call self%file%flush(error)
    end subroutine create
 
    !> Refuse a grid whose lists do not fit each other
-   subroutine check_piece(this, piece, error)
-      class(grid_file_type), intent(in) :: this
+   subroutine check_piece(self, piece, error)
+      class(grid_file_type), intent(in) :: self
       type(piece_type), intent(in) :: piece
       type(error_type), allocatable, intent(out) :: error
 
@@ -94,20 +94,20 @@ contains
          cells = size(piece%kind) + merge(1, 0, last .and. piece%cells%count > 0)
       end associate
       if (size(piece%position, 1) == 3 .and. size(piece%offset) == cells) return
-      call this%refuse("the grid must have 3 coordinates per point, one offset per cell and one " &
+      call self%refuse("the grid must have 3 coordinates per point, one offset per cell and one " &
          & //"more", error)
    end subroutine check_piece
 
    !> True between `create` and `close`
-   pure logical function is_open(this)
-      class(grid_file_type), intent(in) :: this
+   pure logical function is_open(self)
+      class(grid_file_type), intent(in) :: self
 
-      is_open = this%file%is_open()
+      is_open = self%file%is_open()
    end function is_open
 
    !> Say something about the file: an attribute of the group /plydyn, such as title or length
-   subroutine describe(this, name, value, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine describe(self, name, value, error)
+      class(grid_file_type), intent(inout) :: self
       !> Name of the attribute
       character(*), intent(in) :: name
       !> Its text
@@ -115,12 +115,12 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%file%write_text(own_group, name, value, error)
+      call self%file%write_text(own_group, name, value, error)
    end subroutine describe
 
    !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
-   subroutine add_table(this, name, columns, values, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine add_table(self, name, columns, values, error)
+      class(grid_file_type), intent(inout) :: self
       !> Name of the dataset
       character(*), intent(in) :: name
       !> Names of the columns; written with commas between them
@@ -134,21 +134,21 @@ contains
       integer :: i
 
       if (size(columns) /= size(values, 1) .or. size(columns) == 0) then
-         call this%refuse("table "//name//" must have a name for each column", error)
+         call self%refuse("table "//name//" must have a name for each column", error)
          return
       end if
       head = trim(columns(1))
       do i = 2, size(columns)
          head = head//","//trim(columns(i))
       end do
-      call this%file%write_values(own_group//"/"//name, values, store_double, error)
+      call self%file%write_values(own_group//"/"//name, values, store_double, error)
       if (allocated(error)) return
-      call this%file%write_text(own_group//"/"//name, "columns", head, error)
+      call self%file%write_text(own_group//"/"//name, "columns", head, error)
    end subroutine add_table
 
    !> A number per cell
-   subroutine add_cell_integers(this, name, values, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine add_cell_integers(self, name, values, error)
+      class(grid_file_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values, (cells)
@@ -156,14 +156,14 @@ contains
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%note_cell_data(name, size(values), error)
+      call self%note_cell_data(name, size(values), error)
       if (allocated(error)) return
-      call this%file%write_values(cell_data//name, values, store_integer, error, this%cells)
+      call self%file%write_values(cell_data//name, values, store_integer, error, self%cells)
    end subroutine add_cell_integers
 
    !> A real per cell
-   subroutine add_cell_reals(this, name, values, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine add_cell_reals(self, name, values, error)
+      class(grid_file_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values, (cells)
@@ -171,14 +171,14 @@ contains
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%note_cell_data(name, size(values), error)
+      call self%note_cell_data(name, size(values), error)
       if (allocated(error)) return
-      call this%file%write_values(cell_data//name, values, store_single, error, this%cells)
+      call self%file%write_values(cell_data//name, values, store_single, error, self%cells)
    end subroutine add_cell_reals
 
    !> Several reals per cell
-   subroutine add_cell_vectors(this, name, values, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine add_cell_vectors(self, name, values, error)
+      class(grid_file_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values, (components, cells)
@@ -186,36 +186,36 @@ contains
       !> Why they could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call this%note_cell_data(name, size(values, 2), error)
+      call self%note_cell_data(name, size(values, 2), error)
       if (allocated(error)) return
-      call this%file%write_values(cell_data//name, values, store_single, error, this%cells)
+      call self%file%write_values(cell_data//name, values, store_single, error, self%cells)
    end subroutine add_cell_vectors
 
    !> Note a field on the cells: it has a list of offsets as well
-   subroutine note_cell_data(this, name, cells, error)
-      class(grid_file_type), intent(inout) :: this
+   subroutine note_cell_data(self, name, cells, error)
+      class(grid_file_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> Cells that the values are for
       integer, intent(in) :: cells
       type(error_type), allocatable, intent(out) :: error
 
-      if (this%states > 0 .or. cells /= this%cells%count) then
-         call this%refuse("cell data "//name//" must come before the first state, with a value " &
-            & //"for each of "//text(this%cells%count)//" cells", error)
+      if (self%states > 0 .or. cells /= self%cells%count) then
+         call self%refuse("cell data "//name//" must come before the first state, with a value " &
+            & //"for each of "//text(self%cells%count)//" cells", error)
          return
       end if
-      this%cell_fields = [character(field_name_length) :: this%cell_fields, name]
-      call make_offsets(this%file, cell_data_offsets//name, error)
+      self%cell_fields = [character(field_name_length) :: self%cell_fields, name]
+      call make_offsets(self%file, cell_data_offsets//name, error)
    end subroutine note_cell_data
 
    !> Refuse what does not fit the file
-   subroutine refuse(this, what, error)
-      class(grid_file_type), intent(in) :: this
+   subroutine refuse(self, what, error)
+      class(grid_file_type), intent(in) :: self
       !> What must be
       character(*), intent(in) :: what
       type(error_type), allocatable, intent(out) :: error
 
-      call fail(error, exit_output, this%path//": "//what)
+      call fail(error, exit_output, self%path//": "//what)
    end subroutine refuse
 
 end module plydyn_output_vtkhdf_grid

@@ -40,9 +40,6 @@ module plydyn_state_exchange
       end subroutine take_integers
    end interface
 
-   !> Numbers of an impactor
-   integer, parameter :: impactor_numbers = 14
-
 contains
 
    !> Hand over all of a state; arrays are in the order of the whole model
@@ -134,7 +131,7 @@ contains
             own%velocity(:) = numbers(7:9)
             own%force(:) = numbers(10:12)
             own%contacts = nint(numbers(13))
-            own%penetration = numbers(impactor_numbers)
+            own%penetration = numbers(14)
          end associate
       end do
    end subroutine exchange_impactors

@@ -1,6 +1,8 @@
 """Heads of all histories: every column has its name and its unit, in every build."""
 
-from runs import Results
+import re
+
+from runs import ROOT, Results
 
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
 SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
@@ -36,7 +38,13 @@ HEADS = {
 
 
 def check(results: Results) -> None:
-    """The first line of each file is as the manual says."""
+    """The first line of each file has these heads, and the manual tells of each of them."""
+    manual = (ROOT / "manual/running.md").read_text()
     for name, heads in HEADS.items():
         with (results.folder / f"{results.job}.{name}.csv").open() as file:
             assert file.readline().rstrip("\n").split(",") == heads, name
+        page = manual.split(f"### JOB.{name.split('_')[0]}")[1].split("\n### ")[0]
+        for head in heads:
+            for word in head.split(" [")[0].split():
+                node = re.fullmatch(r"n\d+", word)
+                assert node or re.search(rf"\b{word}\b", page), f"the manual lacks {head}"
