@@ -80,13 +80,21 @@ contains
       character(:), allocatable :: words
 
       character(longest_name) :: known(size(keywords))
+      character(:), allocatable :: stem
       integer :: i
 
       do i = 1, size(keywords)
          known(i) = keywords(i)%name
       end do
-      i = nearest_word(name, known)
       words = "one of those that 'plydyn --keywords' lists"
+      stem = name
+      i = 0
+      do while (len(stem) > 0)
+         i = nearest_word(stem, known)
+         if (i > 0) exit
+         ! an option of LS-DYNA more than plydyn knows
+         stem = stem(:index(stem, "_", back=.true.) - 1)
+      end do
       if (i > 0) words = "perhaps *"//trim(known(i))
    end function keyword_advice
 

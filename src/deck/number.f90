@@ -18,6 +18,8 @@ module plydyn_deck_number
    integer(int64), parameter :: exact_integer = 2_int64**53
    !> Decimal exponent of the largest number that is accepted
    integer, parameter :: largest_exponent = 307
+   !> Exponents beyond are as good as this one, and sums with it do not overflow
+   integer, parameter :: most_exponent = 10**6
    !> The exact powers of ten
    real(wp), parameter :: ten_to(0:exact_power) = [1.0e0_wp, 1.0e1_wp, 1.0e2_wp, 1.0e3_wp, &
       & 1.0e4_wp, 1.0e5_wp, 1.0e6_wp, 1.0e7_wp, 1.0e8_wp, 1.0e9_wp, 1.0e10_wp, 1.0e11_wp, &
@@ -80,6 +82,7 @@ contains
             return
          end if
       end if
+      exponent = max(-most_exponent, min(most_exponent, exponent))
       call convert(text(:mantissa_end), point, exponent, number, wrong_at)
    end subroutine read_real
 
@@ -102,7 +105,8 @@ contains
       case ("l", "I")
          advice = "the letter "//text(wrong_at:wrong_at)//" is not the digit 1"
       case ("+", "-")
-         if (wrong_at > 1) advice = "an exponent needs its letter, as in 1.5e+3"
+         advice = "an exponent needs its letter, as in 1.5e+3"
+         if (wrong_at == 1) advice = "it is too large"
       case (" ")
          advice = "numbers stand in their columns, or commas part them"
       case ("N", "n", "i")

@@ -198,6 +198,7 @@ contains
          & .and. head%mark /= "-")
       if (head%name == "KEYWORD") then
          call open_file(source%lines(first)%file, head%options, place, context, report)
+         call check_no_card(source, first, last, report)
          return
       end if
       if (len(head%options) > 0) call report%refuse(place, &
@@ -207,8 +208,10 @@ contains
          call define_values(source, first + 1, last, cards%long, context%parameters, report)
       case ("PARAMETER_EXPRESSION")
          call define_expressions(source, first + 1, last, cards%long, context%parameters, report)
-      case ("COMMENT", "END", "INCLUDE", "INCLUDE_PATH")
+      case ("COMMENT", "END")
          continue
+      case ("INCLUDE", "INCLUDE_PATH")
+         call check_include(source, first, last, place, report)
       case default
          call declare(head%name, keywords, place, cards, report)
          if (len(cards%name) > 0) then
@@ -217,6 +220,53 @@ contains
          end if
       end select
    end subroutine parse_keyword
+
+   !> Under *KEYWORD stands nothing: lines there have lost their keyword
+   subroutine check_no_card(source, first, last, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Its first and last line
+      integer, intent(in) :: first, last
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+      integer :: i
+
+      do i = first + 1, last
+         if (source%width(i) == 0) cycle
+         place%line = i
+         call report%refuse(place, "a line that belongs to no keyword", &
+            & "a keyword above it, its star in column 1, such as *TITLE")
+         return
+      end do
+   end subroutine check_no_card
+
+   !> *INCLUDE has a path, and what it includes begins with a keyword
+   subroutine check_include(source, first, last, place, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      !> Its first line, and the last one before the next keyword
+      integer, intent(in) :: first, last
+      !> Place of the keyword
+      type(place_type), intent(in) :: place
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      integer :: i, paths
+
+      paths = 0
+      do i = first + 1, last
+         if (source%width(i) == 0) cycle
+         if (source%lines(i)%file == source%lines(first)%file) then
+            paths = paths + 1
+         else
+            call check_no_card(source, i - 1, last, report)
+            exit
+         end if
+      end do
+      if (paths == 0) call report%refuse(place, "the path is missing", "a path on the next line")
+   end subroutine check_include
 
    !> Name, options and mark of a keyword line
    pure subroutine take_apart(line, head)

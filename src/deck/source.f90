@@ -296,10 +296,31 @@ contains
             call load(source, found_path(source, i), (source%lines(i)%file), i, report)
          else
             source%include_path = source%include_path//beside(source, i)//"/"//line_feed
+            call check_folder(source, i, report)
          end if
       end do
       pending = 0
    end subroutine include_pending
+
+   !> Warn of a folder of *INCLUDE_PATH that is not there; stored decks need none
+   subroutine check_folder(source, i, report)
+      !> Lines so far
+      type(source_type), intent(in) :: source
+      !> Line that names the folder
+      integer, intent(in) :: i
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(place_type) :: place
+      logical :: exists
+
+      inquire (file=beside(source, i)//"/.", exist=exists)
+      if (exists .or. size(source%stored%documents) > 0) return
+      place%line = i
+      place%keyword = "*INCLUDE_PATH"
+      call report%warn(place, "there is no folder '"//beside(source, i)//"'", &
+         & "the path of a folder, relative to the file that this line is in")
+   end subroutine check_folder
 
    !> Path of an include file: beside the including file, or in a folder of *INCLUDE_PATH
    function found_path(source, i) result(path)

@@ -1,8 +1,9 @@
 !> From the text of a field to its number or word, checked against the declaration.
 module plydyn_deck_values
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text, upper_case
-   use plydyn_deck_declaration, only : field_type, integer_field, real_field
+   use plydyn_deck_declaration, only : field_type, integer_field, real_field, word_field
    use plydyn_deck_nearest, only : nearest_word
    use plydyn_deck_number, only : number_advice, read_integer, read_real
    use plydyn_deck_parameter, only : parameter_table_type
@@ -25,6 +26,8 @@ module plydyn_deck_values
    integer, parameter :: digits_shown = 6
    !> Numbers between these are written without an exponent
    real(wp), parameter :: least_plain = 1.0e-2_wp, most_plain = 1.0e6_wp
+   !> Numbers beyond are no measure of anything, and products of them would overflow
+   real(wp), parameter :: smallest = 1.0e-100_wp, largest = 1.0e100_wp
    !> Longest word
    integer, parameter, public :: longest_word = 32
 
@@ -51,6 +54,10 @@ contains
       if (fault%at > 0) return
       if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
          number = field%default
+      else if (abs(number) > largest .or. (abs(number) < smallest .and. abs(number) > 0.0_wp)) then
+         call blame(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
+            & range_words(field)//"; all numbers but 0 lie between "//number_words(smallest) &
+            & //" and "//number_words(largest))
       else
          call check_range(field, number, fault)
       end if
@@ -189,6 +196,10 @@ contains
          end do
          return
       end if
+      if (field%kind == word_field) then
+         words = "one of "//field%words
+         return
+      end if
       words = noun(field)
       if (field%above > -huge(1.0_wp)) words = words//" above "//number_words(field%above)
       if (field%least > -huge(1.0_wp) .and. field%most < huge(1.0_wp)) then
@@ -223,7 +234,7 @@ contains
       end if
    end function noun
 
-   !> A number as a reader wants it: without a point when it is whole
+   !> A number as a reader wants it: without a point when it is whole; NaN and infinity too
    pure function number_words(number) result(words)
       !> Any number
       real(wp), intent(in) :: number
@@ -232,8 +243,13 @@ contains
       character(32) :: buffer
       integer :: power
 
-      if (abs(number) < huge(1) .and. abs(number - anint(number)) <= 0.0_wp) then
+      if (.not. ieee_is_finite(number)) then
+         words = text(number)
+      else if (abs(number) < huge(1) .and. abs(number - anint(number)) <= 0.0_wp) then
          words = text(nint(number))
+      else if (abs(number) >= least_plain .and. abs(number) < 0.1_wp) then
+         write (buffer, "(f16.7)") number
+         words = without_zeros(trim(adjustl(buffer)))
       else if (abs(number) >= least_plain .and. abs(number) < most_plain) then
          words = without_zeros(text(number, digits_shown))
       else

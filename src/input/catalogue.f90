@@ -159,7 +159,7 @@ contains
          index = register%index_of(cards%integer(name, nth))
          if (index > 0) then
             call register%mark(index)
-         else if (register%count > 0 .or. .not. self%report%has_errors()) then
+         else if (first_number(register) <= register%count .or. .not. self%report%has_errors()) then
             call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
                & //" is not defined", range_of(register), nth)
          end if
@@ -325,15 +325,28 @@ contains
       type(register_type), intent(in) :: register
       character(:), allocatable :: words
 
+      integer :: first
+
       words = "the number of "//register%keyword
-      if (register%count == 0) then
+      first = first_number(register)
+      if (first > register%count) then
          words = words//"; the deck has none"
-      else if (register%count == 1) then
-         words = words//"; there is "//text(register%id(1))
+      else if (first == register%count) then
+         words = words//"; there is "//text(register%id(register%order(first)))
       else
-         words = words//"; they run from "//text(register%id(register%order(1)))//" to " &
+         words = words//"; they run from "//text(register%id(register%order(first)))//" to " &
             & //text(register%id(register%order(register%count)))
       end if
    end function range_of
+
+   !> Place in the order of the first number that is one; behind the last where there is none
+   pure integer function first_number(register) result(first)
+      !> Numbers of one kind, sorted; 0 stands for one that is wrong
+      type(register_type), intent(in) :: register
+
+      do first = 1, register%count
+         if (register%id(register%order(first)) > 0) return
+      end do
+   end function first_number
 
 end module plydyn_input_catalogue

@@ -16,6 +16,8 @@ module plydyn_input_check_impact
    !> Share of the radius by which a node may be inside a sphere: what is less, the contact itself
    !> judges by its own points
    real(wp), parameter :: surely = 1.0e-3_wp
+   !> Sizes of the plate and the sphere beyond which their distance drowns the sizes in round-off
+   real(wp), parameter :: far = 1.0e9_wp
 
 contains
 
@@ -33,8 +35,11 @@ contains
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
             inside = depth(model, contact)
-            if (inside <= surely*model%impactors(contact%impactor)%radius) cycle
             place%line = catalogue%registers(an_impactor)%line(contact%impactor)
+            if (inside <= surely*model%impactors(contact%impactor)%radius) then
+               call check_way(model, contact, place, catalogue)
+               cycle
+            end if
             call catalogue%report%refuse(place, "impactor " &
                & //text(model%impactors(contact%impactor)%id)//" begins "//number_words(inside) &
                & //" inside part "//text(model%parts(contact%part)%id), &
@@ -42,6 +47,72 @@ contains
          end associate
       end do
    end subroutine check_impact
+
+   !> A sphere can come to its part; a warning where only the motion of the plate could bring them
+   !> together
+   subroutine check_way(model, contact, place, catalogue)
+      type(model_type), intent(in) :: model
+      !> The impactor and the face
+      type(contact_type), intent(in) :: contact
+      !> Where the deck has the impactor
+      type(place_type), intent(in) :: place
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(:), allocatable :: part, who
+      real(wp) :: beside, high(2), low(2), side
+
+      call find_extent(model, contact%part, low, high)
+      part = " part "//text(model%parts(contact%part)%id)
+      side = real(contact%face, wp)
+      associate (sphere => model%impactors(contact%impactor))
+         who = "impactor "//text(sphere%id)
+         beside = norm2(max(low - sphere%centre(:2), sphere%centre(:2) - high, 0.0_wp))
+         if (beside > far*(sphere%radius + maxval(high - low))) then
+            call catalogue%report%refuse(place, who//" begins "//number_words(beside)//" beside" &
+               & //part, "a centre near the part")
+         else if (beside > sphere%radius .and. norm2(sphere%velocity(:2)) <= 0.0_wp) then
+            call catalogue%report%warn(place, who//" passes by: its centre lies " &
+               & //number_words(beside)//" beside"//part, "a centre above or below the part")
+         else if (side*sphere%velocity(3) > 0.0_wp .and. side*sphere%gravity >= 0.0_wp) then
+            call catalogue%report%warn(place, who//" moves away from"//part, &
+               & "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR")
+         end if
+      end associate
+   end subroutine check_way
+
+   !> Smallest and largest x and y of a part
+   subroutine find_extent(model, part, low, high)
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: part
+      !> Its corners
+      real(wp), intent(out) :: low(2), high(2)
+
+      integer :: e
+
+      low(:) = huge(low)
+      high(:) = -huge(high)
+      associate (mesh => model%mesh)
+         do e = 1, size(mesh%quad_id)
+            if (mesh%quad_part(e) == part) call stretch(mesh%position(:2, mesh%quad_node(:, e)))
+         end do
+         do e = 1, size(mesh%brick_id)
+            if (mesh%brick_part(e) == part) call stretch(mesh%position(:2, mesh%brick_node(:, e)))
+         end do
+      end associate
+
+   contains
+
+      !> Let some places lie within
+      subroutine stretch(place)
+         real(wp), intent(in) :: place(:, :)
+
+         low(:) = min(low, minval(place, dim=2))
+         high(:) = max(high, maxval(place, dim=2))
+      end subroutine stretch
+
+   end subroutine find_extent
 
    !> How far a sphere reaches through the face that it is to touch, at the nodes within its reach
    pure real(wp) function depth(model, contact)

@@ -17,6 +17,8 @@ module plydyn_input_check_mesh
    real(wp), parameter :: flat = 1.0e-6_wp
    !> Smallest sine of a corner of a quad
    real(wp), parameter :: least_sine = 1.0e-3_wp
+   !> Smallest share of the longest side that a side of a quad may be
+   real(wp), parameter :: least_side = 1.0e-6_wp
    !> Share of the edge by which a mid-side node may lie off the middle
    real(wp), parameter :: most_off_middle = 0.25_wp
    !> Corners of a quad
@@ -101,7 +103,10 @@ contains
                & /max(length(before)*length(k), tiny(1.0_wp))
          end associate
       end do
-      if (minval(sine) > least_sine) then
+      if (minval(length) < least_side*maxval(length)) then
+         call blame(i, "has a side of "//number_words(minval(length))//" beside one of " &
+            & //number_words(maxval(length)), "corners at four places", catalogue)
+      else if (minval(sine) > least_sine) then
          if (size(x, 2) == centre) call check_middles(x, length, i, catalogue)
       else if (maxval(sine) < -least_sine) then
          call blame(i, "is clockwise seen from above", &

@@ -7,6 +7,7 @@ module plydyn_input_check_model
       & a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, a_solid_section, a_table, &
       & an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_impact, only : check_impact
+   use plydyn_input_check_joined, only : check_joined
    use plydyn_input_check_mesh, only : check_mesh
    use plydyn_input_check_solid, only : check_bricks, refuse_averages
    use plydyn_input_check_units, only : check_units
@@ -43,6 +44,7 @@ contains
          call refuse_averages(model%materials, catalogue)
       else if (catalogue%mesh_is_sound) then
          call check_mesh(model%mesh, catalogue)
+         call check_joined(model%mesh, catalogue)
       end if
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
@@ -101,10 +103,6 @@ contains
       if (model%control%end_time <= 0.0_wp) then
          call catalogue%report%refuse(nowhere, "the deck has no end time", &
             & "*CONTROL_TERMINATION with ENDTIM")
-      end if
-      if (model%request%node_interval > 0.0_wp .and. size(model%request%nodes) == 0) then
-         call catalogue%report%warn(nowhere, "*DATABASE_NODOUT has no nodes to write", &
-            & "nodes in *DATABASE_HISTORY_NODE, or no *DATABASE_NODOUT")
       end if
    end subroutine check_presence
 

@@ -83,8 +83,8 @@ contains
       call keyword%add_real("GIC", "energy/length2", "toughness in opening", above=0.0_wp)
       call keyword%add_real("GIIC", "energy/length2", "toughness in sliding", above=0.0_wp)
       call keyword%add_card()
-      call keyword%add_real("XMU", "-", "exponent of mixed modes: above 0 power law, below 0 " &
-         & //"Benzeggagh-Kenane")
+      call keyword%add_real("XMU", "-", "exponent of mixed modes: 0.1 to 20 power law, -20 to " &
+         & //"-0.1 Benzeggagh-Kenane")
       call keyword%add_real("T", "stress", "strength in opening; 0 for 2 GIC/UND", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_real("S", "stress", "strength in sliding; 0 for 2 GIIC/UTD", &
@@ -127,7 +127,8 @@ contains
       keyword = new_keyword("INITIAL_DELAMINATION", ours, &
          & "Interfaces that have failed before the run begins.", repeated=.true.)
       keyword%remark = "The interfaces need a material that fails, as their faces still push and " &
-         & //"rub. The area counts as failed; its toughness is not in the energies."
+         & //"rub. The area counts as failed; its toughness is not in the energies. A circle " &
+         & //"must have a point of the interfaces in it, see NQ of *INTERFACE_COHESIVE."
       call keyword%add_card()
       call add_interface_place(keyword)
       call add_circle(keyword)

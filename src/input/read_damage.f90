@@ -82,7 +82,7 @@ contains
 
       modulus(:) = [material%young([1, 1, 2, 2]), material%shear(1)]
       do i = 1, size(names)
-         if (.not. cards%is_fine(names(i)) .or. .not. cards%is_fine(trim(moduli(i)))) cycle
+         if (.not. (cards%has(names(i)) .and. cards%has(trim(moduli(i))))) cycle
          if (cards%real(names(i)) < modulus(i)) cycle
          call catalogue%refuse(cards, names(i), names(i)//" is "//number_words(cards%real( &
             & names(i)))//": damage would start at a strain of "//number_words( &
@@ -196,7 +196,24 @@ contains
       case default
          continue
       end select
+      call warn_of_shear(cards, catalogue)
    end subroutine read_shear_curve
+
+   !> Constants of a curve of Ramberg and Osgood mean nothing for another
+   subroutine warn_of_shear(cards, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(5), parameter :: names(2) = ["ALPHA", "N    "]
+      integer :: i
+
+      if (choice(cards, "SHEAR") == power) return
+      do i = 1, size(names)
+         if (cards%real(trim(names(i))) <= 0.0_wp) cycle
+         call catalogue%warn(cards, trim(names(i)), trim(names(i))//" is without effect", &
+            & "SHEAR 3, or 0 here")
+      end do
+   end subroutine warn_of_shear
 
    !> What the law has to say about a shear curve
    subroutine check_shear(cards, name, ply, right, catalogue)

@@ -3,6 +3,8 @@ module plydyn_input_read_initial
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
+   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_fem_shape, only : shape_functions
    use plydyn_input_catalogue, only : a_part, a_quad_set, catalogue_type
    use plydyn_input_read_interface, only : find_interfaces
    use plydyn_model_initial, only : initial_damage_type
@@ -35,6 +37,7 @@ contains
          if (cards%real("R", nth) > 0.0_wp) then
             initial%centre(:) = cards%reals(["X", "Y"], nth)
             initial%radius = cards%real("R", nth)
+            call check_met(cards, nth, model, initial, catalogue)
          else
             call check_circle(cards, nth, catalogue)
          end if
@@ -95,6 +98,57 @@ contains
       end do
    end subroutine read_quads
 
+   !> The circle has a point of an interface in it
+   subroutine check_met(cards, nth, model, initial, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Which row
+      integer, intent(in) :: nth
+      type(model_type), intent(in) :: model
+      type(initial_damage_type), intent(in) :: initial
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i, k
+
+      if (catalogue%report%has_errors()) return
+      do k = initial%interfaces(1), initial%interfaces(2)
+         associate (joint => model%parts(initial%part)%joint(k))
+            do i = 1, size(initial%quads)
+               associate (nodes => model%mesh%quad_node(:, initial%quads(i)))
+                  if (is_met(model%mesh%position(:2, nodes), initial, &
+                     & model%interface_materials(joint)%nodal)) return
+               end associate
+            end do
+         end associate
+      end do
+      call catalogue%refuse(cards, "R", "no point of the interfaces lies in the circle", &
+         & "a circle on the elements, as large as the distance between their points", nth)
+   end subroutine check_met
+
+   !> A point of an interface in a quad lies in the circle
+   pure logical function is_met(position, initial, nodal)
+      !> Positions of the nodes of the quad, (2, nodes)
+      real(wp), intent(in) :: position(:, :)
+      !> Has the circle
+      type(initial_damage_type), intent(in) :: initial
+      !> The points are the nodes, else Gauss points
+      logical, intent(in) :: nodal
+
+      real(wp) :: shape(size(position, 2)), slope(2, size(position, 2))
+      real(wp) :: x(nint(sqrt(real(size(position, 2), wp))))
+      integer :: k, l
+
+      x(:) = gauss_points(size(x))
+      if (nodal) x(:) = x/maxval(x)
+      is_met = .true.
+      do l = 1, size(x)
+         do k = 1, size(x)
+            call shape_functions(size(position, 2), x(k), x(l), shape, slope)
+            if (norm2(matmul(position, shape) - initial%centre) <= initial%radius) return
+         end do
+      end do
+      is_met = .false.
+   end function is_met
+
    !> A centre without a radius means nothing
    subroutine check_circle(cards, nth, catalogue)
       type(cards_type), intent(in) :: cards
@@ -102,6 +156,7 @@ contains
       integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
 
+      if (.not. cards%is_fine("R", nth)) return
       if (all(abs(cards%reals(["X", "Y"], nth)) <= 0.0_wp)) return
       call catalogue%refuse(cards, "R", "a centre is given without a radius", &
          & "a radius above 0, or X = Y = 0 for whole elements", nth)

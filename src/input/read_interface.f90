@@ -6,8 +6,7 @@ module plydyn_input_read_interface
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
    use plydyn_law_cohesive, only : cohesive_constants_type, normal, shear
-   use plydyn_law_cohesive_check, only : about_exponent, about_toughness, &
-      & check_cohesive, finding_type
+   use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
    use plydyn_model_control, only : request_type
    use plydyn_model_curve, only : curve_type
@@ -21,6 +20,9 @@ module plydyn_input_read_interface
 
    !> Share by which a strength may differ from what the ultimate displacement gives
    real(wp), parameter :: same_strength = 1.0e-3_wp
+   !> Exponents of mixed modes: with less, a trace of the other mode changes the toughness; with
+   !> more, powers of toughness leave the range of numbers in some units
+   real(wp), parameter :: least_exponent = 0.1_wp, most_exponent = 20.0_wp
 
 contains
 
@@ -56,7 +58,15 @@ contains
             & constants%strength(normal))
          call read_strength(cards, ["S  ", "UTD"], constants%toughness(shear), catalogue, &
             & constants%strength(shear))
-         if (all(constants%strength > 0.0_wp)) call refuse_findings(cards, constants, catalogue)
+         if (cards%has("XMU") .and. (constants%exponent < least_exponent .or. &
+            & constants%exponent > most_exponent)) then
+            call catalogue%refuse(cards, "XMU", "XMU cannot be "//number_words(cards%real("XMU")), &
+               & "from "//number_words(least_exponent)//" to "//number_words(most_exponent) &
+               & //" for the power law, from "//number_words(-most_exponent)//" to " &
+               & //number_words(-least_exponent)//" for Benzeggagh-Kenane")
+         else if (all(constants%strength > 0.0_wp)) then
+            call refuse_findings(cards, constants, catalogue)
+         end if
       end associate
       materials = [materials, material]
    end subroutine read_mat_cohesive_mixed_mode
@@ -142,7 +152,8 @@ contains
             & names(1)))
       else if (ultimate > 0.0_wp) then
          strength = 2.0_wp*toughness/ultimate
-      else if (strength <= 0.0_wp .and. cards%is_fine(names(1))) then
+      else if (strength <= 0.0_wp .and. cards%is_fine(names(1)) &
+         & .and. cards%line_of(names(1)) > cards%line) then
          call catalogue%refuse(cards, names(1), trim(names(1))//" is missing", &
             & "a strength above 0, or the ultimate displacement "//trim(names(2)))
       end if
@@ -163,14 +174,8 @@ contains
       ! bounds of the fields have told of all others
       call check_cohesive(constants, findings)
       do i = 1, size(findings)
-         select case (findings(i)%constant)
-         case (about_exponent)
-            call catalogue%refuse(cards, "XMU", "XMU cannot be 0", "an exponent above 0 for the " &
-               & //"power law, below 0 for Benzeggagh-Kenane")
-            cycle
-         case (about_toughness); name = toughness(max(findings(i)%mode, normal))
-         case default; cycle
-         end select
+         if (findings(i)%constant /= about_toughness) cycle
+         name = toughness(max(findings(i)%mode, normal))
          if (.not. cards%is_fine(name)) cycle
          call catalogue%refuse(cards, name, findings(i)%wrong, findings(i)%right)
       end do
@@ -204,7 +209,7 @@ contains
 
       do nth = 1, cards%sets()
          joint = faces_apart
-         if (cards%integer("MID", nth) == 0) then
+         if (cards%integer("MID", nth) == 0 .and. cards%is_fine("MID", nth)) then
             call catalogue%refuse(cards, "MID", "MID cannot be 0", &
                & "an interface material, or -1 for nothing; tied interfaces need no card", nth)
          else if (cards%integer("MID", nth) > 0) then

@@ -12,7 +12,8 @@ module plydyn_input_read_model
    use plydyn_input_manual, only : keyword_manual
    use plydyn_input_stages_of_plate, only : check_elements, read_element, read_independent, &
       & read_laminate, read_material, read_part, read_plain_material, read_set, read_table
-   use plydyn_input_stages_of_run, only : read_control, read_load, read_request, read_support
+   use plydyn_input_stages_of_run, only : check_request, read_control, read_load, read_request, &
+      & read_support
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -69,6 +70,7 @@ contains
       call read_stage(deck, read_load, catalogue, model)
       call read_stage(deck, read_control, catalogue, model)
       call read_stage(deck, read_request, catalogue, model)
+      call read_stage(deck, check_request, catalogue, model)
       call end_model(deck, model)
       call check_model(model, catalogue)
       call conclude(deck, catalogue%report, messages, error)

@@ -19,7 +19,7 @@ module plydyn_input_stages_of_run
    implicit none
    private
 
-   public :: read_support, read_load, read_control, read_request
+   public :: read_support, read_load, read_control, read_request, check_request
 
 contains
 
@@ -141,5 +141,27 @@ contains
          continue
       end select
    end subroutine read_request
+
+   !> What is to be written is there
+   subroutine check_request(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      if (catalogue%report%has_errors()) return
+      select case (cards%name)
+      case ("DATABASE_NODOUT")
+         if (size(model%request%nodes) == 0) call catalogue%warn(cards, "DT", &
+            & "there are no nodes to write", "nodes in *DATABASE_HISTORY_NODE, or not this keyword")
+      case ("DATABASE_IMPACTOR")
+         if (size(model%impactors) == 0) call catalogue%warn(cards, "DT", &
+            & "there are no impactors to write", "*IMPACTOR_SPHERE, or not this keyword")
+      case ("DATABASE_SPCFORC")
+         if (size(model%holds) + size(model%motions) == 0) call catalogue%warn(cards, "DT", &
+            & "there are no supports to write", "*BOUNDARY_SPC_SET, or not this keyword")
+      case default
+         continue
+      end select
+   end subroutine check_request
 
 end module plydyn_input_stages_of_run

@@ -22,7 +22,7 @@ program test_input_check_model
    call begin("check_presence, warnings")
    call read_plate("*DATABASE_NODOUT|0.1,|")
    call check(.not. allocated(error), "node histories without nodes are no error")
-   call check(index(messages, "has no nodes to write") > 0, "but make a warning")
+   call check(index(messages, "there are no nodes to write") > 0, "but make a warning")
 
    call begin("check_all_used")
    call read_plate("*SET_NODE_LIST|1,|1,2|")
