@@ -100,6 +100,7 @@ contains
       type(dump_input_type) :: dump
       type(job_type) :: job
       type(run_type) :: parts
+      real(wp) :: seconds
 
       call begin_job(comm, command, job)
       call dump%open(command%restart, error)
@@ -117,6 +118,11 @@ contains
       if (allocated(error)) return
       call resume(dump, parts, error)
       if (allocated(error)) return
+      if (parts%model%control%check_only) then
+         seconds = seconds_per_step(parts%domain, parts%state)
+         if (comm%is_root()) call list(output_unit, command%deck, messages, seconds, parts)
+         return
+      end if
       job%start_time = parts%state%time
       if (comm%is_root()) call append_to(job%path//".out", job%listing, error)
       call comm%tell(error)

@@ -1,7 +1,8 @@
 !> A run that goes on from a restart file.
 module plydyn_solver_restart
-   use plydyn_base_error, only : error_type
+   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_output_dump_input, only : dump_input_type
    use plydyn_solver_accelerations, only : begin_accelerations
@@ -39,10 +40,26 @@ contains
          if (changes%end) then
             state%end_time = end_time
             state%end_cycle = end_cycle
+            call check_end(state, error)
+            if (allocated(error)) return
          end if
          if (changes%conditions) call change_conditions(run%domain, state)
       end associate
    end subroutine resume
+
+   !> The end that the deck of a restart asks for is still to come
+   subroutine check_end(state, error)
+      !> The state of the restart file, with the new end
+      type(state_type), intent(in) :: state
+      !> The end has passed
+      type(error_type), allocatable, intent(out) :: error
+
+      if (state%end_time > state%time .and. (state%end_cycle == 0 &
+         & .or. state%end_cycle > state%cycle)) return
+      call fail(error, exit_input, "*CONTROL_TERMINATION ends the run before it goes on: the " &
+         & //"restart file is of time "//text(state%time)//", cycle "//text(state%cycle) &
+         & //"; ENDTIM and ENDCYC, if given, must lie behind")
+   end subroutine check_end
 
    !> Let other supports and loads act from now on
    !>

@@ -126,6 +126,38 @@ def test_deck_moves_the_end(tmp_path: Path) -> None:
     assert unlike(*folders) == []
 
 
+@pytest.mark.parametrize("end", ["1.0e-9", "1.0,1"])
+def test_end_that_has_passed_is_refused(end: str, tmp_path: Path) -> None:
+    """The results of the run before are not cut back."""
+    deck = impact(1, end=1.0e-5)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    table = (tmp_path / "job.energy.csv").read_bytes()
+    small = tmp_path / "small.k"
+    small.write_text(f"*KEYWORD\n*CONTROL_TERMINATION\n{end},\n*END\n")
+    code, text = said("restart", tmp_path / "job.dump01", small)
+    assert code == INPUT, text
+    assert "ends the run before it goes on: the restart file is of time" in text
+    assert f"cycle {CYCLES}" in text
+    assert (tmp_path / "job.energy.csv").read_bytes() == table
+
+
+def test_deck_of_a_restart_may_ask_for_a_check(tmp_path: Path) -> None:
+    """NOSOL 1: the listing on the screen, and the results as they were."""
+    deck = impact(1, end=1.0e-5)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    before = {path.name: path.read_bytes() for path in tmp_path.glob("job.*")}
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n4.0e-5,0,0.0,0.0,0.0,1\n*END\n")
+    code, text = said("restart", tmp_path / "job.dump01", small)
+    assert code == NORMAL, text
+    assert "Stable step" in text
+    assert before == {path.name: path.read_bytes() for path in tmp_path.glob("job.*")}
+
+
 def test_deck_changes_supports_and_loads(tmp_path: Path) -> None:
     """From the restart on, other points are held and other loads act; the books still close.
 

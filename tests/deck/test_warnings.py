@@ -1,0 +1,73 @@
+"""What is suspicious in a deck but may be meant: a warning with its line, and the deck is taken."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from runs import SOLVER
+
+GOOD = Path(__file__).parent / "errors" / "good"
+SPHERE = "*IMPACTOR_SPHERE\n1,5.0,1.0e-3,{x},1.0,6.0\n0.0,0.0,{speed}\n*CONTACT_IMPACTOR\n1,1,1,1\n"
+DAMAGED = (
+    "*MAT_PLY_CODAM2\n1,1.6e-9,153000.0,10300.0,10300.0,0.3,0.3,0.4\n6000.0,6000.0,3700.0\n"
+    "2537.0,1580.0,82.0,236.0,90.0,40.0\n91.6,79.9,0.22,1.1\n0,0,0.05,1.0e-9,3.0\n"
+)
+
+
+def checked(folder: Path, files: list[str], cards: str) -> str:
+    """What is said of a deck of some files and cards, which must be taken."""
+    deck = folder / "deck.k"
+    parts = "".join(f"*INCLUDE\n{GOOD / name}.k\n" for name in files)
+    deck.write_text(f"*KEYWORD\n{cards}{parts}*END\n")
+    done = subprocess.run([SOLVER, "check", deck], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+@pytest.mark.parametrize(
+    ("cards", "line", "fragment"),
+    [
+        (SPHERE.format(x=100.0, speed=-1e3), 3, "passes by: its centre lies 98 beside part 1"),
+        (SPHERE.format(x=1.0, speed=1e3), 3, "impactor 1 moves away from part 1"),
+        ("*DATABASE_NODOUT\n0.0\n", 3, "*DATABASE_NODOUT card 1 DT: there are no nodes to write"),
+        ("*DATABASE_SPCFORC\n1.0e-6\n", 3, "there are no supports to write"),
+        ("*DATABASE_IMPACTOR\n1.0e-6\n", 3, "there are no impactors to write"),
+        ("*INCLUDE_PATH\nno/such/folder\n", 3, "*INCLUDE_PATH: there is no folder"),
+    ],
+    ids=["beside", "away", "no nodes", "no supports", "no impactors", "no folder"],
+)
+def test_warning_with_its_line(cards: str, line: int, fragment: str, tmp_path: Path) -> None:
+    """What can have no effect is told."""
+    said = checked(tmp_path, ["mesh", "ply", "part", "run"], cards)
+    assert f"deck.k:{line}: " in said
+    assert fragment in said
+
+
+def test_good_deck_has_no_warning(tmp_path: Path) -> None:
+    """A sphere that comes down on the plate, and nodes of their own places."""
+    sphere = SPHERE.format(x=1.0, speed=-1e3)
+    assert "warning:" not in checked(tmp_path, ["mesh", "ply", "part", "run"], sphere)
+
+
+def test_constants_of_another_shear_curve(tmp_path: Path) -> None:
+    """ALPHA and N belong to one curve only."""
+    said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED)
+    assert "deck.k:7: *MAT_PLY_CODAM2 card 5 ALPHA: ALPHA is without effect" in said
+    assert "card 5 N: N is without effect" in said
+
+
+def test_nodes_at_one_place(tmp_path: Path) -> None:
+    """Quads side by side that share no nodes, as of meshes that were not merged."""
+    apart = 1.0e-9
+    nodes = "".join(
+        f"{i + 1 + 4 * part},{x + part * (1.0 + apart)},{y},0.0\n"
+        for part in range(2)
+        for i, (x, y) in enumerate([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
+    )
+    quads = "*ELEMENT_SHELL\n1,1,1,2,3,4\n2,1,5,6,7,8\n"
+    said = checked(tmp_path, ["ply", "part", "run"], "*NODE\n" + nodes + quads)
+    assert "deck.k:7: node 5 lies where node 2 does: nothing joins them" in said
+    assert "deck.k:10: node 8 lies where node 3 does" in said
