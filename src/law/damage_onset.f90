@@ -46,7 +46,7 @@ module plydyn_law_damage_onset
    real(wp), parameter :: least_share = 0.1_wp
    !> Compression across the fibres up to this share of the shear stress counts as tension: in pure
    !> shear round-off must not choose between two toughnesses
-   real(wp), parameter :: idle_push = 1.0e-3_wp
+   real(wp), parameter, public :: idle_push = 1.0e-3_wp
    !> Least ratio of the strains when the stress drops at once
    real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
 

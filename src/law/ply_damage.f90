@@ -7,6 +7,7 @@
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_damage_growth, only : can_grow, find_limits, grow
+   use plydyn_law_damage_onset, only : idle_push
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
@@ -20,6 +21,11 @@ module plydyn_law_ply_damage
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
    implicit none
    private
+
+   !> Least strain at onset over that after the step that led there. With less the point was beyond
+   !> it before, by a criterion that has changed: compression that ends changes the toughness of
+   !> shear
+   real(wp), parameter :: least_led = 0.9_wp
 
    !> A law with the constants of the lanes
    type, public, extends(law_type) :: ply_damage_type
@@ -192,12 +198,14 @@ contains
       real(wp) :: share(lanes, 2)
       logical :: begins
 
-      if (self%ply%any_closes) call put_acting_first(self, e, h, now%sense)
+      if (self%ply%any_closes) call put_acting_first(self, e, shear(:, 1), h, now%sense)
       call find_remains(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
       call soften(self, e, shear(:, 2), h, now, now%share, s)
       call begin_damage(self, e, shear, s, h, now, begins)
       if (begins) then
          call soften(self, e, shear(:, 2), h, now, share, s)
+         ! beyond that the step has not led here, and all of it falls at the strain of now
+         share(:, :) = merge(share, 1.0_wp, share >= least_led)
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
       if (begins .or. now%grows) call set_gates(self%ply, h(:, fibre_damage:matrix_finish), &
@@ -247,10 +255,12 @@ contains
 
    !> Find the signs of the normal stresses, and put first the damage that acts with them. The sign
    !> of a stress depends on what remains in the other direction only, and on that by Poisson's
-   !> effect: there the damage that goes with the signs of an intact ply will do.
-   pure subroutine put_acting_first(self, e, h, sense)
+   !> effect: there the damage that goes with the signs of an intact ply will do. Compression across
+   !> that is idle beside the shear counts as tension.
+   pure subroutine put_acting_first(self, e, shear, h, sense)
       class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: e(lanes, 3)
+      !> Strains 11, 22, 33; size of the shear stress 12 before damage
+      real(wp), intent(in) :: e(lanes, 3), shear(lanes)
       real(wp), intent(inout) :: h(lanes, self%histories)
       !> Stresses 11 and 22 of which the signs count
       real(wp), intent(out) :: sense(lanes, 2)
@@ -258,12 +268,14 @@ contains
       real(wp) :: remains(lanes, 4), stress(lanes, 3)
 
       call self%ply%secant%intact_stress(1, 3, e, stress)
-      sense(:, :) = stress(:, 1:2)
+      sense(:, 1) = stress(:, 1)
+      sense(:, 2) = stress(:, 2) + idle_push*shear
       call swap_closed(self%ply%closes, sense, h)
       call find_remains(self%ply%residual, self%ply%any_closes, h, sense, remains)
       call self%ply%secant%damaged_stress(1, 3, e, remains(:, 1:2), stress)
       call swap_closed(self%ply%closes, sense, h)
-      sense(:, :) = stress(:, 1:2)
+      sense(:, 1) = stress(:, 1)
+      sense(:, 2) = stress(:, 2) + idle_push*shear
       call swap_closed(self%ply%closes, sense, h)
    end subroutine put_acting_first
 

@@ -22,6 +22,8 @@ program test_law_ply_damage_paths
    call test_onset_of_the_other()
    call test_base_never_closes()
    call test_closing()
+   call test_closing_in_shear()
+   call test_end_of_compression()
    call test_turned()
    call test_energy(closes=.false.)
    call test_energy(closes=.true.)
@@ -179,6 +181,59 @@ contains
       call check(point%stress(1), 153.0_wp*(1.0_wp &
          & - point%history(fibre_damage + to_compression)), 1.0e-9_wp, "the same along the fibres")
    end subroutine test_closing
+
+   !> Shear alone cracks the matrix as tension does, whatever sign round-off gives the stress across
+   subroutine test_closing_in_shear()
+      integer, parameter :: steps = 100
+      real(wp), parameter :: round_off = 1.0e-15_wp
+      type(point_type) :: point
+      type(ply_constants_type) :: ply
+      real(wp) :: damage, finish_strain, onset
+      integer :: i
+
+      call begin("shear of cracks that close")
+      ply = paper_ply()
+      ply%closes = .true.
+      point = new_point(ply, narrow)
+      associate (g => ply%shear(1), s => ply%shear_strength)
+         onset = s/g
+         finish_strain = 2.0_wp*ply%matrix_toughness(1)/(narrow(2)*s)
+      end associate
+      do i = 1, steps
+         call point%move([0.0_wp, round_off*real((-1)**i, wp), 0.0_wp, &
+            & 2.0_wp*onset*real(i, wp)/real(steps, wp), 0.0_wp, 0.0_wp])
+      end do
+      damage = 0.5_wp*finish_strain/(finish_strain - onset)
+      call check(point%history(matrix_damage), damage, 1.0e-12_wp, "is that of tension")
+      call check(point%history(matrix_damage + to_compression), 0.0_wp, 0.0_wp, &
+         & "leaves none to compression")
+      call point%pull(2, -0.01_wp, 0.0_wp)
+      call check(point%stress(2), -0.01_wp*ply%young(2), 1.0e-9_wp, "which is stiff")
+   end subroutine test_closing_in_shear
+
+   !> Shear under compression has the toughness of compression; where compression ends, it has that
+   !> of tension, and may be far beyond its onset: what is stored falls, and is dissipated
+   subroutine test_end_of_compression()
+      integer, parameter :: steps = 2000
+      !> A band in which shear snaps back with the toughness of tension, and not of compression
+      real(wp), parameter :: wide(2) = [1.0_wp, 0.7_wp], most = 0.0149_wp
+      type(point_type) :: point
+      type(ply_constants_type) :: ply
+      real(wp) :: compression
+      integer :: i
+
+      call begin("end of compression")
+      ply = paper_ply()
+      point = new_point(ply, wide)
+      do i = 1, 2*steps
+         compression = 1.0e-3_wp*real(min(i, 2*steps - i), wp)/real(steps, wp)
+         call point%pull(2, -compression, most*min(real(i, wp)/real(steps, wp), 1.0_wp))
+      end do
+      call check(point%history(matrix_damage), 1.0_wp, 1.0e-12_wp, "nothing is left")
+      call check(point%dissipated(), 0.5_wp*ply%shear(1)*most**2, 2.0e-3_wp*point%work, &
+         & "what was stored in shear is dissipated")
+      call check(point%work, point%dissipated(), 2.0e-3_wp*point%work, "and is the work")
+   end subroutine test_end_of_compression
 
    !> A ply turned with its strain has its stress turned
    subroutine test_turned()
