@@ -26,7 +26,7 @@ module plydyn_domain_columns
    type, public :: family_type
       !> Order of the expansion
       integer :: order = 0
-      !> Batches of layers
+      !> Blocks of as many layers as there are lanes
       integer :: blocks = 0
       !> Its first point in the column of the first node, its first mass there
       integer :: first = 0, first_mass = 0

@@ -26,7 +26,7 @@ module plydyn_element_plate
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
-      !> Batches in a quad
+      !> Blocks of layers above a quad, each of as many layers as there are lanes
       integer :: blocks = 0
       !> First of its points in the column of the first node, and the length of a column
       integer :: first = 0, height = 0

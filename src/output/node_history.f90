@@ -47,41 +47,58 @@ contains
       !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
-      character(6), parameter :: face_name(2) = ["bottom", "top   "]
       character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
-      integer :: c, face, faces, i, k, point(2)
+      integer :: columns, face, faces, i
 
       self%comm = domain%comm
       allocate (self%freedom(0))
-      names(1) = "time"
-      units(1) = model%control%units%time
-      k = 1
       ! a brick's node is one point
       faces = merge(1, 2, size(domain%bricks) > 0)
       do i = 1, size(model%request%nodes)
          do face = 1, faces
-            point(:) = face_point(domain%layers, merge(bottom_face, top_face, face == 1))
-            do c = 1, size(motion)
-               k = k + 1
-               names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i)))//" " &
-                  & //motion(c)
-               if (faces > 1) names(k) = "n"//text(model%mesh%node_id(model%request%nodes(i))) &
-                  & //" "//trim(face_name(face))//" "//motion(c)
-               units(k) = model%control%units%length
-               if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
-            end do
             self%freedom = [self%freedom, places_of(domain, &
-               & model%mesh%node_id(model%request%nodes(i)), point)]
+               & model%mesh%node_id(model%request%nodes(i)), &
+               & face_point(domain%layers, merge(bottom_face, top_face, face == 1)))]
          end do
       end do
-      allocate (self%row(k), self%is_known(k))
+      columns = 1 + 2*size(self%freedom)
+      allocate (self%row(columns), self%is_known(columns))
       self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
          & i=1, size(self%freedom), 3)]]
       if (size(model%request%nodes) == 0 .or. .not. self%comm%is_root()) return
-      call self%history%open(path, names(:k), units(:k), model%request%node_interval, places, &
-         & error)
+      call name_columns(model, faces, names(:columns), units(:columns))
+      call self%history%open(path, names(:columns), units(:columns), model%request%node_interval, &
+         & places, error)
    end subroutine open_nodes
+
+   !> Time, then for each node and face displacement and velocity, such as `n17 top uz`
+   pure subroutine name_columns(model, faces, names, units)
+      type(model_type), intent(in) :: model
+      !> 2 where a node has a point on both faces of the plate, 1 where it is a point
+      integer, intent(in) :: faces
+      character(*), intent(out) :: names(:), units(:)
+
+      character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
+      character(7), parameter :: face_name(2) = [" bottom", " top   "]
+      character(:), allocatable :: of_point
+      integer :: c, face, i, k
+
+      names(1) = "time"
+      units(1) = model%control%units%time
+      k = 1
+      do i = 1, size(model%request%nodes)
+         do face = 1, faces
+            of_point = "n"//text(model%mesh%node_id(model%request%nodes(i)))
+            if (faces > 1) of_point = of_point//trim(face_name(face))
+            do c = 1, size(motion)
+               k = k + 1
+               names(k) = of_point//" "//motion(c)
+               units(k) = model%control%units%length
+               if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
+            end do
+         end do
+      end do
+   end subroutine name_columns
 
    !> Places of a point above a node in the arrays of motion; 0 where this rank does not count it
    function places_of(domain, id, point) result(place)

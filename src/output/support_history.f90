@@ -43,34 +43,11 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       character(4), parameter :: names(*) = [character(4) :: "time", "fx", "fy", "fz"]
-      integer :: c, k, m, t
 
       self%comm = domain%comm
       allocate (self%direction(0))
       if (model%request%support_interval < 0.0_wp) return
-      block
-         integer :: direction(domain%columns%freedoms)
-         logical :: is_counted(domain%columns%count)
-
-         is_counted(:) = counted_columns(domain)
-         direction(:) = 0
-         do k = 1, size(domain%layers%order)
-            do t = 1, domain%columns%levels(k)
-               do c = 1, 3
-                  direction(domain%columns%freedom(k, t, c, [(m, m=1, domain%columns%nodes)])) = c
-               end do
-            end do
-         end do
-         do k = 1, size(direction)
-            if (direction(k) == 0) cycle
-            if (.not. is_counted(domain%columns%column_of(k))) direction(k) = 0
-         end do
-         self%direction = direction(domain%held)
-         do m = 1, size(domain%motions)
-            self%direction = [self%direction, &
-               & direction(domain%motions(m)%freedom)]
-         end do
-      end block
+      self%direction = directions_of_supports(domain)
       if (.not. self%comm%is_root()) return
       associate (u => model%control%units)
          call self%history%open(job%path//".supports.csv", names, &
@@ -78,6 +55,34 @@ contains
             & error)
       end associate
    end subroutine open_supports
+
+   !> Direction of each held and prescribed point, 0 where this rank does not count it
+   pure function directions_of_supports(domain) result(held)
+      type(domain_type), intent(in) :: domain
+      integer, allocatable :: held(:)
+
+      integer :: direction(domain%columns%freedoms)
+      logical :: is_counted(domain%columns%count)
+      integer :: c, k, m, t
+
+      is_counted(:) = counted_columns(domain)
+      direction(:) = 0
+      do k = 1, size(domain%layers%order)
+         do t = 1, domain%columns%levels(k)
+            do c = 1, 3
+               direction(domain%columns%freedom(k, t, c, [(m, m=1, domain%columns%nodes)])) = c
+            end do
+         end do
+      end do
+      do k = 1, size(direction)
+         if (direction(k) == 0) cycle
+         if (.not. is_counted(domain%columns%column_of(k))) direction(k) = 0
+      end do
+      held = direction(domain%held)
+      do m = 1, size(domain%motions)
+         held = [held, direction(domain%motions(m)%freedom)]
+      end do
+   end function directions_of_supports
 
    !> Add a line. All ranks must come here
    subroutine record_supports(self, state, error)

@@ -5,7 +5,8 @@ module plydyn_bench_cases
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate, only : layer_batch_type, quad_histories
+   use plydyn_element_plate, only : quad_histories
+   use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
    use plydyn_model_layup, only : faces_apart
@@ -63,13 +64,7 @@ contains
       do l = 1, lanes
          call law%set_lane(l, paper_ply())
       end do
-      associate (batch => domain%plates(1)%batches(1))
-         deallocate (batch%laws)
-         allocate (batch%laws(1))
-         batch%laws(1)%block = 1
-         allocate (batch%laws(1)%law, source=law)
-         call take_histories(domain, batch)
-      end associate
+      call give_law(domain, law)
    end subroutine damage_laws
 
    !> Give all plies a metal that never yields
@@ -83,24 +78,24 @@ contains
       do l = 1, lanes
          call law%set_lane(l, 70.0e3_wp, 0.3_wp, 1.0e6_wp, 700.0_wp, 0.5_wp)
       end do
+      call give_law(domain, law)
+   end subroutine yield_laws
+
+   !> Give all plies a law, and make room for its histories
+   subroutine give_law(domain, law)
+      type(domain_type), intent(inout) :: domain
+      class(law_type), intent(in) :: law
+
       associate (batch => domain%plates(1)%batches(1))
          deallocate (batch%laws)
          allocate (batch%laws(1))
          batch%laws(1)%block = 1
          allocate (batch%laws(1)%law, source=law)
-         call take_histories(domain, batch)
+         batch%histories = law%histories
+         batch%first_history = front + 1
+         domain%histories = front + quad_histories(batch, domain%plates(1)%side) &
+            & *size(domain%plates(1)%quad)
       end associate
-   end subroutine yield_laws
-
-   !> Make room for the histories of a law
-   subroutine take_histories(domain, batch)
-      type(domain_type), intent(inout) :: domain
-      type(layer_batch_type), intent(inout) :: batch
-
-      batch%histories = batch%laws(1)%law%histories
-      batch%first_history = front + 1
-      domain%histories = front + quad_histories(batch, domain%plates(1)%side) &
-         & *size(domain%plates(1)%quad)
-   end subroutine take_histories
+   end subroutine give_law
 
 end module plydyn_bench_cases

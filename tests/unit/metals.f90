@@ -1,12 +1,13 @@
-!> Metals that harden along a line, one a lane, and their way under strain.
+!> Metals that harden along a line, one a lane, and their way under strain; and how exactly any
+!> law of metals finds its way back to the yield surface.
 module metals
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : dissipated
+   use plydyn_law_plastic, only : dissipated, plastic_type
    use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
    implicit none
    private
 
-   public :: load, set_lanes, step_to
+   public :: farthest_from_yield, load, set_lanes, step_to
 
    !> Steel and aluminium: Young's modulus, yield stress (MPa); the same Poisson's ratio
    real(wp), parameter, public :: young(2) = [210.0e3_wp, 70.0e3_wp], &
@@ -76,5 +77,34 @@ contains
          call step_to(law, strain*i/steps, history, stress)
       end do
    end subroutine load
+
+   !> Farthest that stress stays from the yield surface of the end of a step, as a share of the
+   !> stress before flow, in steps and under loads over many decades; huge where nothing flows
+   function farthest_from_yield(law, fall) result(worst)
+      !> The law
+      class(plastic_type), intent(in) :: law
+      !> What a unit of plastic strain takes from the stress: 3 G and the kinematic hardening
+      real(wp), intent(in) :: fall
+      real(wp) :: worst
+
+      real(wp) :: before(lanes), effective(lanes), hardening(lanes), increment(lanes)
+      real(wp) :: left(lanes), mean(lanes), step, viscosity(lanes), yields(lanes)
+      integer :: j, k
+
+      worst = 0.0_wp
+      do j = -9, 0, 3
+         step = 10.0_wp**j
+         do k = -9, 2
+            before(:) = 0.1_wp*modulo(k, 3)
+            call law%yield_stress(before, 0.0_wp*before, yields, hardening, viscosity)
+            effective(:) = yields*(1.0_wp + 10.0_wp**k)
+            call law%search(step, effective, before, increment, mean)
+            call law%yield_stress(before + increment, increment/step, yields, hardening, viscosity)
+            left(:) = effective - fall*increment - yields
+            worst = max(worst, maxval(abs(left)/effective))
+            if (any(increment <= 0.0_wp)) worst = huge(worst)
+         end do
+      end do
+   end function farthest_from_yield
 
 end module metals
