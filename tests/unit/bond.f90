@@ -1,4 +1,4 @@
-!> The bond of HTS40/977-2, table 6 of the paper, in mm, N, MPa; and openings of all mixes.
+!> The bond of HTS40/9772, table 6 of the paper, in mm, N, MPa; and openings of all mixes.
 module bond
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, normal, shear

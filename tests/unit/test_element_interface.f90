@@ -1,6 +1,7 @@
 !> Interfaces over quads: tractions times areas, linear and turned with large displacement.
 program test_element_interface
    use bond, only : table_6
+   use faces, only : area, lay_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface, only : history_size, interface_sums_type, &
       & interface_type, point_positions, set_damage, set_plane, sum_lanes
@@ -12,9 +13,8 @@ program test_element_interface
    use testing, only : begin, check, finish
    implicit none
 
-   !> Thickness nodes of the layers, interfaces, and the area of the plate
+   !> Thickness nodes of the layers, interfaces
    integer, parameter :: levels = 3, joints = 7
-   real(wp), parameter :: area = 24.0_wp
    real(wp), parameter :: unit(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, &
       & 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
    integer :: side
@@ -48,22 +48,7 @@ contains
       type(interface_type), intent(out) :: self
       type(mesh_type), intent(out) :: mesh
 
-      integer :: l
-
-      mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
-      self%lower(:joints) = [(l, l=1, joints)]
-      self%upper(:joints) = self%lower(:joints) + 1
-      self%present(:joints) = 1.0_wp
-      self%adjacent = adjacent
-      self%below%first(:) = [(l + lanes*(levels - 1), l=1, lanes)]
-      self%above%first(:) = [(l + 1, l=1, lanes)]
-      self%below%stride(:) = lanes*levels
-      self%above%stride(:) = lanes*levels
-      self%below%step(:) = 3*lanes*levels
-      self%above%step(:) = 3*lanes*levels
-      self%side = side
-      self%nodal = nodal
-      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
+      call lay_interfaces(side, levels, joints, nodal, adjacent, self, mesh)
       self%law = new_cohesive(constants)
    end subroutine make
 

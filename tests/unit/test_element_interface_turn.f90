@@ -1,12 +1,11 @@
 !> Faces that turn while they stand open: work on a closed path is none, and moments balance.
 program test_element_interface_turn
+   use faces, only : lay_interfaces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface, only : interface_type, set_plane
+   use plydyn_element_interface, only : interface_type
    use plydyn_element_interface_kernel, only : add_face_forces
-   use plydyn_element_quad, only : tensor_order
    use plydyn_law_cohesive, only : new_springs
    use plydyn_model_mesh, only : mesh_type
-   use sample, only : rectangle_mesh
    use testing, only : begin, check, finish
    implicit none
 
@@ -41,22 +40,7 @@ contains
       type(interface_type), intent(out) :: self
       type(mesh_type), intent(out) :: mesh
 
-      integer :: l
-
-      mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
-      self%lower(:joints) = [(l, l=1, joints)]
-      self%upper(:joints) = self%lower(:joints) + 1
-      self%present(:joints) = 1.0_wp
-      self%adjacent = adjacent
-      self%below%first(:) = [(l + lanes*(levels - 1), l=1, lanes)]
-      self%above%first(:) = [(l + 1, l=1, lanes)]
-      self%below%stride(:) = lanes*levels
-      self%above%stride(:) = lanes*levels
-      self%below%step(:) = 3*lanes*levels
-      self%above%step(:) = 3*lanes*levels
-      self%side = side
-      self%nodal = nodal
-      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
+      call lay_interfaces(side, levels, joints, nodal, adjacent, self, mesh)
       self%law = new_springs([1000.0_wp, 400.0_wp])
    end subroutine make
 

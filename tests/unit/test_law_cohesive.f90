@@ -1,4 +1,4 @@
-!> The cohesive law of HTS40/977-2, table 6 of the paper, in mm, N, MPa.
+!> The cohesive law of HTS40/9772, table 6 of the paper, in mm, N, MPa.
 program test_law_cohesive
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp

@@ -1,4 +1,4 @@
-!> What the cohesive law of HTS40/977-2, table 6 of the paper, takes on its way; in mm, N, MPa.
+!> What the cohesive law of HTS40/9772, table 6 of the paper, takes on its way; in mm, N, MPa.
 program test_law_cohesive_energy
    use bond, only : mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp

@@ -1,4 +1,4 @@
-!> Process zones and reduced strengths of HTS40/977-2, table 6 of the paper, in mm, N, MPa.
+!> Process zones and reduced strengths of HTS40/9772, table 6 of the paper, in mm, N, MPa.
 program test_law_cohesive_length
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive_length, only : fitting_strength, least_stiffness_ratio, slender_zone, &

@@ -25,7 +25,6 @@ DAMAGE_MAP = LinearSegmentedColormap.from_list(
 SEEN = 0.05
 #: Free share around it, and the least share of the plate that a window shows
 MARGIN, SMALLEST = 0.18, 0.12
-PAPER = "#f6f5f2"
 
 
 def middle_of(header: Header, places: np.ndarray) -> np.ndarray:

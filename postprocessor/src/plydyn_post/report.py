@@ -71,7 +71,7 @@ def make_report(
 def _history_tasks(plan: Plan) -> list[Task]:
     """Curves of the impactor, for every impactor number that the first job has."""
     wanted = (
-        ("force", "time", "force", "Contact force over time."),
+        ("force", "time", "force", "Contact force over time; faint where a running mean is drawn."),
         ("force_displacement", "displacement", "force", "Contact force over displacement."),
         ("velocity", "time", "velocity", "Velocity of the impactor over time."),
     )

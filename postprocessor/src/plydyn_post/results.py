@@ -12,7 +12,7 @@ from plydyn_post.table import Table, read_table
 
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
-    r"\.((interfaces\.)?vtkhdf|out|log"
+    r"\.((interfaces\.)?vtkhdf|out"
     r"|(energy|nodes|supports|delamination|impactor_\d+|profile_\d+)\.csv)$",
     re.IGNORECASE,
 )
