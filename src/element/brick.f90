@@ -295,6 +295,7 @@ contains
 
    !> Whether two batches have the same geometry
    pure logical function same_shape(one, other) result(same)
+      !> Their geometries
       type(brick_shape_type), intent(in) :: one, other
 
       same = maxval(abs(one%gradient - other%gradient)) <= difference*maxval(abs(one%gradient)) &

@@ -16,6 +16,9 @@ module plydyn_output_node_history
    implicit none
    private
 
+   !> Most characters of a head, and of a unit
+   integer, parameter :: head_length = 40
+
    !> The history of some nodes
    type, public, extends(recorder_type) :: node_history_type
       private
@@ -47,7 +50,7 @@ contains
       !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      character(40) :: names(1 + 12*size(model%request%nodes)), units(size(names))
+      character(head_length) :: names(1 + 12*size(model%request%nodes)), units(size(names))
       integer :: columns, face, faces, i
 
       self%comm = domain%comm
@@ -76,7 +79,7 @@ contains
       type(model_type), intent(in) :: model
       !> 2 where a node has a point on both faces of the plate, 1 where it is a point
       integer, intent(in) :: faces
-      character(*), intent(out) :: names(:), units(:)
+      character(head_length), intent(out) :: names(:), units(:)
 
       character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
       character(7), parameter :: face_name(2) = [" bottom", " top   "]
