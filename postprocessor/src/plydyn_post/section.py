@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import Header, read_header
@@ -56,7 +57,7 @@ def draw_section(
 ) -> Path:
     """Draw cuts along some directions, degrees from x, deformed as the plate is.
 
-    Heights are drawn larger than lengths along the plate, as their axis says.
+    Heights are drawn larger than lengths along the plate, by a factor that is told.
     """
     stack, header = read_stack(results, time), read_header(results.fields)
     if mechanism not in stack.grid.point_data:
@@ -74,9 +75,17 @@ def draw_section(
             axes.set_title(f"cut along {angle:g}°", fontsize=8.5, loc="left")
         words = f"{MECHANISMS.get(mechanism, mechanism)} damage".capitalize()
         damage_bar(made, grid[:, 0].tolist(), words)
-        told = f"{instant(header, stack.time)}; blue: delaminated" if between else None
-        grid[0, 0].set_title(told or instant(header, stack.time), fontsize=8, loc="right")
+        told = f"{instant(header, stack.time)}   $z$ × {_steepness(made, grid[0, 0]):.2g}"
+        told += "   blue: delaminated" if between else ""
+        grid[0, 0].set_title(told, fontsize=8, loc="right")
         return save(made, path)
+
+
+def _steepness(made: Figure, axes: Axes) -> float:
+    """How many times larger heights are drawn than lengths along the plate."""
+    made.draw_without_rendering()
+    box, (left, right), (low, high) = axes.get_window_extent(), axes.get_xlim(), axes.get_ylim()
+    return (box.height / (high - low)) / (box.width / (right - left))
 
 
 def _interfaces(results: Results, time: float) -> Interfaces | None:
