@@ -23,6 +23,7 @@ class DamagedPly(Material):
     curve: tuple[float, ...] = (0,)  # card of the shear curve
     switches: tuple[float, ...] = (0,)  # card of the switches
     radii: tuple[float, float] = (0.0, 0.0)  # of the average, along and across the fibres
+    brittle: float = 0.0  # share of the strength from which crushed fibres lose the rest
 
     def cards(self, number: int) -> list[tuple[float, ...]]:
         """Cards of the material with this number."""
@@ -35,7 +36,7 @@ class DamagedPly(Material):
             (*toughnesses, self.band, self.largest, self.shear_toughness),
             self.curve,
             self.switches,
-            (0.0, *self.radii),
+            (self.brittle, *self.radii),
         ]
 
 

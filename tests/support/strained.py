@@ -40,7 +40,7 @@ def strain_body(
 ) -> Results:
     """Lead a cube of one of `BODIES` along a path of strain; stress as a field at the end."""
     if body == "plate":
-        deck = _plate(material, times, strains)
+        deck = cube(material, times, strains)
     else:
         deck = Deck("a brick along a path of strain", float(times[-1]))
         deck.control(linear=True)
@@ -54,7 +54,7 @@ def strain_body(
     return run(deck, folder)
 
 
-def _plate(material: Callable[[Deck], None], times: Array, strains: Array) -> Deck:
+def cube(material: Callable[[Deck], None], times: Array, strains: Array) -> Deck:
     """A quad of one layer whose points follow a path of strain."""
     deck = Deck("a cube along a path of strain", float(times[-1]))
     deck.control(linear=True)
@@ -82,7 +82,7 @@ def strain_cube(
     material: Callable[[Deck], None], times: Array, strains: Array, outputs: int, folder: Path
 ) -> Answer:
     """Lead a cube along a path of strain, (times, 6), straight in between, from no strain on."""
-    deck = _plate(material, times, strains)
+    deck = cube(material, times, strains)
     deck.profile(1, 0.5, 0.5, times[-1] / outputs, points=2)
     deck.intervals(glstat=times[-1] / outputs, binary_d3plot=times[-1])
     deck.add("DATABASE_FIELD", "plastic_strain")
