@@ -7,6 +7,7 @@ module plydyn_input_check_impact
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_outer_faces, only : faces_of_part
    use plydyn_model_support, only : top_face
    implicit none
    private
@@ -32,6 +33,7 @@ contains
       real(wp) :: inside
       integer :: i
 
+      call check_faces(model, catalogue)
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
             inside = depth(model, contact)
@@ -47,6 +49,29 @@ contains
          end associate
       end do
    end subroutine check_impact
+
+   !> Bricks have an outer face where an impactor is to meet them
+   subroutine check_faces(model, catalogue)
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      integer :: i
+
+      if (size(model%mesh%brick_id) == 0) return
+      place%keyword = "*CONTACT_IMPACTOR"
+      place%field = "FACE"
+      do i = 1, size(model%contacts)
+         associate (contact => model%contacts(i))
+            if (size(faces_of_part(model%mesh, contact%part, contact%face)) > 0) cycle
+            place%line = contact%line
+            call catalogue%report%refuse(place, "part "//text(model%parts(contact%part)%id) &
+               & //" has no outer face that looks "//trim(merge("up  ", "down", &
+               & contact%face == top_face)), "the other FACE, or the part whose face it is")
+         end associate
+      end do
+   end subroutine check_faces
 
    !> A sphere can come to its part; a warning where only the motion of the plate could bring them
    !> together
