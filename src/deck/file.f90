@@ -6,6 +6,8 @@ module plydyn_deck_file
    public :: cut_line, move_file, read_content
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
+   !> What may stand unseen at the end of a line
+   character(*), parameter :: blanks = " "//achar(9)
    !> Mark of UTF-8 that some editors put before the first line
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
 
@@ -79,7 +81,7 @@ contains
       character(*), intent(in) :: content
       !> Where the line begins, and where the next one does
       integer, intent(inout) :: next
-      !> Gets number and stretch, without blanks at the end
+      !> Gets number and stretch, without blanks and tabs at the end
       type(line_type), intent(inout) :: line
 
       integer :: feed
@@ -91,7 +93,7 @@ contains
       if (feed > line%first) then
          if (content(feed - 1:feed - 1) == carriage_return) feed = feed - 1
       end if
-      line%last = line%first + len_trim(content(line%first:feed - 1)) - 1
+      line%last = line%first + verify(content(line%first:feed - 1), blanks, back=.true.) - 1
    end subroutine cut_line
 
 end module plydyn_deck_file

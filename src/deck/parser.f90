@@ -15,6 +15,10 @@ module plydyn_deck_parser
 
    public :: parse
 
+   !> Keywords without fields, which have no format
+   character(*), parameter :: frames(4) = [character(12) :: "KEYWORD", "END", "INCLUDE", &
+      & "INCLUDE_PATH"]
+
    !> A keyword line, taken apart
    type :: head_type
       !> Name in capitals, without star and marks
@@ -196,6 +200,9 @@ contains
       call inherit_format(source, source%lines(first)%file, context)
       cards%long = head%mark == "+" .or. (context%long(source%lines(first)%file) &
          & .and. head%mark /= "-")
+      if (any(head%name == frames) .and. head%mark /= " ") call report%refuse(place, &
+         & "'"//head%mark//"' behind the keyword", "the keyword alone on its line; *KEYWORD " &
+         & //"LONG=Y gives all fields 20 columns")
       if (head%name == "KEYWORD") then
          call open_file(source%lines(first)%file, head%options, place, context, report)
          call check_no_card(source, first, last, report)
@@ -332,6 +339,9 @@ contains
          select case (name)
          case ("LONG")
             context%long(file) = words(i) == "LONG=Y"
+            if (all(words(i) /= ["LONG=Y", "LONG=S"])) call report%refuse(place, &
+               & "'"//trim(words(i))//"' behind *KEYWORD", "LONG=Y for fields of 20 columns, " &
+               & //"LONG=S or nothing for the usual ones")
          case ("MEMORY", "MEMORY2", "NCPU", "ID", "PROJECT", "STAGE")
             call report%warn(place, "'"//trim(words(i))//"' is known, ignored", &
                & "nothing, or LONG=Y for fields of 20 columns")
