@@ -88,12 +88,25 @@ def draw_history(
     with figure() as (made, axes):
         for place, curve in enumerate(curves):
             _draw_curve(axes, curve, (across, upwards), scales, place, window)
+        if len(curves) == 1:
+            _tell_mean(axes, curves[0], window)
         axes.set_xlabel(in_brackets(WORDS[across], scales[0].unit))
         axes.set_ylabel(in_brackets(WORDS[upwards], scales[1].unit))
         axes.margins(x=0.0 if across == "time" else 0.03)
-        if len(curves) > 1:
+        if len(axes.get_legend_handles_labels()[1]) > 1:
             legend_above(made, axes)
         return save(made, path)
+
+
+def _tell_mean(axes: Axes, curve: Curve, window: float | None) -> None:
+    """Name the faint and the strong line of one noisy curve."""
+    lines = axes.get_lines()
+    if len(lines) != 2:
+        return
+    span = mean_window(curve.table) if window is None else window
+    scale = readable(curve.table.unit("time"), span)
+    lines[0].set_label("as computed")
+    lines[1].set_label(f"mean over {span * scale.factor:.3g} {scale.unit}".rstrip())
 
 
 def _values(curve: Curve, column: str) -> np.ndarray:
