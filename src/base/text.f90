@@ -4,7 +4,7 @@ module plydyn_base_text
    implicit none
    private
 
-   public :: text, lower_case, upper_case
+   public :: text, fixed_text, lower_case, upper_case
 
    !> Shortest reading text of a number
    interface text
@@ -45,6 +45,26 @@ contains
       write (buffer, form) number
       string = trim(adjustl(buffer))
    end function text_of_real
+
+   !> Text of a real with some digits behind the point, and one at least before it; no point without
+   !> digits
+   pure function fixed_text(number, digits) result(string)
+      !> Number to write
+      real(wp), intent(in) :: number
+      !> Digits behind the point
+      integer, intent(in) :: digits
+      character(:), allocatable :: string
+
+      character(range(number) + 20) :: buffer
+      character(12) :: form
+
+      write (form, "(a,i0,a)") "(f0.", digits, ")"
+      write (buffer, form) abs(number)
+      string = trim(buffer)
+      if (digits == 0) string = string(:len(string) - 1)
+      if (scan(string//".", "0123456789") /= 1) string = "0"//string
+      if (number < 0.0_wp) string = "-"//string
+   end function fixed_text
 
    !> The same text in lower case
    pure function lower_case(string) result(lowered)

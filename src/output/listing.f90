@@ -1,7 +1,7 @@
 !> The listing of a run: what was read, what was made of it, and how it ended.
 module plydyn_output_listing
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
+   use plydyn_base_text, only : fixed_text, text
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_laminate, only : add_ply_stiffness
@@ -186,9 +186,11 @@ contains
          call write_section(unit, "Part "//text(part%id)//" "//part%title)
          write (unit, "(a,i0,a,i0,a)") "bricks                        ", &
             & count(model%mesh%brick_part == p), " of ", section%points, " points"
-         write (unit, "(a,i0,a,f0.2)") "material                      ", &
-            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", minval(angle)
-         if (maxval(angle) > minval(angle)) write (unit, "(a,f0.2)") "   to ", maxval(angle)
+         write (unit, "(a,i0,2a)") "material                      ", &
+            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", &
+            & fixed_text(minval(angle), 2)
+         if (maxval(angle) > minval(angle)) write (unit, "(2a)") "   to ", &
+            & fixed_text(maxval(angle), 2)
          if (section%points > 1) return
          write (unit, "(2a)") "hourglass control             ", trim(merge("viscous  ", &
             & "stiffness", section%control == hourglass_viscous))//", " &
@@ -268,20 +270,20 @@ contains
       call write_section(unit, "Effort")
       steps = domain%control%end_time/domain%step
       if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
-      write (unit, "(a,f0.0)") "steps                         ", steps
+      write (unit, "(2a)") "steps                         ", fixed_text(steps, 0)
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
       ! what several ranks have is in their table
-      if (domain%comm%ranks == 1) write (unit, "(a,f0.1,a)") "memory of mesh and motion     ", &
-         & mesh_bytes(domain)/megabyte, " MB"
+      if (domain%comm%ranks == 1) write (unit, "(3a)") "memory of mesh and motion     ", &
+         & fixed_text(mesh_bytes(domain)/megabyte, 1), " MB"
       if (domain%comm%ranks == 1 .and. any_history(domain)) then
-         write (unit, "(a,f0.1,a)") "memory of histories           ", &
-            & history_bytes(domain)/megabyte, " MB"
+         write (unit, "(3a)") "memory of histories           ", &
+            & fixed_text(history_bytes(domain)/megabyte, 1), " MB"
       end if
-      write (unit, "(a,f0.3,a)") "file of fields                ", &
-         & fields_bytes(model, domain)/megabyte, " MB"
+      write (unit, "(3a)") "file of fields                ", &
+         & fixed_text(fields_bytes(model, domain)/megabyte, 3), " MB"
       if (size(domain%interfaces) > 0) then
-         write (unit, "(a,f0.3,a)") "file of interfaces            ", &
-            & interfaces_bytes(model, domain)/megabyte, " MB"
+         write (unit, "(3a)") "file of interfaces            ", &
+            & fixed_text(interfaces_bytes(model, domain)/megabyte, 3), " MB"
       end if
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
    end subroutine write_effort

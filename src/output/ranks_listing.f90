@@ -1,6 +1,7 @@
 !> What the listing says of the ranks of a run.
 module plydyn_output_ranks_listing
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text
    use plydyn_output_table, only : write_section
    implicit none
    private
@@ -35,7 +36,8 @@ contains
          write (unit, "(a,i0,a)") "more ranks than chunks: ", count(ranks(1, :) < 1.0_wp), &
             & " of them have nothing to do"
       end if
-      write (unit, "(a,f0.3)") "all ranks send in a step [kB] ", sum(ranks(5, :))/kilobyte
+      write (unit, "(2a)") "all ranks send in a step [kB] ", &
+         & fixed_text(sum(ranks(5, :))/kilobyte, 3)
    end subroutine write_ranks
 
 end module plydyn_output_ranks_listing

@@ -1,0 +1,24 @@
+!> Numbers as text, and text without case.
+program test_base_text
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text, lower_case, text, upper_case
+   use testing, only : begin, check, finish
+   implicit none
+
+   call begin("text")
+   call check(text(-42) == "-42", "an integer without blanks")
+
+   call begin("fixed_text")
+   call check(fixed_text(0.04_wp, 1) == "0.0", "a zero before the point: "//fixed_text(0.04_wp, 1))
+   call check(fixed_text(-0.5_wp, 2) == "-0.50", "and behind a sign: "//fixed_text(-0.5_wp, 2))
+   call check(fixed_text(12.3456_wp, 3) == "12.346", "rounded: "//fixed_text(12.3456_wp, 3))
+   call check(fixed_text(40459.2_wp, 0) == "40459", "no point without digits")
+   call check(fixed_text(0.2_wp, 0) == "0", "nor before nothing: "//fixed_text(0.2_wp, 0))
+   call check(len(fixed_text(1.0e300_wp, 0)), 301, "as long as it takes")
+
+   call begin("lower_case, upper_case")
+   call check(lower_case("aB1_Z") == "ab1_z", "small letters")
+   call check(upper_case("aB1_z") == "AB1_Z", "capitals")
+
+   call finish()
+end program test_base_text
