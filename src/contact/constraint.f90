@@ -9,7 +9,7 @@ module plydyn_contact_constraint
    implicit none
    private
 
-   public :: new_constraints, add_motion, clear_motion, opening
+   public :: new_constraints, add_motion, opening
 
    !> Room for rows in the first allocation
    integer, parameter :: first_capacity = 64
@@ -170,26 +170,5 @@ contains
       opening = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
          & + relative(3)*rows%normal(3, row)
    end function opening
-
-   !> Bring the points of some rows, and the impactor, back to no motion
-   pure subroutine clear_motion(rows, first, last, motion, impactor_motion)
-      !> The constraints
-      type(constraints_type), intent(in) :: rows
-      !> Which rows
-      integer, intent(in) :: first, last
-      !> Of the surface points, (3, points), length
-      real(wp), contiguous, intent(inout) :: motion(:, :)
-      !> Of the impactor, length
-      real(wp), intent(out) :: impactor_motion(3)
-
-      integer :: i, row
-
-      impactor_motion(:) = 0.0_wp
-      do row = first, last
-         do i = 1, size(rows%point, 1)
-            motion(:3, rows%point(i, row)) = 0.0_wp
-         end do
-      end do
-   end subroutine clear_motion
 
 end module plydyn_contact_constraint

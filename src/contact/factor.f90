@@ -1,14 +1,15 @@
 !> Cholesky factor of a symmetric matrix that grows and shrinks by a row at a time.
 !>
 !> LAPACK factorises once; an active set adds and drops constraints one by one, and a factor that
-!> follows costs the square of the size instead of its cube. No threads, so the same bits always.
+!> follows costs the square of the size instead of its cube. The set of the last step is filled in
+!> at once, eight rows abreast. No threads, so the same bits always.
 module plydyn_contact_factor
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   !> Size of the first allocation
-   integer, parameter :: first_capacity = 32
+   !> Size of the first allocation, of whole vectors
+   integer, parameter :: first_capacity = 4*lanes
 
    !> Factor L of a matrix L L^T
    type, public :: factor_type
@@ -19,12 +20,92 @@ module plydyn_contact_factor
       !> Inverse of each entry of its diagonal
       real(wp), allocatable, private :: inverse(:)
    contains
+      procedure :: fill
       procedure :: append
       procedure :: remove
       procedure :: solve
    end type factor_type
 
 contains
+
+   !> Begin anew with some rows of a matrix
+   pure subroutine fill(self, row, matrix, share)
+      !> The factor
+      class(factor_type), intent(inout) :: self
+      !> Which rows, and columns
+      integer, intent(in) :: row(:)
+      !> The matrix, symmetric; only what is below the diagonal in the order of the rows is read
+      real(wp), contiguous, intent(in) :: matrix(:, :)
+      !> Share by which its diagonal is raised; smaller pivots are taken for round-off
+      real(wp), intent(in) :: share
+
+      real(wp) :: diagonal(size(row))
+      integer :: i, j
+
+      self%count = size(row)
+      call make_room(self, self%count)
+      do j = 1, self%count
+         diagonal(j) = matrix(row(j), row(j))
+         do i = j + 1, self%count
+            self%lower(i, j) = matrix(row(i), row(j))
+         end do
+      end do
+      call factorise(size(self%inverse), self%count, diagonal, share, self%lower, self%inverse)
+   end subroutine fill
+
+   !> Columns of the factor from left to right, each in all rows below the diagonal together
+   pure subroutine factorise(room, count, diagonal, share, lower, inverse)
+      !> Rows there is room for, and rows in use
+      integer, intent(in) :: room, count
+      !> As in `fill`
+      real(wp), intent(in) :: diagonal(count), share
+      !> The matrix below the diagonal in, the factor out
+      real(wp), intent(inout) :: lower(room, room)
+      !> Inverse of its diagonal
+      real(wp), intent(inout) :: inverse(room)
+
+      real(wp) :: below(room), left(count), pivot
+      integer :: first, j
+
+      below(:count) = 1.0_wp
+      below(count + 1:) = 0.0_wp
+      do j = 1, count
+         below(j) = 0.0_wp
+         left(:j - 1) = lower(j, :j - 1)
+         pivot = (1.0_wp + share)*diagonal(j) - sum(left(:j - 1)**2)
+         pivot = sqrt(max(pivot, share*diagonal(j)))
+         inverse(j) = 1.0_wp/pivot
+         do first = 1 + lanes*(j/lanes), count, lanes
+            call reduce(room, j, left, inverse(j), below(first), lower(first, 1))
+         end do
+         lower(j, j) = pivot
+      end do
+   end subroutine factorise
+
+   !> One column of the factor in some rows
+   pure subroutine reduce(room, column, left, inverse, below, lower)
+      integer, intent(in) :: room, column
+      !> The row of its diagonal left of that, and the inverse of the diagonal
+      real(wp), intent(in) :: left(column), inverse
+      !> 1 in rows below the diagonal, else 0
+      real(wp), intent(in) :: below(lanes)
+      real(wp), intent(inout) :: lower(room, column)
+
+      real(wp) :: total(lanes)
+      integer :: k, l
+
+      total(:) = lower(:lanes, column)
+      do k = 1, column - 1
+         !$omp simd
+         do l = 1, lanes
+            total(l) = total(l) - lower(l, k)*left(k)
+         end do
+      end do
+      !$omp simd
+      do l = 1, lanes
+         lower(l, column) = total(l)*inverse*below(l)
+      end do
+   end subroutine reduce
 
    !> Add a last row to the matrix
    pure subroutine append(self, column, diagonal, least_pivot)
@@ -40,8 +121,8 @@ contains
       real(wp) :: row(self%count)
       integer :: n
 
-      call grow(self)
       n = self%count
+      call make_room(self, n + 1)
       row(:) = column
       call solve_lower(self, row)
       self%lower(n + 1, :n) = row
@@ -119,25 +200,30 @@ contains
       end do
    end subroutine solve_lower
 
-   !> Make room for one more row
-   pure subroutine grow(self)
+   !> Make room for some rows
+   pure subroutine make_room(self, rows)
       !> The factor
       type(factor_type), intent(inout) :: self
+      !> How many
+      integer, intent(in) :: rows
 
       real(wp), allocatable :: larger(:, :), longer(:)
-      integer :: capacity
+      integer :: capacity, known
 
-      if (.not. allocated(self%lower)) then
-         allocate (self%lower(first_capacity, first_capacity), source=0.0_wp)
-         allocate (self%inverse(first_capacity), source=0.0_wp)
-      end if
-      if (self%count < size(self%lower, 1)) return
-      capacity = 2*size(self%lower, 1)
+      known = 0
+      if (allocated(self%inverse)) known = size(self%inverse)
+      if (known > 0 .and. rows <= known) return
+      capacity = max(known, first_capacity)
+      do while (capacity < rows)
+         capacity = 2*capacity
+      end do
       allocate (larger(capacity, capacity), longer(capacity), source=0.0_wp)
-      larger(:self%count, :self%count) = self%lower
-      longer(:self%count) = self%inverse
+      if (known > 0) then
+         larger(:known, :known) = self%lower
+         longer(:known) = self%inverse
+      end if
       call move_alloc(larger, self%lower)
       call move_alloc(longer, self%inverse)
-   end subroutine grow
+   end subroutine make_room
 
 end module plydyn_contact_factor

@@ -10,8 +10,9 @@
 !> which leaves a penetration of that share of the step's. The motion is unique; the multipliers
 !> are not when rows are redundant. The set of the last step is the first guess of the next.
 module plydyn_contact_multiplier
-   use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : add_motion, clear_motion, constraints_type, opening
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_contact_constraint, only : add_motion, constraints_type
+   use plydyn_contact_coupling, only : coupling_type, new_coupling
    use plydyn_contact_factor, only : factor_type
    implicit none
    private
@@ -37,8 +38,12 @@ module plydyn_contact_multiplier
       logical, allocatable, private :: hopeless(:)
       !> Solution with all pressing rows closed, mass times length
       real(wp), allocatable, private :: closed(:)
-      !> What a unit push at one row moves, (3, points), zero between calls
-      real(wp), allocatable, private :: unit_motion(:, :)
+      !> Gaps with the pushes, one for each row
+      real(wp), allocatable, private :: gap(:)
+      !> What makes the columns of A, and those of rows that have pressed in the step, each in the
+      !> place of its row
+      type(coupling_type), private :: coupling
+      real(wp), allocatable, private :: matrix(:, :)
       !> A among the pressing rows
       type(factor_type), private :: factor
    contains
@@ -54,8 +59,9 @@ contains
       !> Number of surface points
       integer, intent(in) :: points
 
-      allocate (self%unit_motion(3, points), source=0.0_wp)
-      allocate (self%row(0), self%presses(0), self%hopeless(0), self%closed(0))
+      call new_coupling(self%coupling, points)
+      allocate (self%row(0), self%presses(0), self%hopeless(0), self%closed(0), self%gap(0))
+      allocate (self%matrix(0, 0))
    end subroutine new_active_set
 
    !> Find the pushes and the motion that they make
@@ -82,14 +88,15 @@ contains
       newest = 0
       do entry_count = 0, most_entries*rows%count
          call settle(self, rows, newest)
-         call clear_motion(rows, 1, rows%count, motion, impactor_motion)
-         do row = 1, self%factor%count
-            call add_motion(rows, self%row(row), rows%push(self%row(row)), inverse_mass, &
-               & impactor_inverse, motion, impactor_motion)
-         end do
-         newest = deepest(self, rows, motion, impactor_motion, least_gap)
-         if (newest == 0) return
-         call enter(self, rows, newest, inverse_mass, impactor_inverse)
+         call find_gaps(self, rows)
+         newest = deepest(self, rows%count, least_gap)
+         if (newest == 0) exit
+         call enter(self, rows, newest, impactor_inverse)
+      end do
+      impactor_motion(:) = 0.0_wp
+      do row = 1, self%factor%count
+         call add_motion(rows, self%row(row), rows%push(self%row(row)), inverse_mass, &
+            & impactor_inverse, motion, impactor_motion)
       end do
    end subroutine solve_unilateral
 
@@ -104,55 +111,77 @@ contains
       !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
-      integer :: row
+      integer :: n, row
 
-      if (size(self%row) < rows%count) then
-         deallocate (self%row, self%presses, self%hopeless, self%closed)
-         allocate (self%row(size(rows%gap)), source=0)
-         allocate (self%presses(size(rows%gap)), self%hopeless(size(rows%gap)), source=.false.)
-         allocate (self%closed(size(rows%gap)), source=0.0_wp)
-      end if
+      call make_room(self, size(rows%gap))
+      call self%coupling%take(rows, inverse_mass)
       self%presses(:rows%count) = .false.
       self%hopeless(:rows%count) = .false.
-      self%factor%count = 0
+      n = 0
       do row = 1, rows%count
-         if (rows%push(row) > 0.0_wp) call enter(self, rows, row, inverse_mass, impactor_inverse)
+         if (.not. rows%push(row) > 0.0_wp) cycle
+         call prepare(self, rows, row, impactor_inverse)
+         if (self%hopeless(row)) cycle
+         n = n + 1
+         self%row(n) = row
+         self%presses(row) = .true.
       end do
+      call self%factor%fill(self%row(:n), self%matrix, ridge)
    end subroutine start
 
+   !> Make room for as many rows as the constraints have room for
+   pure subroutine make_room(self, capacity)
+      type(active_set_type), intent(inout) :: self
+      !> Rows
+      integer, intent(in) :: capacity
+
+      integer :: whole
+
+      if (size(self%row) >= capacity) return
+      whole = lanes*((capacity + lanes - 1)/lanes)
+      deallocate (self%row, self%presses, self%hopeless, self%closed, self%gap, self%matrix)
+      allocate (self%row(capacity), source=0)
+      allocate (self%presses(capacity), self%hopeless(capacity), source=.false.)
+      allocate (self%closed(capacity), self%gap(whole), self%matrix(whole, capacity), &
+         & source=0.0_wp)
+   end subroutine make_room
+
+   !> Find the column of A of a row that is to press, or that nothing can open it
+   pure subroutine prepare(self, rows, row, impactor_inverse)
+      type(active_set_type), intent(inout) :: self
+      type(constraints_type), intent(inout) :: rows
+      integer, intent(in) :: row
+      real(wp), intent(in) :: impactor_inverse(3)
+
+      call self%coupling%find_column(rows, row, impactor_inverse, &
+         & self%matrix(:self%coupling%rows, row))
+      if (self%matrix(row, row) > 0.0_wp) return
+      self%hopeless(row) = .true.
+      rows%push(row) = 0.0_wp
+   end subroutine prepare
+
    !> Let a row press
-   pure subroutine enter(self, rows, row, inverse_mass, impactor_inverse)
+   pure subroutine enter(self, rows, row, impactor_inverse)
       !> The active set
       class(active_set_type), intent(inout) :: self
       !> The constraints
       type(constraints_type), intent(inout) :: rows
       !> Which row
       integer, intent(in) :: row
-      !> Of the surface points
-      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
-      integer :: i, n
-      real(wp) :: column(self%factor%count), diagonal, impactor_motion(3)
+      integer :: n
 
       n = self%factor%count
-      impactor_motion(:) = 0.0_wp
-      call add_motion(rows, row, 1.0_wp, inverse_mass, impactor_inverse, self%unit_motion, &
-         & impactor_motion)
-      diagonal = opening(rows, row, self%unit_motion, impactor_motion)
-      do i = 1, n
-         column(i) = opening(rows, self%row(i), self%unit_motion, impactor_motion)
-      end do
-      call clear_motion(rows, row, row, self%unit_motion, impactor_motion)
-      if (diagonal > 0.0_wp) then
-         call self%factor%append(column, (1.0_wp + ridge)*diagonal, ridge*diagonal)
-         self%row(n + 1) = row
-         self%presses(row) = .true.
-      else
-         self%hopeless(row) = .true.
-         rows%push(row) = 0.0_wp
-      end if
+      call prepare(self, rows, row, impactor_inverse)
+      if (self%hopeless(row)) return
+      associate (column => self%matrix(:, row))
+         call self%factor%append(column(self%row(:n)), (1.0_wp + ridge)*column(row), &
+            & ridge*column(row))
+      end associate
+      self%row(n + 1) = row
+      self%presses(row) = .true.
    end subroutine enter
 
    !> Close the gaps of the pressing rows; on the way, drop those that would pull
@@ -209,31 +238,42 @@ contains
       self%row(leaving:n - 1) = self%row(leaving + 1:n)
    end subroutine leave
 
-   !> Row that penetrates most among those that do not press, 0 when none does
-   pure integer function deepest(self, rows, motion, impactor_motion, least_gap)
-      !> The active set
-      class(active_set_type), intent(in) :: self
-      !> The constraints
+   !> Gaps of all rows with the pushes
+   pure subroutine find_gaps(self, rows)
+      type(active_set_type), intent(inout) :: self
       type(constraints_type), intent(in) :: rows
-      !> Of the surface points
-      real(wp), contiguous, intent(in) :: motion(:, :)
-      !> Of the impactor
-      real(wp), intent(in) :: impactor_motion(3)
+
+      integer :: i, k, row
+
+      self%gap(:rows%count) = rows%gap(:rows%count)
+      do i = 1, self%factor%count
+         row = self%row(i)
+         !$omp simd
+         do k = 1, self%coupling%rows
+            self%gap(k) = self%gap(k) + self%matrix(k, row)*rows%push(row)
+         end do
+      end do
+   end subroutine find_gaps
+
+   !> Row that penetrates most among those that do not press, 0 when none does
+   pure integer function deepest(self, rows, least_gap)
+      !> The active set, with gaps
+      class(active_set_type), intent(in) :: self
+      !> How many rows
+      integer, intent(in) :: rows
       !> Gap that counts as closed
       real(wp), intent(in) :: least_gap
 
       integer :: row
-      real(wp) :: gap, least
+      real(wp) :: least
 
       deepest = 0
       least = least_gap
-      do row = 1, rows%count
+      do row = 1, rows
          if (self%presses(row) .or. self%hopeless(row)) cycle
-         gap = rows%gap(row) + opening(rows, row, motion, impactor_motion)
-         if (gap < least) then
-            least = gap
-            deepest = row
-         end if
+         if (self%gap(row) >= least) cycle
+         least = self%gap(row)
+         deepest = row
       end do
    end function deepest
 

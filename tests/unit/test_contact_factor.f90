@@ -20,6 +20,10 @@ program test_contact_factor
       end do
    end do
 
+   call begin("fill with none")
+   call factor%fill([integer ::], matrix, 0.0_wp)
+   call check(factor%count, 0, "no rows yet")
+
    call begin("append")
    do i = 1, rows
       call factor%append(matrix(:i - 1, i), matrix(i, i), 0.0_wp)
@@ -27,6 +31,18 @@ program test_contact_factor
    end do
    count = rows
    call check_solution("all rows")
+
+   call begin("fill")
+   call factor%fill(kept, matrix, 0.0_wp)
+   call check(factor%count, rows, "rows at once")
+   call check_solution("all rows at once")
+   kept(:11) = [7, 70, 3, 41, 12, 13, 14, 69, 2, 1, 30]
+   count = 11
+   call factor%fill(kept(:count), matrix, 0.0_wp)
+   call check_solution("some rows in any order")
+   kept(:) = [(i, i=1, rows)]
+   count = rows
+   call factor%fill(kept, matrix, 0.0_wp)
 
    call begin("remove")
    do i = 1, 50
