@@ -97,21 +97,13 @@ contains
       end do
    end subroutine count_batch
 
-   !> Energies that all interfaces have lost in failing, a falling penalty included, or in friction.
-   !> All ranks must come here
-   function interface_losses(domain, history) result(lost_energies)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
-      real(wp) :: lost_energies(2)
+   !> Energies that interfaces have lost in failing, a falling penalty included, and in friction
+   pure function interface_losses(lost) result(energies)
+      !> What each of them has lost
+      type(delamination_type), intent(in) :: lost(:)
+      real(wp) :: energies(2)
 
-      type(delamination_type) :: lost(maxval(domain%layers%ply) - 1)
-
-      lost_energies(:) = 0.0_wp
-      if (.not. can_fail(domain)) return
-      lost(:) = delamination(domain, history)
-      lost_energies(:) = [sum(lost%fracture + lost%closing), sum(lost%friction)]
+      energies(:) = [sum(lost%fracture + lost%closing), sum(lost%friction)]
    end function interface_losses
 
    !> Area over which at least one interface has failed; Gauss points and nodes of a quad with the

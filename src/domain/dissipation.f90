@@ -3,7 +3,7 @@ module plydyn_domain_dissipation
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_brick_energies, only : count_brick_dissipation
-   use plydyn_domain_delamination, only : interface_losses
+   use plydyn_domain_delamination, only : delamination_type, interface_losses
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type
    use plydyn_law_law, only : by_delamination, by_friction, mechanisms
@@ -16,11 +16,13 @@ contains
 
    !> Sums over all points of plies, bricks and interfaces of what each mechanism has dissipated.
    !> All ranks must come here, and get those of the whole model
-   function dissipated_energies(domain, history) result(energy)
+   function dissipated_energies(domain, history, lost) result(energy)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
+      !> What the interfaces of the whole model have lost; none where none can fail
+      type(delamination_type), intent(in) :: lost(:)
       !> In the order of `mechanism_names`
       real(wp) :: energy(mechanisms)
 
@@ -40,7 +42,7 @@ contains
       call domain%comm%add_up(sums%limb)
       energy(:) = [(sums%value(i), i=1, mechanisms)]
       energy(by_delamination:by_friction) = energy(by_delamination:by_friction) &
-         & + interface_losses(domain, history)
+         & + interface_losses(lost)
    end function dissipated_energies
 
    !> The share of a batch of layers, quad by quad

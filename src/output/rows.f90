@@ -48,13 +48,14 @@ contains
 
       real(wp) :: lost(mechanisms)
 
-      lost(:) = dissipated_energies(domain, state%history)
+      allocate (rows%lost(0))
+      if (can_fail(domain)) then
+         rows%lost = delamination(domain, state%history)
+         rows%projected_area = projected_area(domain, state%history)
+      end if
+      lost(:) = dissipated_energies(domain, state%history, rows%lost)
       rows%dissipated = sum(lost)
       rows%energy = energy_row(domain, state, lost)
-      allocate (rows%lost(0))
-      if (.not. can_fail(domain)) return
-      rows%lost = delamination(domain, state%history)
-      rows%projected_area = projected_area(domain, state%history)
    end function new_rows
 
    !> One line of the energies

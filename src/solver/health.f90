@@ -7,7 +7,7 @@ module plydyn_solver_health
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : can_fail
+   use plydyn_domain_delamination, only : can_fail, delamination
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : all_explicit
@@ -78,7 +78,8 @@ contains
       real(wp) :: stored
 
       if (.not. can_fail(domain)) return
-      stored = state%energies%internal - sum(dissipated_energies(domain, state%history))
+      stored = state%energies%internal - sum(dissipated_energies(domain, state%history, &
+         & delamination(domain, state%history)))
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
       call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
          & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near " &

@@ -3,6 +3,7 @@ program test_domain_dissipation
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
+   use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recover, only : layer_values, recovered, scalars_at, stress_at
@@ -95,7 +96,7 @@ contains
 
       real(wp) :: energy(mechanisms)
 
-      energy(:) = dissipated_energies(domain, history)
+      energy(:) = dissipated_energies(domain, history, [delamination_type ::])
       metal_energy = energy(by_metal_plasticity)
       call check(abs(sum(energy) - metal_energy), 0.0_wp, 0.0_wp, "nothing else dissipates")
    end function metal_energy
