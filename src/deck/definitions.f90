@@ -75,7 +75,7 @@ contains
       if (wrong_at > 0) then
          call report%refuse(spot(i, spans(2)%first + wrong_at - 1, "PARAMETER"), &
             & "'"//value//"' is not a number", "a number; *PARAMETER_EXPRESSION does arithmetic")
-         return
+         parameter%is_wrong = .true.
       end if
       call define(line(spans(1)%first:spans(1)%last), i, spans(1)%first, "PARAMETER", parameter, &
          & parameters, report)
@@ -141,9 +141,10 @@ contains
       call evaluate(line(begin:), parameters, parameter%value, wrong_at, wrong, right)
       if (wrong_at > 0) then
          call report%refuse(spot(i, begin + wrong_at - 1, keyword), wrong, right)
-      else
-         call define(line(:name_end), i, 1, keyword, parameter, parameters, report)
+         parameter%value = 0.0_wp
+         parameter%is_wrong = .true.
       end if
+      call define(line(:name_end), i, 1, keyword, parameter, parameters, report)
    end subroutine define_expression
 
    !> Add a parameter whose value is known

@@ -21,6 +21,8 @@ module plydyn_deck_parameter
       logical :: whole = .false.
       !> Line that defines it
       integer :: line = 0
+      !> Its number is wrong, which has been told
+      logical :: is_wrong = .false.
    end type parameter_type
 
    !> A number from the command line, in place of that of the deck

@@ -247,6 +247,7 @@ contains
       cards%state(i, row) = merge(is_given, is_wrong, fault%at == 0)
       if (fault%at == 0) return
       cards%value(i, row) = field%default
+      if (len(fault%wrong) == 0) return
       place = field_place(cards, row, i)
       place%comma = 0
       place%first = span%first + fault%at - 1

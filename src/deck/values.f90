@@ -16,7 +16,7 @@ module plydyn_deck_values
    type, public :: fault_type
       !> First wrong character; 0 when all is well
       integer :: at = 0
-      !> What is wrong
+      !> What is wrong, empty where it has been told already
       character(:), allocatable :: wrong
       !> What would be right
       character(:), allocatable :: right
@@ -84,6 +84,10 @@ contains
       if (i == 0) then
          call blame(fault, begin, "there is no parameter '"//content(begin:)//"' above this line", &
             & parameters%advice(content(begin:)))
+         return
+      end if
+      if (parameters%list(i)%is_wrong) then
+         call blame(fault, begin, "", "")
          return
       end if
       number = parameters%list(i)%value
