@@ -94,8 +94,8 @@ contains
       words = "CLOSE 0 of *INTERFACE_COHESIVE, a smaller TSSFAC (it is " &
          & //text(domain%control%step_factor)//") or IMPL 1 of *CONTROL_LAYERWISE helps"
       if (domain%control%scheme == all_explicit) return
-      words = "a smaller step (DTMAX of *CONTROL_LAYERWISE) or central differences (IMPL 0) help" &
-         & //", and so may CLOSE 0 of *INTERFACE_COHESIVE"
+      words = "a smaller step (TSSFAC, at most 0.8 with KINEM 1, or DTMAX of *CONTROL_LAYERWISE) " &
+         & //"or central differences (IMPL 0) help, and so may CLOSE 0 of *INTERFACE_COHESIVE"
    end function remedy
 
    !> Cycle and time
