@@ -357,7 +357,7 @@ contains
       self%opened = .false.
       self%handle = handle_type()
       call fail(error, exit_output, "cannot write "//quantity//" to "//self%path &
-         & //": its disk must have room and be writable")
+         & //": its disk must have room and be writable, and no other run the same job")
    end subroutine confirm
 
 end module plydyn_output_h5_file

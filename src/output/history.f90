@@ -206,7 +206,8 @@ contains
       ! the comma after the last number is left out
       write (self%unit, "(a)", iostat=status) self%line(:length - 1)
       if (status /= 0) then
-         call fail(error, exit_output, "cannot write to "//self%path//": its disk must have room")
+         call fail(error, exit_output, "cannot write to "//self%path//": its disk must have " &
+            & //"room, and no other run the same job")
          return
       end if
       call self%schedule%advance(time)

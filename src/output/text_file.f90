@@ -137,7 +137,8 @@ contains
       inquire (file=path, exist=exists, size=kept)
       ! a file that somebody removed meanwhile is no failure of ours
       if (status == 0 .and. (kept >= written .or. .not. exists)) return
-      call fail(error, exit_output, "cannot write to "//path//": its disk must have room")
+      call fail(error, exit_output, "cannot write to "//path//": its disk must have room, " &
+         & //"and no other run the same job")
    end subroutine close_text
 
 end module plydyn_output_text_file
