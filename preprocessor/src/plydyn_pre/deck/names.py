@@ -12,7 +12,6 @@ from plydyn_pre.study import NodeSet, Study
 from plydyn_pre.suggest import suggestion
 
 ALL = "all"
-_CONSTANT = ""  # the curve that is always 1
 
 
 @dataclass
