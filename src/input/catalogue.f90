@@ -71,6 +71,7 @@ module plydyn_input_catalogue
       procedure :: find_all
       procedure :: find_set
       procedure :: add_set
+      procedure :: spot
       procedure :: refuse
       procedure :: warn
       procedure :: check_duplicates
@@ -338,6 +339,18 @@ contains
             & //text(register%id(register%order(register%count)))
       end if
    end function range_of
+
+   !> Line that defines something that has a number
+   pure type(place_type) function spot(self, kind, i)
+      !> The catalogue
+      class(catalogue_type), intent(in) :: self
+      !> What it is, such as `a_node`
+      integer, intent(in) :: kind
+      !> Its index
+      integer, intent(in) :: i
+
+      spot%line = self%registers(kind)%line(i)
+   end function spot
 
    !> Place in the order of the first number that is one; behind the last where there is none
    pure integer function first_number(register) result(first)

@@ -3,7 +3,6 @@ module plydyn_input_check_joined
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : place_type
    use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -52,7 +51,7 @@ contains
             before(i) = latest(least)
             latest(least) = i
          end associate
-         if (other > 0) call catalogue%report%refuse(spot(a_quad, i, catalogue), "element " &
+         if (other > 0) call catalogue%report%refuse(catalogue%spot(a_quad, i), "element " &
             & //text(mesh%quad_id(i))//" has the corners of element "//text(mesh%quad_id(other)), &
             & "each element once", catalogue%registers(a_quad)%line(other))
       end do
@@ -78,7 +77,7 @@ contains
          do k = i - 1, 1, -1
             if (key(order(i)) - key(order(k)) > 2.0_wp*near*steps) exit
             if (norm2(mesh%position(:, order(i)) - mesh%position(:, order(k))) > near*extent) cycle
-            call catalogue%report%warn(spot(a_node, maxval(order([i, k])), catalogue), "node " &
+            call catalogue%report%warn(catalogue%spot(a_node, maxval(order([i, k]))), "node " &
                & //text(mesh%node_id(maxval(order([i, k]))))//" lies where node " &
                & //text(mesh%node_id(minval(order([i, k]))))//" does: nothing joins them", &
                & "one node in place of both, unless the plate is cut there")
@@ -86,16 +85,5 @@ contains
          end do
       end do
    end subroutine check_places
-
-   !> Line that defines a node or quad
-   pure type(place_type) function spot(kind, i, catalogue)
-      !> `a_node` or `a_quad`
-      integer, intent(in) :: kind
-      !> Its index
-      integer, intent(in) :: i
-      type(catalogue_type), intent(in) :: catalogue
-
-      spot%line = catalogue%registers(kind)%line(i)
-   end function spot
 
 end module plydyn_input_check_joined

@@ -2,7 +2,6 @@
 module plydyn_input_check_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : place_type
    use plydyn_deck_values, only : number_words
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_fem_shape, only : shape_functions
@@ -56,7 +55,7 @@ contains
       extent = maxval(maxval(mesh%position, dim=2) - minval(mesh%position, dim=2))
       do i = 2, size(mesh%node_id)
          if (abs(mesh%position(3, i) - mesh%position(3, 1)) <= flat*extent) cycle
-         call catalogue%report%refuse(spot(a_node, i, catalogue), "node "//text(mesh%node_id(i)) &
+         call catalogue%report%refuse(catalogue%spot(a_node, i), "node "//text(mesh%node_id(i)) &
             & //" lies at z = "//number_words(mesh%position(3, i))//", the first node at z = " &
             & //number_words(mesh%position(3, 1)), "a laminate in one plane z = const", &
             & catalogue%registers(a_node)%line(1))
@@ -77,7 +76,7 @@ contains
       end do
       do i = 1, size(met)
          if (met(i)) cycle
-         call catalogue%report%refuse(spot(a_node, i, catalogue), "node "//text(mesh%node_id(i)) &
+         call catalogue%report%refuse(catalogue%spot(a_node, i), "node "//text(mesh%node_id(i)) &
             & //" belongs to no element", "only nodes of elements in the deck")
       end do
    end subroutine check_strays
@@ -178,19 +177,8 @@ contains
       character(*), intent(in) :: right
       type(catalogue_type), intent(inout) :: catalogue
 
-      call catalogue%report%refuse(spot(a_quad, i, catalogue), "element " &
+      call catalogue%report%refuse(catalogue%spot(a_quad, i), "element " &
          & //text(catalogue%registers(a_quad)%id(i))//" "//wrong, right)
    end subroutine blame
-
-   !> Line that defines a node or quad
-   pure type(place_type) function spot(kind, i, catalogue)
-      !> `a_node` or `a_quad`
-      integer, intent(in) :: kind
-      !> Its index
-      integer, intent(in) :: i
-      type(catalogue_type), intent(in) :: catalogue
-
-      spot%line = catalogue%registers(kind)%line(i)
-   end function spot
 
 end module plydyn_input_check_mesh
