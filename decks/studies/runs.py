@@ -60,7 +60,7 @@ class Run:
 COARSE = Run("coarse", "128 Q9/LE1, `coarse`", "coarse")
 LINEAR = Run("q192_le1_linear", "192 Q9/LE1, the recipe as it stands", "q192_le1")
 ELASTIC = Run("tied_le1", "192 Q9/LE1, tied and elastic", "tied_le1")
-#: Near its stable step of 21 ns, failed faces that close again give energy back
+#: Large displacement resonates near 0.87 of the stable step, 21 ns here (manual/theory.md, 10)
 _SHORTER = {3: ("control.largest_step=1.5e-8",)}
 _LARGE = {
     model: Run(model.recipe, model.label, model.recipe, (*LARGE, *_SHORTER.get(model.order, ())))
