@@ -75,11 +75,20 @@ def test_a_contact_lost_and_found_again_is_one() -> None:
 def test_the_running_mean_keeps_straight_lines_and_removes_waves() -> None:
     time = np.sort(np.random.default_rng(3).uniform(0.0, 1.0, 4000))
     line = 2.0 + 3.0 * time
-    assert running_mean(time, line, 0.1) == pytest.approx(line, abs=1e-9)
+    inside = (time > time[0] + 0.05) & (time < time[-1] - 0.05)
+    assert running_mean(time, line, 0.1)[inside] == pytest.approx(line[inside], abs=1e-9)
     wave = np.sin(2 * np.pi * time / 0.05)
-    inside = (time > 0.05) & (time < 0.95)
     assert np.abs(running_mean(time, wave, 0.1)[inside]).max() < 0.01
     assert running_mean(time, wave, 0.0) is wave
+
+
+def test_the_running_mean_takes_half_of_its_window_at_the_ends() -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    blow = np.where(time < 0.015, 1.0, 0.0)
+    # straight between samples: 0.015 of 0.05 at the first sample, and of up to 0.1 further on
+    assert running_mean(time, blow, 0.1)[0] == pytest.approx(0.3)
+    assert running_mean(time, blow, 0.1)[5] == pytest.approx(0.15)
+    assert running_mean(time, blow[::-1], 0.1)[-1] == pytest.approx(0.3)
 
 
 def test_jobs_in_other_units_are_compared_in_the_first_ones(own_job: Path) -> None:

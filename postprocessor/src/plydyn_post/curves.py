@@ -96,14 +96,15 @@ def contact(time: np.ndarray, force: np.ndarray) -> tuple[float, float]:
 
 
 def running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndarray:
-    """The mean over a window of time around each sample, shorter at the ends, (samples,)."""
+    """The mean over a window of time around each sample, or what there is of it, (samples,).
+
+    Half of the window is left at either end, enough to take noise out there, too.
+    """
     if window <= 0.0 or len(time) < 3:
         return values
-    half = np.minimum(0.5 * window, np.minimum(time - time[0], time[-1] - time))
-    whole = _integral(time, values, time + half) - _integral(time, values, time - half)
-    mean = values.astype(float).copy()
-    np.divide(whole, 2.0 * half, out=mean, where=half > 0.0)
-    return mean
+    first = np.maximum(time - 0.5 * window, time[0])
+    last = np.minimum(time + 0.5 * window, time[-1])
+    return (_integral(time, values, last) - _integral(time, values, first)) / (last - first)
 
 
 def _integral(time: np.ndarray, values: np.ndarray, upto: np.ndarray) -> np.ndarray:
