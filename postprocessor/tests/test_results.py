@@ -44,10 +44,16 @@ def test_a_missing_job_and_a_missing_file_are_named(own_job: Path) -> None:
 
 def test_histories_that_were_asked_for_are_read(own_job: Path) -> None:
     own_job.with_name("plate.nodes.csv").write_text("time [s],n5 top uz [mm]\n0,0\n1,-2\n")
-    own_job.with_name("plate.supports.csv").write_text("time [s],fz [N]\n0,0\n1,30\n")
-    results = open_results(own_job)
+    heads = "time [s],fz [N],spc 3 fz [N]"
+    own_job.with_name("plate.supports.csv").write_text(f"{heads}\n0,0,0\n1,30,20\n")
+    other = own_job.with_name("plate.supports_2.csv")
+    other.write_text("time [s],fz [N],motion 4 fz [N]\n2,10,10\n")
+    results = open_results(other)
+    assert results == open_results(own_job)
     assert results.nodes()["n5 top uz"].tolist() == [0.0, -2.0]
     assert (results.supports().unit("fz"), results.supports()["fz"][-1]) == ("N", 30.0)
+    assert results.supports()["spc 3 fz"].tolist() == [0.0, 20.0]
+    assert results.supports(2)["motion 4 fz"].tolist() == [10.0]
 
 
 def test_jobs_of_one_name_are_told_apart_by_their_folder(tmp_path: Path) -> None:

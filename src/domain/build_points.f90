@@ -6,7 +6,7 @@ module plydyn_domain_build_points
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
       & new_pressure_load, new_segment_load, order_load
    use plydyn_domain_numbering, only : numbering_type
-   use plydyn_domain_supports, only : face_point, held_freedoms, new_prescribed
+   use plydyn_domain_supports, only : face_point, find_held, new_prescribed
    use plydyn_domain_surfaces, only : collect_points, new_brick_surface, new_surface, place_points
    use plydyn_model_model, only : model_type
    implicit none
@@ -26,7 +26,8 @@ contains
       type(domain_type), intent(inout) :: domain
       integer :: i
 
-      domain%held = held_freedoms(model%holds, numbering, domain%layers, domain%columns)
+      call find_held(model%holds, numbering, domain%layers, domain%columns, domain%held, &
+         & domain%holder)
       allocate (domain%motions(size(model%motions)))
       do i = 1, size(model%motions)
          domain%motions(i) = new_prescribed(model%motions(i), numbering, domain%layers, &

@@ -180,8 +180,9 @@ module plydyn_domain_domain
       !> Those of them whose layers are of different families: points below and above,
       !> (2, 3*nodes*faces)
       integer, allocatable :: far_ties(:, :)
-      !> Places in the arrays of motion that do not move
-      integer, allocatable :: held(:)
+      !> Places in the arrays of motion that do not move, and which of the model's supports counts
+      !> the force of each
+      integer, allocatable :: held(:), holder(:)
       !> Velocities at time zero
       type(initial_velocity_type), allocatable :: initial_velocities(:)
       !> Prescribed motions

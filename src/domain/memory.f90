@@ -27,8 +27,8 @@ contains
          reals = real(motions*columns%freedoms, wp) + columns%forces &
             & + size(domain%mass) + size(domain%inverse_mass) + size(domain%position)
       end associate
-      integers = real(size(domain%node_id) + size(domain%borders) + size(domain%held), wp) &
-         & + size(domain%far_ties)
+      integers = real(size(domain%node_id) + size(domain%borders), wp) &
+         & + size(domain%held) + size(domain%holder) + size(domain%far_ties)
       do i = 1, size(domain%plates)
          associate (plate => domain%plates(i))
             reals = reals + size(plate%metric)

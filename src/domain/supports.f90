@@ -9,7 +9,7 @@ module plydyn_domain_supports
    implicit none
    private
 
-   public :: face_point, held_freedoms, new_prescribed
+   public :: face_point, find_held, new_prescribed
 
 contains
 
@@ -51,7 +51,7 @@ contains
    end function points_of
 
    !> Places in the arrays of motion that do not move, each once, in rising order
-   pure function held_freedoms(holds, numbering, layers, columns) result(held)
+   pure subroutine find_held(holds, numbering, layers, columns, held, holder)
       !> Supports
       type(hold_type), intent(in) :: holds(:)
       !> Numbers of the nodes that the rank has
@@ -60,26 +60,27 @@ contains
       type(layers_type), intent(in) :: layers
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      integer, allocatable :: held(:)
+      !> The places, and the first support that holds each of them
+      integer, allocatable, intent(out) :: held(:), holder(:)
 
-      logical, allocatable :: is_held(:)
       integer, allocatable :: nodes(:), points(:, :)
-      integer :: c, h, i, k
+      integer :: c, first(columns%freedoms), h, i, k
 
-      allocate (is_held(columns%freedoms))
-      is_held(:) = .false.
-      do h = 1, size(holds)
+      first(:) = 0
+      ! the first support writes last
+      do h = size(holds), 1, -1
          points = points_of(layers, holds(h)%face, holds(h)%height)
          nodes = numbering%only(holds(h)%nodes)
          do c = 1, 3
             if (.not. holds(h)%direction(c)) cycle
             do k = 1, size(points, 2)
-               is_held(columns%freedom(points(1, k), points(2, k), c, nodes)) = .true.
+               first(columns%freedom(points(1, k), points(2, k), c, nodes)) = h
             end do
          end do
       end do
-      held = pack([(i, i=1, size(is_held))], is_held)
-   end function held_freedoms
+      held = pack([(i, i=1, size(first))], first > 0)
+      holder = first(held)
+   end subroutine find_held
 
    !> A prescribed motion on its points
    pure function new_prescribed(motion, numbering, layers, columns) result(self)

@@ -31,6 +31,10 @@ contains
       keywords(1) = database("DATABASE_GLSTAT", standard, "energies", "BINARY LCUR IOOPT")
       keywords(2) = database("DATABASE_NODOUT", standard, "node histories", "BINARY LCUR IOOPT")
       keywords(3) = database("DATABASE_SPCFORC", standard, "support forces", "BINARY LCUR IOOPT")
+      keywords(3)%remark = "`JOB.supports.csv` has the force of all supports and prescribed " &
+         & //"motions together, and that of each by its keyword and node set, as in `spc 3 fx` " &
+         & //"or `motion 2 fx`: also what LS-DYNA writes to BNDOUT. Where several supports hold " &
+         & //"a point in one direction, the first in the deck has its force."
       keywords(4) = database("DATABASE_BINARY_D3PLOT", standard, "field states", &
          & "LCDT BEAM NPLTC PSETID")
       keywords(5) = database("DATABASE_IMPACTOR", ours, "impactor histories", "")

@@ -35,6 +35,7 @@ contains
 
       do nth = 1, cards%sets()
          call read_hold(cards, nth, catalogue, hold)
+         hold%name = "spc "//text(cards%integer("NSID", nth))
          do i = 1, size(rotation_names)
             if (cards%integer(rotation_names(i), nth) == 0 .or. all(hold%direction)) cycle
             call catalogue%refuse(cards, rotation_names(i), &
@@ -65,6 +66,7 @@ contains
                & "0; a height is for FACE 0 only", nth)
          end if
          call find_plane(cards, nth, catalogue, parts, hold)
+         hold%name = "face "//text(cards%integer("NSID", nth))//face_words(hold%face, hold%height)
          holds = [holds, hold]
       end do
    end subroutine read_boundary_face
@@ -110,6 +112,7 @@ contains
 
       do nth = 1, cards%sets()
          call read_motion(cards, nth, catalogue, motion)
+         motion%name = "motion "//text(cards%integer("NSID", nth))
          call catalogue%find(a_curve, cards, "LCID", motion%curve, nth)
          motion%birth = cards%real("BIRTH", nth)
          if (cards%real("DEATH", nth) > 0.0_wp) motion%death = cards%real("DEATH", nth)
@@ -138,6 +141,8 @@ contains
          call read_motion(cards, nth, catalogue, motion)
          call find_curve(cards, nth, catalogue, curves, motion%curve)
          motion%face = cards%integer("FACE", nth)
+         motion%name = "face motion "//text(cards%integer("NSID", nth)) &
+            & //face_words(motion%face, 0.0_wp)
          call check_free(cards, nth, catalogue, holds, motions, motion)
          motions = [motions, motion]
       end do
@@ -179,6 +184,22 @@ contains
       end do
       velocities = [velocities, new]
    end subroutine read_initial_velocity_node
+
+   !> What tells the faces of a set apart in a name
+   function face_words(face, height) result(words)
+      !> Which thickness points
+      integer, intent(in) :: face
+      !> Height of a plane
+      real(wp), intent(in) :: height
+      character(:), allocatable :: words
+
+      select case (face)
+      case (bottom_face); words = " bottom"
+      case (top_face); words = " top"
+      case (one_plane); words = " z "//number_words(height)
+      case default; words = ""
+      end select
+   end function face_words
 
    !> Nodes and directions of a support
    subroutine read_hold(cards, nth, catalogue, hold)

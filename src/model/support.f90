@@ -11,6 +11,9 @@ module plydyn_model_support
    integer, parameter, public :: prescribes_velocity = 0, prescribes_acceleration = 1, &
       & prescribes_displacement = 2
 
+   !> Most characters of the name of a support or motion
+   integer, parameter, public :: name_length = 60
+
    !> Points that do not move in some directions
    type, public :: hold_type
       !> Nodes, indices into `mesh%node_id`
@@ -21,6 +24,8 @@ module plydyn_model_support
       integer :: face = all_planes
       !> Height of the plane above the nodes, length; for `one_plane`
       real(wp) :: height = 0.0_wp
+      !> Name among the forces of supports, from the keyword, its set and its face
+      character(name_length) :: name = ""
    end type hold_type
 
    !> Points that move as told
@@ -39,6 +44,8 @@ module plydyn_model_support
       real(wp) :: birth = 0.0_wp, death = huge(1.0_wp)
       !> Which thickness points
       integer :: face = all_planes
+      !> As in `hold_type`
+      character(name_length) :: name = ""
    end type motion_type
 
    !> Velocity at time zero

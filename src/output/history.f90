@@ -13,7 +13,7 @@ module plydyn_output_history
    implicit none
    private
 
-   public :: number_text
+   public :: heads_of, number_text
 
    !> Longest text of a number
    integer, parameter :: number_length = 18
@@ -134,17 +134,13 @@ contains
 
       character(:), allocatable :: heads
       type(place_type) :: place
-      integer :: i
 
       self%path = trim(path)
       if (size(names) /= size(units) .or. size(names) == 0) then
          call fail(error, exit_output, self%path//": each column must have a name and a unit")
          return
       end if
-      heads = head(names(1), units(1))
-      do i = 2, size(names)
-         heads = heads//","//head(names(i), units(i))
-      end do
+      heads = heads_of(names, units)
       self%schedule = schedule_type(interval)
       place = places%at(self%path)
       if (place%amount < 0) then
@@ -162,6 +158,20 @@ contains
       self%opened = .true.
       call self%flush(error)
    end subroutine open_history
+
+   !> The line of heads
+   pure function heads_of(names, units) result(heads)
+      !> As for `open`
+      character(*), intent(in) :: names(:), units(:)
+      character(:), allocatable :: heads
+
+      integer :: i
+
+      heads = head(names(1), units(1))
+      do i = 2, size(names)
+         heads = heads//","//head(names(i), units(i))
+      end do
+   end function heads_of
 
    !> True between `open` and `close`
    pure logical function is_open(self)

@@ -10,7 +10,8 @@ module plydyn_output_text_file
    implicit none
    private
 
-   public :: append_to, close_text, continue_text, create_text, secure_text, try_text
+   public :: append_to, close_text, continue_text, create_text, end_text, has_head, secure_text, &
+      & try_text
 
 contains
 
@@ -62,10 +63,23 @@ contains
       !> Why there is no going on
       type(error_type), allocatable, intent(out) :: error
 
-      ! one character more than the head shows whether the line is longer
-      character(len(head) + 1) :: found
+      call end_text(path, length, error, head)
+      if (.not. allocated(error)) call append_to(path, unit, error)
+   end subroutine continue_text
+
+   !> Drop what stands behind some byte of a text file
+   subroutine end_text(path, length, error, head)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Bytes that stay
+      integer(int64), intent(in) :: length
+      !> Why they do not
+      type(error_type), allocatable, intent(out) :: error
+      !> What its first line must be
+      character(*), intent(in), optional :: head
+
       integer(int64) :: kept
-      integer :: status
+      integer :: status, unit
       logical :: good
 
       open (newunit=unit, file=path, status="old", action="readwrite", access="stream", &
@@ -75,18 +89,35 @@ contains
             & //"writable, as the run left it")
          return
       end if
-      read (unit, "(a)", iostat=status) found
       inquire (unit=unit, size=kept)
       close (unit)
-      good = status == 0 .and. found == head .and. kept >= length
+      good = .true.
+      if (present(head)) good = has_head(path, head)
+      good = good .and. kept >= length
       if (good) call cut_file(path, length, good)
-      if (.not. good) then
-         call fail(error, exit_output, "cannot go on with "//path//": it must have the columns " &
-            & //"and all lines that it had when the restart file was written")
-         return
-      end if
-      call append_to(path, unit, error)
-   end subroutine continue_text
+      if (.not. good) call fail(error, exit_output, "cannot go on with "//path//": it must have " &
+         & //"the columns and all lines that it had when the restart file was written")
+   end subroutine end_text
+
+   !> Whether a text file is there and begins with some line
+   logical function has_head(path, head)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The line
+      character(*), intent(in) :: head
+
+      ! one character more than the head shows whether the line is longer
+      character(len(head) + 1) :: found
+      integer :: status, unit
+
+      has_head = .false.
+      open (newunit=unit, file=path, status="old", action="read", access="stream", &
+         & form="formatted", iostat=status)
+      if (status /= 0) return
+      read (unit, "(a)", iostat=status) found
+      close (unit)
+      has_head = status == 0 .and. found == head
+   end function has_head
 
    !> Open a text file at its end
    subroutine append_to(path, unit, error)

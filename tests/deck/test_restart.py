@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -185,6 +186,39 @@ def test_deck_changes_supports_and_loads(tmp_path: Path) -> None:
     assert np.ptp(height) <= DIGITS * abs(height[0])
     assert np.abs(energy["error"]).max() < 100.0 * DIGITS
     assert np.array_equal(before, column(tmp_path, "energy", "total"))
+
+
+def test_other_supports_have_a_table_of_their_own(tmp_path: Path) -> None:
+    """The old one ends at the restart; a later restart finds both, and goes on to the same bits."""
+    deck = impact(1)
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    before = tmp_path.joinpath("job.supports.csv").read_text()
+    small = tmp_path / "small.k"
+    small.write_text("*KEYWORD\n*SET_NODE_LIST\n50\n1,2,3\n*BOUNDARY_SPC_SET\n50,0,1,1,1\n*END\n")
+    code, text = said("restart", tmp_path / "job.dump02", small)
+    assert code == NORMAL, text
+    assert f"other supports act from here on: their forces are in {tmp_path}/job.supports_2" in text
+    broken_off = float(re.search(r"goes on from .*, time (\S+)", text)[1])
+    ended = tmp_path.joinpath("job.supports.csv").read_text()
+    assert before.startswith(ended)
+    assert column(tmp_path, "supports", "time")[-1] <= broken_off
+    second = Results(tmp_path, "job").table("supports_2")
+    assert second["time"][0] > broken_off
+    assert second.names[4:] == [f"spc 50 f{axis}" for axis in "xyz"]
+    tables = {path.name: path.read_bytes() for path in tmp_path.glob("job.*.csv")}
+    for words in ([], [same(tmp_path)]):
+        code, text = said("restart", tmp_path / "job.dump03", *words)
+        assert code == NORMAL, text
+        assert tables == {path.name: path.read_bytes() for path in tmp_path.glob("job.*.csv")}
+
+
+def same(folder: Path) -> Path:
+    """A deck of a restart that brings the supports that act already."""
+    path = folder / "same.k"
+    path.write_text("*KEYWORD\n*BOUNDARY_SPC_SET\n50,0,1,1,1\n*END\n")
+    return path
 
 
 def test_restart_refuses(tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ program test_input_read_support
    call check(.not. allocated(error), "is read")
    call check(all(model%holds(1)%direction), "all directions")
    call check(model%holds(1)%face, all_planes, "all planes")
+   call check(model%holds(1)%name == "spc 1", "its force has a name")
    call read_plate(edge//"*BOUNDARY_SPC_SET|1,0,1,0,0,0,1,0|")
    call check_error(error, "DOFRY: the points of the plate have no rotations", "a rotation alone")
 
@@ -29,6 +30,7 @@ program test_input_read_support
    call check(.not. allocated(error), "is read")
    call check(all(model%holds%face == [bottom_face, one_plane]), "faces")
    call check(model%holds(2)%height, 0.25_wp, 0.0_wp, "height")
+   call check(all(model%holds%name == [character(13) :: "face 1 bottom", "face 1 z 0.25"]), "names")
    call check(all(model%holds(1)%direction .eqv. [.false., .false., .true.]), "directions")
 
    call read_plate(edge//"*BOUNDARY_FACE|1,0,-0.5,0,0,1|1,0,0.5,1,0,0|")
@@ -46,6 +48,7 @@ program test_input_read_support
    call check(model%motions(1)%birth, 0.1_wp, 0.0_wp, "begin")
    call check(model%motions(1)%death, 0.5_wp, 0.0_wp, "end")
    call check(model%motions(2)%death > 1.0e300_wp, "or no end")
+   call check(all(model%motions%name == "motion 1"), "one name for one set")
    call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,1.0,0,0.1,0.5|")
    call check_error(error, "the motion ends before it begins", "an end before the begin")
 
@@ -53,6 +56,7 @@ program test_input_read_support
    call read_plate(edge//"*BOUNDARY_FACE_MOTION|1,1,3,0,0,5.0|")
    call check(.not. allocated(error), "is read")
    call check(model%motions(1)%face, top_face, "face")
+   call check(model%motions(1)%name == "face motion 1 top", "name")
    call check(model%curves(model%motions(1)%curve)%at(7.0_wp), 1.0_wp, 0.0_wp, "curve 0 is 1")
 
    call begin("read_initial_velocity")

@@ -13,7 +13,7 @@ from plydyn_post.table import Table, read_table
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
     r"\.((interfaces\.)?vtkhdf|out"
-    r"|(energy|nodes|supports|delamination|impactor_\d+|profile_\d+)\.csv)$",
+    r"|(energy|nodes|supports(_\d+)?|delamination|impactor_\d+|profile_\d+)\.csv)$",
     re.IGNORECASE,
 )
 
@@ -69,9 +69,9 @@ class Results:
         """Histories of nodes."""
         return self._table("nodes")
 
-    def supports(self) -> Table:
-        """Force of the supports."""
-        return self._table("supports")
+    def supports(self, number: int = 1) -> Table:
+        """Forces of the supports; number 2 and up after restarts that brought other supports."""
+        return self._table("supports" if number == 1 else f"supports_{number}")
 
     def notes(self) -> list[str]:
         """What was left out when the tables were read, and which cannot be read."""

@@ -28,7 +28,7 @@ HEADS = {
         "penetration [mm]",
     ],
     "nodes": ["time [ms]"] + [f"n3 {face} {name}" for face in ("bottom", "top") for name in MOTION],
-    "supports": ["time [ms]", "fx [kN]", "fy [kN]", "fz [kN]"],
+    "supports": ["time [ms]"] + [f"{of}f{axis} [kN]" for of in ("", "spc 1 ") for axis in "xyz"],
     "profile_2": ["time [ms]", "z [mm]", "ply [-]", "ux [mm]", "uy [mm]", "uz [mm]"]
     + [f"s{name} [GPa]" for name in NORMAL + SHEAR]
     + [f"e{name} [-]" for name in NORMAL]
@@ -46,5 +46,5 @@ def check(results: Results) -> None:
         page = manual.split(f"### JOB.{name.split('_')[0]}")[1].split("\n### ")[0]
         for head in heads:
             for word in head.split(" [")[0].split():
-                node = re.fullmatch(r"n\d+", word)
-                assert node or re.search(rf"\b{word}\b", page), f"the manual lacks {head}"
+                number = re.fullmatch(r"n?\d+", word)
+                assert number or re.search(rf"\b{word}\b", page), f"the manual lacks {head}"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from runs import DIGITS, Results
+from runs import DIGITS, Results, Table
 
 STRAIN = 0.002 / 20.0
 WIDTH, THICKNESS = 5.0, 0.5
@@ -25,3 +25,15 @@ def check(results: Results) -> None:
     for name in ("eyy", "ezz"):
         assert profile[name] == pytest.approx(-POISSON * STRAIN * rows, rel=DIGITS)
     assert sorted(set(profile["ply"])) == [1.0, 2.0]
+    check_forces(results.table("supports"), stress * WIDTH * THICKNESS)
+
+
+def check_forces(supports: Table, pull: float) -> None:
+    """Both ends carry the pull, against each other; nothing else does."""
+    assert supports["motion 2 fx"][-1] == pytest.approx(pull, rel=DIGITS)
+    assert supports["spc 1 fx"][-1] == pytest.approx(-pull, rel=DIGITS)
+    others = [f"f{axis}" for axis in "xyz"] + ["spc 3 fy", "face 4 bottom fz"]
+    assert max(abs(supports[name][-1]) for name in others) < DIGITS * pull
+    # nothing is held or moved in these directions
+    free = ["spc 1 fy", "spc 1 fz", "spc 3 fx", "face 4 bottom fx", "motion 2 fy", "motion 2 fz"]
+    assert all(not supports[name].any() for name in free)
