@@ -10,6 +10,8 @@ module plydyn_deck_file
    character(*), parameter :: blanks = " "//achar(9)
    !> Mark of UTF-8 that some editors put before the first line
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+   !> Characters that are read from a pipe at once
+   integer, parameter :: piece_length = 4096
 
    !> One file
    type, public :: file_type
@@ -47,21 +49,63 @@ contains
       found = .false.
       inquire (file=path, size=length)
       if (length < 0) return
-      open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
-         & action="read", iostat=status)
-      if (status /= 0) return
-      allocate (character(length) :: content)
-      read (unit, iostat=status) content
-      close (unit)
-      if (length == 0) content = line_feed
+      if (length == 0) then
+         call read_pipe(path, content, status)
+         if (status /= 0) return
+      else
+         open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
+            & action="read", iostat=status)
+         if (status /= 0) return
+         allocate (character(length) :: content)
+         read (unit, iostat=status) content
+         close (unit)
+      end if
+      if (len(content) == 0) content = line_feed
       if (content(len(content):) /= line_feed) content = content//line_feed
-      if (length >= len(byte_order_mark)) then
+      if (len(content) >= len(byte_order_mark)) then
          if (content(:len(byte_order_mark)) == byte_order_mark) then
             content = content(len(byte_order_mark) + 1:)
          end if
       end if
       found = status == 0
    end subroutine read_content
+
+   !> Everything that comes through a pipe, or nothing where a file is empty: neither has a size
+   subroutine read_pipe(path, content, status)
+      !> Path of the pipe or file
+      character(*), intent(in) :: path
+      !> What came
+      character(:), allocatable, intent(out) :: content
+      !> 0 when all of it is there
+      integer, intent(out) :: status
+
+      character(:), allocatable :: longer
+      character(piece_length) :: piece
+      integer :: length, part, unit
+
+      open (newunit=unit, file=path, access="stream", form="formatted", status="old", &
+         & action="read", iostat=status)
+      if (status /= 0) return
+      allocate (character(piece_length) :: content)
+      length = 0
+      do
+         read (unit, "(a)", advance="no", size=part, iostat=status) piece
+         if (status > 0 .or. is_iostat_end(status)) exit
+         if (length + part >= len(content)) then
+            allocate (character(2*len(content)) :: longer)
+            longer(:length) = content(:length)
+            call move_alloc(longer, content)
+         end if
+         content(length + 1:length + part) = piece(:part)
+         length = length + part
+         if (.not. is_iostat_eor(status)) cycle
+         length = length + 1
+         content(length:length) = line_feed
+      end do
+      close (unit)
+      if (is_iostat_end(status)) status = 0
+      content = content(:length)
+   end subroutine read_pipe
 
    !> Move a file without copying its content
    subroutine move_file(from, to)

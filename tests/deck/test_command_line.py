@@ -65,3 +65,20 @@ def test_words_of_other_codes(tmp_path: Path) -> None:
     assert code == NORMAL, text
     assert (tmp_path / "other.vtkhdf").exists()
     assert f"normal end, results in {tmp_path / 'other'}.*" in text
+
+
+def test_deck_comes_through_a_pipe(tmp_path: Path) -> None:
+    """It is read as from its file, a long line and one without an end too."""
+    text = DECK.read_text().replace("*NODE\n", f"$ {'-' * 10000}\n*NODE\n").rstrip()
+    tables = []
+    for words, sent in [([DECK], ""), (["/dev/stdin"], text), (["/dev/stdin"], text + "\n\n")]:
+        command = [SOLVER, "run", *words, "-j", "job", "-o", tmp_path]
+        done = subprocess.run(command, input=sent, capture_output=True, text=True, check=False)
+        assert done.returncode == NORMAL, done.stderr
+        tables.append((tmp_path / "job.energy.csv").read_bytes())
+    assert tables[1:] == tables[:1] * 2
+    done = subprocess.run(
+        [SOLVER, "check", "/dev/stdin"], input="", capture_output=True, text=True, check=False
+    )
+    assert done.returncode == INPUT
+    assert "/dev/stdin:1: the deck does not end with *END" in done.stderr
