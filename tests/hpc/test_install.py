@@ -59,6 +59,17 @@ def test_module_file_leads_to_the_tree(tree: Path) -> None:
         assert (tree / "share" / path).is_file()
 
 
+def test_pages_lead_to_pages_of_the_tree(tree: Path) -> None:
+    """No link of an installed page leaves the tree."""
+    root = tree / "share" / "doc" / "plydyn"
+    pages = list(root.rglob("*.md"))
+    assert root / "manual" / "theory.md" in pages
+    for page in pages:
+        links = re.findall(r"\]\(([^)#]+)(?:#[^)]*)?\)", page.read_text())
+        here = [link for link in links if not link.startswith("http")]
+        assert [link for link in here if not (page.parent / link).is_file()] == [], page
+
+
 def fake_slurm(folder: Path) -> Path:
     """Commands of SLURM: srun sends the signal of the limit, scontrol notes what it is told.
 
