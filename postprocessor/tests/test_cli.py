@@ -1,5 +1,7 @@
 """The commands write what they say, and tell what is wrong in one line."""
 
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -99,3 +101,11 @@ def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told
     assert result.exit_code == 2
     assert told in result.stderr
     assert result.stderr.count("\n") == 1
+
+
+def test_the_package_runs_as_a_module() -> None:
+    command = [sys.executable, "-m", "plydyn_post", "--help"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "python -m plydyn_post" in done.stdout
+    assert "cscan" in done.stdout

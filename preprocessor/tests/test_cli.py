@@ -11,7 +11,7 @@ import plydyn_pre as pre
 
 def run(folder: Path, *words: object) -> subprocess.CompletedProcess[str]:
     """Run the command in a folder."""
-    command = [sys.executable, "-m", "plydyn_pre.cli", *map(str, words)]
+    command = [sys.executable, "-m", "plydyn_pre", *map(str, words)]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 

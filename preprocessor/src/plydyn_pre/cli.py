@@ -198,7 +198,3 @@ def _ply_table(plies: tuple[Ply, ...], thickness: float | None) -> Table:
             heights = (f"{(number - 1) * thickness:.6g}", f"{number * thickness:.6g}")
         table.add_row(str(number), f"{ply.angle:g}", Text(ply.material or "-"), *heights)
     return table
-
-
-if __name__ == "__main__":
-    main()
