@@ -5,8 +5,9 @@
 !> The gaps are linearised at the trial positions, once per step. There is no friction.
 !>
 !> Two discretisations. Contact nodes on the impactor against the facets of the plate, as in the
-!> paper; or the points of the plate against the exact sphere. In both the plate is nothing but
-!> surface points with inverse masses: contact knows no layers.
+!> paper, and its border where the impactor hangs over it; or the points of the plate against the
+!> exact sphere. In both the plate is nothing but surface points with inverse masses: contact knows
+!> no layers.
 module plydyn_contact_contact
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
@@ -17,6 +18,7 @@ module plydyn_contact_contact
    use plydyn_contact_ground, only : ground_type, new_ground
    use plydyn_contact_near, only : near_type, new_near
    use plydyn_contact_nodes, only : new_nodes, node_set_type, point_distance
+   use plydyn_contact_rim, only : collect_rim, rim_gap
    use plydyn_contact_separate, only : is_separate, solve_separate
    use plydyn_contact_sphere, only : sphere_gap
    use plydyn_contact_surface, only : new_surface, surface_type
@@ -140,7 +142,9 @@ contains
             initial_gap = min(initial_gap, gap)
          end do
       else
-         initial_gap = self%nodes%least_gap(self%surface, position, centre)
+         initial_gap = min(self%nodes%least_gap(self%surface, position, centre), &
+            & rim_gap(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, centre, &
+            & self%setup%radius, 0.0_wp))
       end if
    end function initial_gap
 
@@ -198,9 +202,11 @@ contains
       !> Force and more
       type(contact_result_type), intent(out) :: result
 
+      integer :: of_nodes
       logical :: rebuilt
 
       centre_correction(:) = 0.0_wp
+      of_nodes = 0
       self%rows%count = 0
       call self%near%update(self%surface, position, centre, rebuilt)
       call self%correction%clear()
@@ -209,9 +215,7 @@ contains
          call collect_points(self, position, centre)
       else
          if (rebuilt) call self%nodes%forget()
-         self%ground%is_all = self%ground%is_all .or. rebuilt
-         call self%nodes%collect(self%near%patch, self%near, position, centre, self%rows)
-         call self%ground%follow(self%surface, self%near%travel, self%nodes, self%rows)
+         call collect_nodes(self, position, centre, rebuilt, of_nodes)
       end if
       if (self%rows%count == 0) return
 
@@ -224,11 +228,40 @@ contains
             & self%correction%move, centre_correction)
       end if
       call self%near%shift(self%correction%farthest())
-      if (.not. self%setup%exact_sphere) then
-         self%nodes%push(self%rows%source(:self%rows%count)) = self%rows%push(:self%rows%count)
+      if (of_nodes > 0) then
+         self%nodes%push(self%rows%source(:of_nodes)) = self%rows%push(:of_nodes)
       end if
       call report(self%rows, dt, self%correction%move, centre_correction, result)
    end subroutine enforce
+
+   !> Make rows of contact nodes, then of the border; it presses where the whole plate may be
+   !> pushed, which it sees to as soon as the impactor comes near it
+   pure subroutine collect_nodes(self, position, centre, rebuilt, of_nodes)
+      !> The pair
+      class(contact_pair_type), intent(inout) :: self
+      !> Trial positions of the surface points, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Trial centre of the impactor, length
+      real(wp), intent(in) :: centre(3)
+      !> Whether the facets near the impactor have been listed anew
+      logical, intent(in) :: rebuilt
+      !> Rows of contact nodes: the first ones
+      integer, intent(out) :: of_nodes
+
+      logical :: pushes_all
+
+      pushes_all = self%ground%is_all .or. rebuilt
+      self%ground%is_all = pushes_all
+      call self%nodes%collect(self%near%patch, self%near, position, centre, self%rows)
+      call self%ground%follow(self%surface, self%near%travel, self%nodes, self%rows)
+      of_nodes = self%rows%count
+      if (pushes_all) then
+         call collect_rim(self%surface, self%near%facet, position, centre, self%setup%radius, &
+            & self%rows)
+      end if
+      if (rim_gap(self%surface, self%near%facet, position, centre, self%setup%radius, &
+         & self%near%reach) < self%near%reach) self%ground%is_all = .true.
+   end subroutine collect_nodes
 
    !> Make a row of every point of the plate inside the sphere
    pure subroutine collect_points(self, position, centre)

@@ -281,7 +281,7 @@ contains
          call note(self, near%travel, node(i), foot(i))
          if (foot(i)%beside .or. foot(i)%gap >= 0.0_wp) cycle
          if (.not. is_faced(self, foot(i), node(i))) cycle
-         call add_row(self, surface, position, centre, foot(i), node(i), rows)
+         call add_row(self, surface, foot(i), node(i), rows)
       end do
    end subroutine look
 
@@ -341,15 +341,12 @@ contains
    !>
    !> Where facets meet they fold, and the closest point has no normal, or more than one: there
    !> the point on the fold is taken with the normal of the sphere, which keeps what is symmetric.
-   pure subroutine add_row(self, surface, position, centre, foot, node, rows)
+   !> The gap is that to the closest point itself: beside the fold it must not jump.
+   pure subroutine add_row(self, surface, foot, node, rows)
       !> The nodes
       type(node_set_type), intent(in) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
-      !> Trial positions of the surface points, length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial centre of the impactor, length
-      real(wp), intent(in) :: centre(3)
       !> Foot of the node
       type(foot_type), intent(in) :: foot
       !> Its number
@@ -357,9 +354,9 @@ contains
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      real(wp) :: on_fold(3), slope(2, surface%nodes), place(2)
+      real(wp) :: slope(2, surface%nodes), place(2)
       logical :: folded(2)
-      integer :: i, row
+      integer :: row
 
       folded(:) = abs(foot%place) > 1.0_wp - fold_width
       place(:) = merge(sign(1.0_wp, foot%place), foot%place, folded)
@@ -371,11 +368,7 @@ contains
       call shape_functions(surface%nodes, place(1), place(2), rows%weight(:, row), slope)
       if (any(folded)) then
          rows%normal(:, row) = -self%position(:, node)/norm2(self%position(:, node))
-         on_fold(:) = 0.0_wp
-         do i = 1, surface%nodes
-            on_fold(:) = on_fold + rows%weight(i, row)*position(:, rows%point(i, row))
-         end do
-         rows%gap(row) = dot_product(rows%normal(:, row), centre + self%position(:, node) - on_fold)
+         rows%gap(row) = dot_product(rows%normal(:, row), foot%gap_vector)
       end if
    end subroutine add_row
 

@@ -19,6 +19,7 @@ program test_contact_nodes
    call check_travel()
    call check_patch()
    call check_folded()
+   call check_fold()
    call finish()
 
 contains
@@ -161,5 +162,27 @@ contains
       call nodes%collect(surface, near, position, centre, rows)
       call check(rows%count, 0, "a plate turned over is not")
    end subroutine check_folded
+
+   !> Close to a fold the normal is that of the sphere, and the gap still ends at the closest point
+   subroutine check_fold()
+      real(wp), parameter :: slope = 0.01_wp, beside = 1.0e-5_wp, depth = 1.0e-3_wp
+      real(wp), parameter :: along = sqrt(1.0_wp + slope**2)
+      type(constraints_type) :: rows
+      type(near_type) :: near
+      type(node_set_type) :: nodes
+      real(wp) :: centre(3), position(3, points)
+      logical :: rebuilt
+
+      call begin("collect, fold")
+      call set_ball(surface, flat, near, nodes, rows)
+      position(:, :) = flat
+      position(3, :) = slope*abs(flat(1, :))
+      centre(:) = [beside + depth*slope/along, 0.3_wp, slope*beside - depth/along + radius]
+      call near%update(surface, position, centre, rebuilt)
+      call nodes%collect(surface, near, position, centre, rows)
+      call check(rows%count, 1, "the pole is in the valley")
+      call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "normal of the sphere")
+      call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")
+   end subroutine check_fold
 
 end program test_contact_nodes

@@ -11,7 +11,7 @@ import pytest
 from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from elasticity import CARBON, STEEL
 from meshes import Mesh, regular
-from runs import DIGITS, run
+from runs import DIGITS, Results, run
 
 SIDE, THICKNESS, RADIUS = 10.0, 1.0, 5.0
 METHODS = pytest.mark.parametrize("method", [1, 2], ids=["nodes on sphere", "points of plate"])
@@ -153,3 +153,47 @@ def test_planes_of_symmetry_leave_the_force_as_it_is(
     assert part_time == pytest.approx(time, rel=1.0e-6)
     assert whole.max() > 0.0
     assert np.abs(part - whole).max() < 1.0e-6 * whole.max()
+
+
+def past_the_border(folder: Path, method: int, beyond: tuple[float, float]) -> Results:
+    """A free sphere that comes down past the corner (SIDE, SIDE) of a plate, or past a side."""
+    mesh = regular(SIDE, SIDE, 6, 6, 9)
+    deck = Deck("border", 6.0e-5)
+    deck.control(linear=True)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, THICKNESS)], 1)
+    deck.hold(mesh.where(x=0.0), "xyz")
+    low = np.hypot(*np.maximum(beyond, 0.0))
+    height = 0.5 * THICKNESS + np.sqrt(RADIUS**2 - low**2) + 1.0e-3
+    centre = (SIDE + beyond[0], SIDE + beyond[1], height)
+    deck.sphere(Sphere(RADIUS, 1.0e-6, centre, (0.0, 0.0, -5.0e3), method=method))
+    deck.intervals(impactor=0.0, glstat=0.0)
+    return run(deck, folder)
+
+
+def test_corner_holds_a_sphere_that_hangs_over_it(tmp_path: Path) -> None:
+    """Past a corner nothing but the corner touches, a point of the plate: both methods agree."""
+    nodes, points = (
+        past_the_border(tmp_path / f"{method}", method, (1.5, 1.0)).table("impactor_1")
+        for method in (1, 2)
+    )
+    assert points["force"].max() > 0.0
+    for name in ("force", "force x", "force y", "velocity"):
+        size = np.abs(points[name]).max()
+        assert np.abs(nodes[name] - points[name]).max() < 1.0e-6 * size
+
+
+@METHODS
+def test_edge_holds_a_sphere_that_hangs_over_it(method: int, tmp_path: Path) -> None:
+    """Past a side between two points one long push, outwards and up along the radius.
+
+    The edge is touched between points of the plate and passes between contact nodes; both methods
+    hold it. What turns the push from the radius at first touch is the bend of the plate.
+    """
+    results = past_the_border(tmp_path, method, (1.5, -0.46 * SIDE))
+    history = results.table("impactor_1")
+    assert len(spans(history["force"] > 0.0)) == 1
+    impulse = [np.sum(history[name]) for name in ("force x", "force")]
+    lean = 1.5 / np.sqrt(RADIUS**2 - 1.5**2)
+    assert impulse[0] / impulse[1] == pytest.approx(lean, rel=0.05)
+    assert np.abs(results.table("energy")["error"]).max() < 1.0e-3

@@ -1,0 +1,127 @@
+!> The border of a face holds a sphere that hangs over it, and no other.
+program test_contact_rim
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_constraint, only : constraints_type, new_constraints
+   use plydyn_contact_rim, only : collect_rim, rim_gap
+   use plydyn_contact_surface, only : new_surface, surface_type
+   use sample, only : flat_surface
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> A square of side two around the origin, of four facets with nine points each
+   integer, parameter :: squares = 2, points = (2*squares + 1)**2, facets(4) = [1, 2, 3, 4]
+
+   real(wp), parameter :: round_off = 1.0e-12_wp
+
+   real(wp) :: flat(3, points)
+   integer :: facet(9, squares**2)
+   type(surface_type) :: surface
+
+   call flat_surface(squares, flat, facet)
+   call new_surface(surface, facet, flat, 1)
+   call check_straight()
+   call check_inside()
+   call check_corner()
+   call check_curved()
+   call check_reach()
+   call finish()
+
+contains
+
+   !> The closest point of a straight side: distance, normal, and weights that give its place
+   subroutine check_straight()
+      real(wp), parameter :: arm(3) = [0.3_wp, 0.0_wp, 0.4_wp]
+      type(constraints_type) :: rows
+      real(wp) :: foot(3)
+      integer :: side
+
+      call begin("collect_rim, straight")
+      do side = 1, 4
+         foot(:) = turned([1.0_wp, 0.5_wp, 0.0_wp], side)
+         call new_constraints(rows, 9)
+         call collect_rim(surface, facets, flat, foot + turned(arm, side), 0.6_wp, rows)
+         call check(rows%count, 1, "one side holds the sphere")
+         call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
+         call check(rows%normal(:, 1), turned(arm, side)/0.5_wp, round_off, "towards the centre")
+         call check(matmul(flat(:, rows%point(:, 1)), rows%weight(:, 1)), foot, round_off, &
+            & "weights at the closest point")
+         call check(sum(rows%weight(:, 1)), 1.0_wp, round_off, "the force is whole")
+      end do
+   end subroutine check_straight
+
+   !> A sphere whose centre is over the face, or on the border, has nothing from it
+   subroutine check_inside()
+      type(constraints_type) :: rows
+
+      call begin("collect_rim, inside")
+      call new_constraints(rows, 9)
+      call collect_rim(surface, facets, flat, [0.9_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_rim(surface, facets, flat, [1.0_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
+      call check(rows%count, 0, "nodes alone")
+      call collect_rim(surface, facets, flat, [1.5_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
+      call check(rows%count, 0, "nothing where the edge is outside")
+   end subroutine check_inside
+
+   !> Over a corner both sides end in the same point
+   subroutine check_corner()
+      type(constraints_type) :: rows
+      integer :: row
+
+      call begin("collect_rim, corner")
+      call new_constraints(rows, 9)
+      call collect_rim(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], 0.8_wp, rows)
+      call check(rows%count, 2, "two sides")
+      do row = 1, 2
+         call check(rows%gap(row), -0.1_wp, round_off, "depth of the corner")
+         call check(rows%normal(:, row), [0.2_wp, 0.3_wp, 0.6_wp]/0.7_wp, round_off, "normal")
+      end do
+   end subroutine check_corner
+
+   !> On a side x = 1.2 - 0.8 (y - 0.5)^2 from y = 0 to 1: along its normal at y = 0.75
+   subroutine check_curved()
+      real(wp), parameter :: foot(3) = [1.15_wp, 0.75_wp, 0.0_wp]
+      real(wp), parameter :: out(3) = [1.0_wp, 0.4_wp, 0.0_wp]
+      type(constraints_type) :: rows
+      real(wp) :: position(3, points), centre(3)
+      integer :: i
+
+      call begin("collect_rim, curved")
+      position(:, :) = flat
+      i = minloc(abs(flat(1, :) - 1.0_wp) + abs(flat(2, :) - 0.5_wp), dim=1)
+      position(1, i) = 1.2_wp
+      centre(:) = foot + 0.3_wp*out/norm2(out) + [0.0_wp, 0.0_wp, 0.4_wp]
+      call new_constraints(rows, 9)
+      call collect_rim(surface, facets, position, centre, 0.6_wp, rows)
+      call check(rows%count, 1, "one side holds the sphere")
+      call check(rows%gap(1), -0.1_wp, round_off, "depth")
+      call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), foot, 1.0e-9_wp, "foot")
+   end subroutine check_curved
+
+   !> The gap is that of sides which the sphere hangs over, or soon may
+   subroutine check_reach()
+      call begin("rim_gap")
+      call check(rim_gap(surface, facets, flat, [1.3_wp, 0.3_wp, 0.4_wp], 0.4_wp, 0.2_wp), &
+         & 0.1_wp, round_off, "gap to the edge")
+      call check(rim_gap(surface, facets, flat, [0.9_wp, 0.3_wp, 0.4_wp], 0.6_wp, 0.2_wp) < 0.0_wp, &
+         & "the centre is a little short of it")
+      call check(rim_gap(surface, facets, flat, [0.7_wp, 0.3_wp, 0.4_wp], 0.6_wp, 0.2_wp) > 1.0_wp, &
+         & "the centre is over the face")
+      call check(rim_gap(surface, facets, flat, [1.3_wp, 0.3_wp, 0.4_wp], 0.2_wp, 0.2_wp) > 1.0_wp, &
+         & "the edge is out of reach")
+   end subroutine check_reach
+
+   !> A vector turned by quarter turns about z: that of side 2 to another side
+   pure function turned(vector, side) result(other)
+      real(wp), intent(in) :: vector(3)
+      integer, intent(in) :: side
+      real(wp) :: other(3)
+
+      integer :: k
+
+      other(:) = vector
+      do k = 1, modulo(side - 2, 4)
+         other(:) = [-other(2), other(1), other(3)]
+      end do
+   end function turned
+
+end program test_contact_rim
