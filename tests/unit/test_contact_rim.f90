@@ -99,14 +99,16 @@ contains
 
    !> The gap is that of sides which the sphere hangs over, or soon may
    subroutine check_reach()
+      real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, reach = 0.2_wp
+
       call begin("rim_gap")
-      call check(rim_gap(surface, facets, flat, [1.3_wp, 0.3_wp, 0.4_wp], 0.4_wp, 0.2_wp), &
-         & 0.1_wp, round_off, "gap to the edge")
-      call check(rim_gap(surface, facets, flat, [0.9_wp, 0.3_wp, 0.4_wp], 0.6_wp, 0.2_wp) < 0.0_wp, &
+      call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.4_wp, reach), 0.1_wp, &
+         & round_off, "gap to the edge")
+      call check(rim_gap(surface, facets, flat, [0.9_wp, y, height], 0.6_wp, reach) < 0.0_wp, &
          & "the centre is a little short of it")
-      call check(rim_gap(surface, facets, flat, [0.7_wp, 0.3_wp, 0.4_wp], 0.6_wp, 0.2_wp) > 1.0_wp, &
+      call check(rim_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, reach) > 1.0_wp, &
          & "the centre is over the face")
-      call check(rim_gap(surface, facets, flat, [1.3_wp, 0.3_wp, 0.4_wp], 0.2_wp, 0.2_wp) > 1.0_wp, &
+      call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.2_wp, reach) > 1.0_wp, &
          & "the edge is out of reach")
    end subroutine check_reach
 
