@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from broken import impact, unlike
+from ranks import LAUNCHER, PATIENT
 from runs import ROOT, SOLVER, run_deck
 
 RECIPES = ROOT / "decks" / "hpc"
@@ -99,7 +100,7 @@ wait $run""",
 @pytest.mark.parametrize("script", ["job.slurm", "array.slurm"])
 def test_job_comes_back_until_it_is_done(script: str, tree: Path, tmp_path: Path) -> None:
     """A run that needs several time limits ends as one that has all the time."""
-    text = impact(1, end=END).text().replace("-8000.0", "-&velocity")
+    text = impact(1, "cohesive", END).text().replace("-8000.0", "-&velocity")
     text = text.replace("*KEYWORD\n", "*KEYWORD\n*PARAMETER\nR velocity,8000.0\n", 1)
     deck = tmp_path / "plate.k"
     deck.write_text(text)
@@ -132,28 +133,49 @@ def test_job_comes_back_until_it_is_done(script: str, tree: Path, tmp_path: Path
     assert unlike(whole, tmp_path / "results" / job) == []
 
 
+def begin(command: list[str | Path], found: dict[str, str], listing: Path) -> subprocess.Popen:
+    """Start a run, and wait until its loop has made some steps."""
+    size = listing.stat().st_size if listing.exists() else 0
+    run = subprocess.Popen(command, env=found, stdout=subprocess.DEVNULL)
+    while not listing.exists() or listing.stat().st_size <= size:
+        assert run.poll() is None
+        time.sleep(0.02)
+    time.sleep(0.2)
+    return run
+
+
 def test_who_stops_a_job_keeps_it_out_of_the_queue(tree: Path, tmp_path: Path) -> None:
     """Who stops a job by JOB.ctl or by scancel (SIGTERM) wants it to stay stopped."""
     deck = impact(1, end=1.0e-3).write(tmp_path / "plate.k")
     slurm = fake_slurm(tmp_path / "slurm")
     found = environment(tree, LIMIT="60000", NOTES=str(tmp_path / "notes"), SLURM_JOB_ID="7")
     found["PATH"] = f"{slurm}:{found['PATH']}"
+    listing = tmp_path / "results" / "plate.out"
     for by_signal in (False, True):
-        command = ["plydyn-batch", deck, "plate", tmp_path / "results"]
-        run = subprocess.Popen(command, env=found, stdout=subprocess.DEVNULL)
-        listing = tmp_path / "results" / "plate.out"
-        size = listing.stat().st_size if listing.exists() else 0
-        while not listing.exists() or listing.stat().st_size <= size:
-            assert run.poll() is None
-            time.sleep(0.02)
-        time.sleep(0.2)
+        run = begin(["plydyn-batch", deck, "plate", listing.parent], found, listing)
         if by_signal:
             run.terminate()
         else:
             (tmp_path / "results" / "plate.ctl").write_text("stop\n")
         assert run.wait() == STOPPED
     assert not (tmp_path / "notes").exists()
-    assert "stopped by SIGTERM" in (tmp_path / "results" / "plate.out").read_text()
+    assert "stopped by SIGTERM" in listing.read_text()
+
+
+def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) -> None:
+    """Whatever mpirun makes of a signal, the exit code says that there is a restart file."""
+    deck = impact(1, "cohesive", END).write(tmp_path / "plate.k")
+    listing = tmp_path / "results" / "plate.out"
+    found = environment(tree, PLYDYN_LAUNCHER=" ".join([*LAUNCHER, "2"]), **PATIENT)
+    command = ["plydyn-batch", deck, "plate", listing.parent]
+    run = begin(command, found, listing)
+    run.terminate()
+    assert run.wait() == STOPPED
+    assert subprocess.run(command, env=found, stdout=subprocess.DEVNULL).returncode == 0
+    whole = tmp_path / "whole"
+    whole.mkdir()
+    run_deck(deck, whole, "plate")
+    assert unlike(whole, listing.parent) == []
 
 
 def test_recipes_can_be_read() -> None:
