@@ -1,0 +1,53 @@
+"""The listing tells where large displacement leaves waves through the plies little room."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from broken import said
+from decks import Deck, Ply
+from elasticity import CARBON
+from meshes import regular
+
+EXPLICIT, INTERFACES, THICKNESS = 0, 1, 2
+THIN, THICK = 0.25, 25.0
+
+
+@pytest.mark.parametrize(
+    ("share", "linear", "scheme", "springs", "ply", "is_told"),
+    [
+        (0.9, False, EXPLICIT, 0.0, THIN, True),
+        (0.8, False, EXPLICIT, 0.0, THIN, False),
+        (0.9, True, EXPLICIT, 0.0, THIN, False),
+        # stiff springs leave the plies a step far below their own
+        (0.9, False, EXPLICIT, 1.0e7, THIN, False),
+        (0.9, False, INTERFACES, 1.0e7, THIN, True),
+        (0.9, False, THICKNESS, 1.0e7, THIN, False),
+        # quads that are smaller than the plies are thick
+        (0.9, False, EXPLICIT, 0.0, THICK, False),
+    ],
+    ids=["tied", "0.8", "linear", "springs", "IMPL 1", "IMPL 2", "thick"],
+)
+def test_room_for_waves(
+    share: float,
+    linear: bool,
+    scheme: int,
+    springs: float,
+    ply: float,
+    is_told: bool,
+    tmp_path: Path,
+) -> None:
+    """Only where the thickness of plies sets the step."""
+    deck = Deck("note", 1.0e-6)
+    deck.control(linear=linear, share=share, scheme=scheme)
+    deck.mesh(regular(8.0, 8.0, 4, 4, 9))
+    deck.laminate([Ply(CARBON, ply, angle) for angle in (0.0, 90.0)])
+    if springs > 0.0:
+        deck.interfaces(springs, springs)
+    code, text = said("check", deck.write(tmp_path / "job.k"))
+    assert code == 0, text
+    notes = [line for line in text.splitlines() if "of the stable step of plies" in line]
+    assert len(notes) == int(is_told)
+    assert not is_told or notes[0].startswith("note: large displacement, 0.900 of")
