@@ -29,6 +29,7 @@ module plydyn_output_field_states
       character(:), allocatable :: instants
    contains
       procedure :: open => open_files
+      procedure :: due
       procedure :: record
       procedure :: plot
       procedure :: mark
@@ -76,10 +77,20 @@ contains
       !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. (self%schedule%due(state%time) .or. state%is_finished())) return
+      if (.not. self%due(state%time, state%is_finished())) return
       call self%schedule%advance(state%time)
       call write_state(self, domain, state, error)
    end subroutine record
+
+   !> Whether `record` will have a state to write at some time
+   pure logical function due(self, time, is_last)
+      class(field_states_type), intent(in) :: self
+      !> The time, and whether it is the end
+      real(wp), intent(in) :: time
+      logical, intent(in) :: is_last
+
+      due = is_last .or. self%schedule%due(time)
+   end function due
 
    !> Add the state to the files, if it is not there already
    subroutine plot(self, domain, state, error)

@@ -170,20 +170,18 @@ contains
       is_due = history%is_open() .and. (history%due(state%time) .or. state%is_finished())
    end function is_due
 
-   !> Whether `record` has anything to write at this time
-   pure logical function due(self, state)
+   !> Whether `record` will have anything to write at some time
+   pure logical function due(self, time, is_last)
       class(writer_type), intent(in) :: self
-      !> The state
-      type(state_type), intent(in) :: state
+      !> The time, and whether it is the end
+      real(wp), intent(in) :: time
+      logical, intent(in) :: is_last
       integer :: i
 
-      associate (time => state%time)
-         due = state%is_finished() .or. self%nodes%history%due(time) &
-            & .or. self%supports%history%due(time)
-         do i = 1, size(self%profiles)
-            due = due .or. self%profiles(i)%history%due(time)
-         end do
-      end associate
+      due = is_last .or. self%nodes%history%due(time) .or. self%supports%history%due(time)
+      do i = 1, size(self%profiles)
+         due = due .or. self%profiles(i)%history%due(time)
+      end do
    end function due
 
    !> Write what is due of sums over the whole model: energies and losses of interfaces
@@ -206,14 +204,14 @@ contains
       call self%delamination%record(rows, state%time, is_last, error)
    end subroutine record_rows
 
-   !> Whether `record_rows` has anything to write at this time
-   pure logical function rows_due(self, state)
+   !> Whether `record_rows` will have anything to write at some time
+   pure logical function rows_due(self, time, is_last)
       class(writer_type), intent(in) :: self
-      !> The state
-      type(state_type), intent(in) :: state
+      !> The time, and whether it is the end
+      real(wp), intent(in) :: time
+      logical, intent(in) :: is_last
 
-      rows_due = state%is_finished() .or. self%energy%due(state%time) &
-         & .or. self%delamination%history%due(state%time)
+      rows_due = is_last .or. self%energy%due(time) .or. self%delamination%history%due(time)
    end function rows_due
 
    !> Write what is due of the impactors

@@ -12,7 +12,7 @@ module plydyn_solver_accelerations
    implicit none
    private
 
-   public :: begin_accelerations, count_accelerations, find_accelerations
+   public :: begin_accelerations, can_go_ahead, count_accelerations, find_accelerations
 
 contains
 
@@ -32,6 +32,14 @@ contains
       call count_accelerations(domain, state)
    end subroutine begin_accelerations
 
+   !> Whether a chunk has all that its points need, once the forces of its own are there
+   pure logical function can_go_ahead(domain)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      can_go_ahead = size(domain%loads) + size(domain%motions) + size(domain%far_ties) == 0
+   end function can_go_ahead
+
    !> Accelerations of all points, by all threads together
    subroutine find_accelerations(domain, crew, step, state)
       !> The domain
@@ -44,7 +52,7 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
-         if (size(domain%loads) + size(domain%motions) + size(domain%far_ties) == 0) then
+         if (can_go_ahead(domain)) then
             call make_outer_forces(domain, crew, step, u, v, state%history, force)
             call make_and_move(domain, crew, step, state)
             call await_forces(domain, crew, force)
@@ -53,7 +61,7 @@ contains
             call find_internal_forces(domain, crew, step, u, v, state%history, force)
             call add_loads(domain, state%time, state%load_factor, force)
             call hold_supports(domain, state%time, force, state%support_force)
-            call accelerate(domain, step, v, force, state%chunk_sums)
+            call accelerate(domain, step, state)
          end if
       end associate
    end subroutine find_accelerations
@@ -105,6 +113,8 @@ contains
       integer :: chunk
 
       is_moved = .false.
+      ! contact asks where points are that it may not push in the end
+      if (.not. crew%has_opened()) return
       chunk = crew%movers%own(omp_get_thread_num(), place)
       if (chunk == 0) return
       is_moved = crew%has_forces(domain%chunks(chunk)%makers)
@@ -130,7 +140,8 @@ contains
       end do
    end subroutine move_rest
 
-   !> Accelerations of the points that move with a chunk
+   !> Accelerations of the points that move with a chunk; when nobody looks at them, also the motion
+   !> over the next step
    pure subroutine move_chunk(domain, chunk, number, step, state)
       type(domain_type), intent(in) :: domain
       type(chunk_type), intent(in) :: chunk
@@ -142,9 +153,8 @@ contains
       associate (force => state%acceleration)
          call add_borders(domain, chunk%borders, force)
          call hold_points(domain, chunk%held, force, state%support_force)
-         call accelerate_chunk(domain, chunk, step, state%velocity, force, &
-            & state%chunk_sums(number))
       end associate
+      call accelerate_chunk(domain, chunk, step, state, state%chunk_sums(number))
    end subroutine move_chunk
 
    !> Count what the accelerations of all chunks give

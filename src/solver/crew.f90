@@ -45,6 +45,7 @@ module plydyn_solver_crew
       procedure :: open => open_gate
       procedure :: take
       procedure :: await_contact
+      procedure :: has_opened
       procedure :: count_made
       procedure :: has_forces
       procedure :: has_made_all
@@ -131,7 +132,7 @@ contains
 
    !> Whether contact is done
    logical function has_opened(self)
-      type(crew_type), intent(in) :: self
+      class(crew_type), intent(in) :: self
 
       !$omp atomic read seq_cst
       has_opened = self%is_open
@@ -144,7 +145,7 @@ contains
       !> `outer` or `inner`
       integer, intent(in) :: list
 
-      if (.not. has_opened(self)) then
+      if (.not. self%has_opened()) then
          chunk = 0
          if (.not. self%all_wait) chunk = self%makers(list)%take(omp_get_thread_num(), .false.)
          if (chunk > 0) return

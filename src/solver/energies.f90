@@ -9,10 +9,11 @@ module plydyn_solver_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_forces, only : count_load_power
+   use plydyn_solver_motion, only : new_stride, stride_type
    use plydyn_solver_supports, only : count_support_power
    use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, impactors_sum, &
-      & output_sum, power_after_sum, power_before_sum, rows_sum, speed_sum, state_type, sums_of, &
-      & support_sum
+      & halt_sum, output_sum, power_after_sum, power_before_sum, rows_sum, speed_sum, state_type, &
+      & sums_of, support_sum
    implicit none
    private
 
@@ -20,13 +21,27 @@ module plydyn_solver_energies
 
 contains
 
-   !> A new step changes the form of energy that the scheme conserves
-   pure subroutine change_step(state)
+   !> A new step changes the form of energy that the scheme conserves. The power of all forces with
+   !> the velocity over it, and the work of damping, follow from the sums at the full step before,
+   !> whatever inertia is behind the accelerations
+   pure subroutine change_step(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
       !> The step to come, and the one just made
       type(state_type), intent(inout) :: state
 
-      state%energies%shift = state%energies%shift &
-         & + 0.125_wp*state%sums%pull*(state%step**2 - state%step_before**2)
+      type(stride_type) :: stride
+
+      stride = new_stride(domain%control%damping, state%step_before, state%step)
+      associate (e => state%energies, sums => state%sums, before => state%step_before, &
+         & keep => stride%keep, middle => stride%middle)
+         e%shift = e%shift + 0.125_wp*sums%pull*(state%step**2 - before**2)
+         state%internal_power = -keep*sums%power - middle*sums%pull
+         ! the velocity before is the one at the full step less 1/2 dt a
+         e%damping = e%damping + 0.5_wp*stride%brake*((1.0_wp + keep)**2*(sums%twice_kinetic &
+            & + sums%twice_added - before*(sums%power + 0.25_wp*before*sums%pull)) &
+            & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
+      end associate
    end subroutine change_step
 
    !> Power at the beginning of a step, with the velocity over it; once supports and contact are in
@@ -66,6 +81,7 @@ contains
       state%rows_due = state%tally%value(rows_sum) > 0.0_wp
       state%impactors_due = state%tally%value(impactors_sum) > 0.0_wp
       state%attention = state%tally%value(attention_sum) > 0.0_wp
+      state%halts = state%attention .or. state%tally%value(halt_sum) > 0.0_wp
       state%fastest = state%tally%value(speed_sum)
       step = state%step_before
       associate (e => state%energies, sums => state%sums, tally => state%tally)

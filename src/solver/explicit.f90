@@ -4,14 +4,14 @@ module plydyn_solver_explicit
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_accelerations, only : begin_accelerations, count_accelerations, &
-      & find_accelerations
+   use plydyn_solver_accelerations, only : begin_accelerations, can_go_ahead, &
+      & count_accelerations, find_accelerations
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_energies, only : balance, begin_work, change_step
    use plydyn_solver_health, only : check_health
    use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_motion, only : advance
+   use plydyn_solver_motion, only : advance, step_back
    use plydyn_solver_supports, only : move_supports
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
@@ -50,22 +50,18 @@ contains
          call journal%begin(domain, state, error)
          if (allocated(error)) return
       end if
+      ! nobody has said yet what is due after the first step
+      state%halts = .true.
 
       do while (.not. state%is_finished())
-         state%step = next_step(domain, state)
-         if (state%cycle == 0) state%first_step = state%step
-         call change_step(state)
-         ! the impactors alone, and the chunks that must wait for contact
-         call contacts%approach(domain, state)
-         call crew%let_wait(domain, contacts%reached)
-         call crew%begin(contacts%reaches_all)
-
+         call begin_step(domain, contacts, crew, state)
          !$omp parallel default(shared)
          !$omp master
          call crew%close()
          !$omp end master
-         ! motion
-         call advance(domain, state)
+         !$omp barrier
+         ! motion, where it was not made with the accelerations
+         if (.not. state%is_ahead) call advance(domain, state)
          !$omp master
          call move_supports(domain, state)
          ! contact: trial position, multipliers, correction (the paper's eqs 12 to 17)
@@ -78,22 +74,45 @@ contains
          call find_accelerations(domain, crew, state%step, state)
          !$omp end parallel
          call count_accelerations(domain, state)
+         state%is_ahead = state%goes_ahead
 
          ! energies, and what is to be written
          call journal%announce(state)
          call watch%announce(state)
          call balance(domain, state)
          call journal%record(domain, state, error)
-         if (allocated(error)) return
+         if (allocated(error)) exit
          call check_health(domain, state, error)
          if (allocated(error)) then
+            call step_back(domain, state)
             call journal%conclude(domain, state)
-            return
+            exit
          end if
          call watch%look(domain, contacts, state, journal, error)
-         if (allocated(error)) return
+         if (allocated(error)) exit
       end do
+      if (allocated(error)) call step_back(domain, state)
    end subroutine run
+
+   !> What is known of a step before it: how long it is, and the one after it; the impactors without
+   !> contact; the chunks that must wait for contact
+   subroutine begin_step(domain, contacts, crew, state)
+      !> As in `run`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(inout) :: contacts
+      !> The threads
+      type(crew_type), intent(inout) :: crew
+      type(state_type), intent(inout) :: state
+
+      state%step = next_step(domain, state, state%time, state%cycle)
+      if (state%cycle == 0) state%first_step = state%step
+      state%step_after = next_step(domain, state, state%time + state%step, state%cycle + 1)
+      state%goes_ahead = can_go_ahead(domain) .and. .not. state%halts
+      call change_step(domain, state)
+      call contacts%approach(domain, state)
+      call crew%let_wait(domain, contacts%reached)
+      call crew%begin(contacts%reaches_all)
+   end subroutine begin_step
 
    !> The step to come is made
    pure subroutine end_step(state)
@@ -107,23 +126,26 @@ contains
 
    !> The share of the stable step that the deck allows, and no step beyond the end. The last two
    !> steps share what is left: contact that closes a gap within a tiny step would push too hard.
-   real(wp) function next_step(domain, state) result(step)
+   real(wp) function next_step(domain, state, time, cycle) result(step)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
+      !> The state; says when the run ends
       type(state_type), intent(in) :: state
+      !> Time at which the step begins, and number of steps before it
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
 
       real(wp) :: left
 
       associate (control => domain%control)
          step = domain%step
-         if (state%cycle == 0 .and. control%first_step > 0.0_wp) then
+         if (cycle == 0 .and. control%first_step > 0.0_wp) then
             step = min(step, control%first_step)
          end if
          if (control%step_curve > 0) then
-            step = min(step, domain%curves(control%step_curve)%at(state%time))
+            step = min(step, domain%curves(control%step_curve)%at(time))
          end if
-         left = state%end_time - state%time
+         left = state%end_time - time
          if (left <= step*(1.0_wp + stretch)) then
             step = left
          else if (left < 2.0_wp*step) then

@@ -16,7 +16,7 @@ module plydyn_solver_journal
    use plydyn_output_tell_job, only : tell_places
    use plydyn_output_writer, only : writer_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_state_state, only : impactors_sum, output_sum, rows_sum, state_type
+   use plydyn_state_state, only : halt_sum, impactors_sum, output_sum, rows_sum, state_type
    implicit none
    private
 
@@ -73,16 +73,26 @@ contains
       if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
    end subroutine open_journal
 
-   !> Let all ranks know with the sums of this step whether something is due
+   !> Let all ranks know with the sums of this step whether something is due, and whether anything
+   !> of the points will be after the next
    subroutine announce(self, state)
       class(journal_type), intent(in) :: self
       !> The state; the sums are counted
       type(state_type), intent(inout) :: state
 
+      logical :: is_last
+      real(wp) :: time
+
       if (.not. self%comm%is_root()) return
-      if (self%writer%due(state)) call state%tally%add(output_sum, 1.0_wp)
-      if (self%writer%rows_due(state)) call state%tally%add(rows_sum, 1.0_wp)
+      time = state%time
+      is_last = state%is_finished()
+      if (self%writer%due(time, is_last)) call state%tally%add(output_sum, 1.0_wp)
+      if (self%writer%rows_due(time, is_last)) call state%tally%add(rows_sum, 1.0_wp)
       if (self%writer%impactors_due(state)) call state%tally%add(impactors_sum, 1.0_wp)
+      time = state%time + state%step_after
+      is_last = state%ends_after(state%step_after)
+      if (self%writer%due(time, is_last) .or. self%writer%rows_due(time, is_last) &
+         & .or. self%fields%due(time, is_last)) call state%tally%add(halt_sum, 1.0_wp)
    end subroutine announce
 
    !> Write whatever is due at this time

@@ -11,7 +11,15 @@ module plydyn_solver_motion
    implicit none
    private
 
-   public :: accelerate, accelerate_chunk, advance, count_sums
+   public :: accelerate, accelerate_chunk, advance, count_sums, new_stride, step_back
+
+   !> What a step makes of accelerations: v = keep v + middle a, u = u + step v
+   type, public :: stride_type
+      !> Damping over half of the time from middle to middle, and what it leaves of the velocity
+      real(wp) :: brake = 0.0_wp, keep = 1.0_wp
+      !> Time from the middle of the step before to that of this one, less for damping; the step
+      real(wp) :: middle = 0.0_wp, step = 0.0_wp
+   end type stride_type
 
    !> Sums of a block, lane by lane: momentum along x, y, z, then these; at last no sum but a bound
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, fastest_at = 7, parts = 7
@@ -20,81 +28,106 @@ module plydyn_solver_motion
 
 contains
 
-   !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). The
-   !> power of all forces with the new velocity, and the work of damping, follow from the sums at
-   !> the full step before, whatever inertia is behind the accelerations. All threads come here
-   !> together, and wait for each other
+   !> What a step makes of accelerations, with damping as a share of the velocity at the full step
+   pure type(stride_type) function new_stride(damping, step_before, step) result(self)
+      !> Of the mass, per time
+      real(wp), intent(in) :: damping
+      !> The step before, and this one
+      real(wp), intent(in) :: step_before, step
+
+      real(wp) :: middle_step
+
+      middle_step = 0.5_wp*(step_before + step)
+      self%brake = 0.5_wp*damping*middle_step
+      self%keep = (1.0_wp - self%brake)/(1.0_wp + self%brake)
+      self%middle = middle_step/(1.0_wp + self%brake)
+      self%step = step
+   end function new_stride
+
+   !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). All
+   !> threads come here together, and wait for each other
    subroutine advance(domain, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Velocity and displacement; power of all forces with the new velocity; work of damping
+      !> Velocity and displacement
       type(state_type), intent(inout) :: state
 
-      real(wp) :: brake, keep, middle, middle_step
+      type(stride_type) :: stride
       integer :: c
 
-      middle_step = 0.5_wp*(state%step_before + state%step)
-      brake = 0.5_wp*domain%control%damping*middle_step
-      keep = (1.0_wp - brake)/(1.0_wp + brake)
-      middle = middle_step/(1.0_wp + brake)
-      !$omp master
-      associate (sums => state%sums, before => state%step_before)
-         state%internal_power = -keep*sums%power - middle*sums%pull
-         ! the velocity before is the one at the full step less 1/2 dt a
-         state%energies%damping = state%energies%damping + 0.5_wp*brake*((1.0_wp + keep)**2 &
-            & *(sums%twice_kinetic + sums%twice_added &
-            & - before*(sums%power + 0.25_wp*before*sums%pull)) &
-            & + middle*(2.0_wp*(1.0_wp + keep)*sums%power + middle*sums%pull))
-      end associate
-      !$omp end master
+      stride = new_stride(domain%control%damping, state%step_before, state%step)
       ! the thread that accelerates a chunk advances it: it still has its accelerations
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
-         associate (height => domain%columns%height, chunk => domain%chunks(c), &
-            & a => state%acceleration(front + 1:), v => state%velocity(front + 1:), &
-            & u => state%displacement(front + 1:))
-            call advance_columns(height, chunk%own, keep, middle, state%step, a, v, u)
-            call advance_columns(height, chunk%guests, keep, middle, state%step, a, v, u)
-         end associate
+         call advance_columns(domain, domain%chunks(c)%own, stride, state)
+         call advance_columns(domain, domain%chunks(c)%guests, stride, state)
       end do
       !$omp end do
    end subroutine advance
 
    !> `advance` for some columns
-   pure subroutine advance_columns(height, columns, keep, middle, step, a, v, u)
-      integer, intent(in) :: height, columns(:)
-      !> Share of the velocity that is kept, the step between the middles, and the step
-      real(wp), intent(in) :: keep, middle, step
-      !> Acceleration, velocity, displacement
-      real(wp), intent(in) :: a(height, *)
-      real(wp), intent(inout) :: v(height, *), u(height, *)
+   pure subroutine advance_columns(domain, columns, stride, state)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: columns(:)
+      type(stride_type), intent(in) :: stride
+      type(state_type), intent(inout) :: state
 
-      integer :: i, k, n
+      integer :: i, k
 
       do i = 1, size(columns)
-         n = columns(i)
-         !$omp simd
-         do k = 1, height
-            v(k, n) = keep*v(k, n) + middle*a(k, n)
-            u(k, n) = u(k, n) + step*v(k, n)
-         end do
+         k = front + domain%columns%height*(columns(i) - 1) + 1
+         call advance_column(domain%columns%height, stride%keep, stride%middle, stride%step, &
+            & state%acceleration(k), state%velocity(k), state%displacement(k))
       end do
    end subroutine advance_columns
+
+   !> `advance` for one column
+   pure subroutine advance_column(height, keep, middle, step, a, v, u)
+      integer, intent(in) :: height
+      !> As in `stride_type`
+      real(wp), intent(in) :: keep, middle, step
+      !> Acceleration, velocity, displacement
+      real(wp), intent(in) :: a(height)
+      real(wp), intent(inout) :: v(height), u(height)
+
+      integer :: k
+
+      !$omp simd
+      do k = 1, height
+         v(k) = keep*v(k) + middle*a(k)
+         u(k) = u(k) + step*v(k)
+      end do
+   end subroutine advance_column
+
+   !> Where the points were before they went ahead, to round-off
+   pure subroutine step_back(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Velocity and displacement
+      type(state_type), intent(inout) :: state
+
+      type(stride_type) :: stride
+
+      if (.not. state%is_ahead) return
+      stride = new_stride(domain%control%damping, state%step, state%step_after)
+      associate (u => state%displacement, v => state%velocity)
+         u(:) = u - stride%step*v
+         v(:) = (v - stride%middle*state%acceleration(:size(v)))/stride%keep
+      end associate
+      state%is_ahead = .false.
+   end subroutine step_back
 
    !> Forces to accelerations, in place, with the sums that the energies need.
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
    !> their accelerations are the same to the last bit. All threads come here together.
-   subroutine accelerate(domain, step, velocity, force, chunk_sums)
+   subroutine accelerate(domain, step, state)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The step just made
       real(wp), intent(in) :: step
-      !> Velocity of all points, half a step before
-      real(wp), intent(in), contiguous :: velocity(:)
-      !> Force in, acceleration out
-      real(wp), intent(inout), contiguous :: force(:)
-      !> Sums over the points that each chunk has first, the same for any number of threads
-      type(sums_type), intent(inout) :: chunk_sums(:)
+      !> Forces in, accelerations out, with the sums over the points that each chunk has first: the
+      !> same for any number of threads
+      type(state_type), intent(inout) :: state
 
       integer :: c, k
 
@@ -102,69 +135,61 @@ contains
          !$omp barrier
          !$omp do schedule(static)
          do k = 1, size(domain%far_ties, 2)
-            force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
+            associate (force => state%acceleration)
+               force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
+            end associate
          end do
          !$omp end do
       end if
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
-         call accelerate_chunk(domain, domain%chunks(c), step, velocity, force, chunk_sums(c))
+         call accelerate_chunk(domain, domain%chunks(c), step, state, state%chunk_sums(c))
       end do
       !$omp end do nowait
    end subroutine accelerate
 
-   !> `accelerate` for the points that move with a chunk, where no ties reach further than a family
-   pure subroutine accelerate_chunk(domain, chunk, step, velocity, force, sums)
+   !> `accelerate` for the points that move with a chunk, where no ties reach further than a family.
+   !> Points that nobody looks at go on to the end of the next step
+   pure subroutine accelerate_chunk(domain, chunk, step, state, sums)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The chunk
       type(chunk_type), intent(in) :: chunk
       !> As in `accelerate`
       real(wp), intent(in) :: step
-      real(wp), intent(in), contiguous :: velocity(:)
-      real(wp), intent(inout), contiguous :: force(:)
+      type(state_type), intent(inout) :: state
       !> Sums over the points that it has first
       type(sums_type), intent(out) :: sums
 
       type(sums_type) :: counted_elsewhere
 
-      call accelerate_columns(domain, chunk%own, 0.5_wp*step, velocity, force, sums)
-      call accelerate_columns(domain, chunk%guests, 0.5_wp*step, velocity, force, &
-         & counted_elsewhere)
+      call accelerate_columns(domain, chunk%own, step, state, sums)
+      call accelerate_columns(domain, chunk%guests, step, state, counted_elsewhere)
    end subroutine accelerate_chunk
 
-   !> `accelerate` for some columns
-   pure subroutine accelerate_columns(domain, columns, half_step, velocity, force, sums)
+   !> `accelerate` for some columns, each moved on while it is in the cache
+   pure subroutine accelerate_columns(domain, columns, step, state, sums)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: columns(:)
-      real(wp), intent(in) :: half_step
-      real(wp), intent(in), contiguous :: velocity(:)
-      real(wp), intent(inout), contiguous :: force(:)
+      real(wp), intent(in) :: step
+      type(state_type), intent(inout) :: state
       type(sums_type), intent(inout) :: sums
 
+      type(stride_type) :: stride
       real(wp) :: part(lanes, parts), reach
-      integer :: f, first, i, mass, n
+      integer :: i
       logical :: is_coupled
 
+      stride = new_stride(domain%control%damping, step, state%step_after)
       is_coupled = domain%thickness%active .or. domain%pairs%active
       reach = (1.0_wp + room)*domain%step
       part(:, :) = 0.0_wp
       do i = 1, size(columns)
-         n = columns(i)
-         do f = 1, size(domain%columns%families)
-            associate (family => domain%columns%families(f))
-               first = domain%columns%start(f, n)
-               mass = domain%columns%mass_start(f, n)
-               if (family%is_tied) then
-                  call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
-                     & force(first:))
-               end if
-               call divide(family%blocks*(family%order + 1), half_step, reach, &
-                  & domain%mass(mass:), domain%inverse_mass(mass:), velocity(first:), &
-                  & force(first:), part)
-            end associate
-         end do
-         if (is_coupled) call couple(domain, n, half_step, reach, velocity, force, sums)
+         call accelerate_column(domain, columns(i), 0.5_wp*step, reach, state%velocity, &
+            & state%acceleration, part)
+         if (is_coupled) call couple(domain, columns(i), 0.5_wp*step, reach, state%velocity, &
+            & state%acceleration, sums)
+         if (state%goes_ahead) call advance_columns(domain, columns(i:i), stride, state)
       end do
       if (.not. is_coupled) sums%fastest = max(sums%fastest, maxval(part(:, fastest_at)))
       sums%momentum(:) = sums%momentum + sum(part(:, :3), 1)
@@ -172,6 +197,33 @@ contains
       sums%power = sums%power + sum(part(:, power_at))
       sums%pull = sums%pull + sum(part(:, pull_at))
    end subroutine accelerate_columns
+
+   !> `accelerate` for the families of one column, each point by itself
+   pure subroutine accelerate_column(domain, n, half_step, reach, velocity, force, part)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: n
+      !> As in `speed_of_column`
+      real(wp), intent(in) :: half_step, reach
+      real(wp), intent(in), contiguous :: velocity(:)
+      real(wp), intent(inout), contiguous :: force(:)
+      !> Gets what the column adds
+      real(wp), intent(inout) :: part(lanes, parts)
+
+      integer :: f, first, mass
+
+      do f = 1, size(domain%columns%families)
+         associate (family => domain%columns%families(f))
+            first = domain%columns%start(f, n)
+            mass = domain%columns%mass_start(f, n)
+            if (family%is_tied) then
+               call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
+                  & force(first:))
+            end if
+            call divide(family%blocks*(family%order + 1), half_step, reach, domain%mass(mass:), &
+               & domain%inverse_mass(mass:), velocity(first:), force(first:), part)
+         end associate
+      end do
+   end subroutine accelerate_column
 
    !> What no component of the velocity of a column will exceed half a step after the next motion
    pure real(wp) function speed_of_column(height, n, reach, velocity, acceleration) result(most)

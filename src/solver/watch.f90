@@ -13,7 +13,7 @@ module plydyn_solver_watch
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_journal, only : journal_type
    use plydyn_solver_requests, only : requests_type, take_requests
-   use plydyn_state_state, only : attention_sum, state_type
+   use plydyn_state_state, only : attention_sum, halt_sum, state_type
    implicit none
    private
 
@@ -69,17 +69,26 @@ contains
       self%looked = self%started
    end subroutine start
 
-   !> Before the sums of a step are made: let all ranks know that this one is asked for something
+   !> Before the sums of a step are made: let all ranks know that this one is asked for something,
+   !> or that a restart file will be due after the next
    subroutine announce(self, state)
       class(watch_type), intent(inout) :: self
-      !> The state; the sum is counted
+      !> The state; the sums are counted
       type(state_type), intent(inout) :: state
+
+      logical :: is_last
 
       call find_requests(self, state)
       if (has_caught_signal() .or. self%is_asked) call state%tally%add(attention_sum, 1.0_wp)
+      is_last = state%ends_after(state%step_after)
+      if (is_due(self%kept_cycles, state%cycle + 1, is_last) &
+         & .or. is_due(self%running_cycles, state%cycle + 1, is_last)) then
+         call state%tally%add(halt_sum, 1.0_wp)
+      end if
    end subroutine announce
 
-   !> After a step: write the restart files that are due, and do what is asked for
+   !> After a step: write the restart files that are due, and do what is asked for. Where the points
+   !> have gone ahead nothing is due, and what is asked for is done after the next step
    subroutine look(self, domain, contacts, state, journal, error)
       class(watch_type), intent(inout) :: self
       !> The domain
@@ -95,13 +104,19 @@ contains
 
       character(:), allocatable :: asked_by, path
       type(requests_type) :: requests
-      logical :: keep
+      logical :: is_running, keep
 
-      keep = is_due(self%kept_cycles, state)
-      if (.not. (state%attention .or. keep .or. is_due(self%running_cycles, state))) return
+      if (state%is_ahead) return
+      keep = is_due(self%kept_cycles, state%cycle, state%is_finished())
+      is_running = is_due(self%running_cycles, state%cycle, state%is_finished())
+      if (.not. (state%attention .or. keep .or. is_running)) return
       asked_by = ""
       if (state%attention) call take_orders(self, domain%comm, asked_by, requests)
-      if (requests%end_time > 0.0_wp) state%end_time = requests%end_time
+      if (requests%end_time > 0.0_wp) then
+         state%end_time = requests%end_time
+         ! which may be the end of the next step
+         state%halts = .true.
+      end if
       if (requests%plot) call journal%plot(domain, state, error)
       if (allocated(error)) return
       if (requests%status) call journal%tell(state)
@@ -110,7 +125,7 @@ contains
       if (keep) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
-      else if (is_due(self%running_cycles, state)) then
+      else if (is_running) then
          path = running_path(self, state)
       else
          if (requests%flush) call flush_all(self, journal, error)
@@ -134,8 +149,8 @@ contains
       integer(int64) :: now, rate
       logical :: found
 
-      self%is_asked = .false.
-      if (.not. self%is_root) return
+      ! what was found before is still to be done
+      if (self%is_asked .or. .not. self%is_root) return
       call system_clock(now, rate)
       if (real(now - self%started, wp)/rate > self%most_seconds) then
          self%asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
@@ -167,6 +182,7 @@ contains
       call comm%tell(asked_by)
       orders(:) = merge(1, 0, [requests%dump, requests%plot, requests%status, requests%flush, &
          & self%is_asked])
+      self%is_asked = .false.
       end_time(1) = requests%end_time
       call comm%tell(orders)
       call comm%tell(end_time)
@@ -180,13 +196,15 @@ contains
    end subroutine take_orders
 
    !> Whether a restart file is due: at every so many steps, and at the end
-   pure logical function is_due(cycles, state)
+   pure logical function is_due(cycles, cycle, is_last)
       !> Steps between two files, 0 for none
       integer, intent(in) :: cycles
-      type(state_type), intent(in) :: state
+      !> Steps made, and whether that is the end
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
 
       is_due = .false.
-      if (cycles > 0) is_due = mod(state%cycle, cycles) == 0 .or. state%is_finished()
+      if (cycles > 0) is_due = mod(cycle, cycles) == 0 .or. is_last
    end function is_due
 
    !> Path of the restart file that is to be kept

@@ -22,8 +22,10 @@ module plydyn_state_state
    !> Over the ranks, of a bound on the speed of the points of each in the coming step: a bound on
    !> that of all
    integer, parameter, public :: speed_sum = 17
+   !> Whether somebody will look at the points at the end of the next step: more than zero
+   integer, parameter, public :: halt_sum = 18
    !> How many sums there are
-   integer, parameter, public :: tally_sums = 17
+   integer, parameter, public :: tally_sums = 18
 
    !> Energies at the present time
    type, public :: energies_type
@@ -97,6 +99,11 @@ module plydyn_state_state
       integer :: end_cycle = 0
       !> The step to come, and the one just made
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp
+      !> The step after the one to come
+      real(wp) :: step_after = 0.0_wp
+      !> Whether displacement and velocity are those at the end of the step to come already, before
+      !> contact, as nobody looks at them here; whether they are to be so after it
+      logical :: is_ahead = .false., goes_ahead = .false.
       !> The first step of the run
       real(wp) :: first_step = 0.0_wp
       !> Displacement at this time, velocity half a step before, acceleration at this time,
@@ -126,6 +133,8 @@ module plydyn_state_state
       !> something
       logical :: output_due = .false., rows_due = .false., impactors_due = .false.
       logical :: attention = .false.
+      !> Whether somebody will look at the points at the end of the step to come
+      logical :: halts = .true.
       !> Bound on every component of the velocity of all points over the step to come; not less, but
       !> perhaps more on more ranks
       real(wp) :: fastest = huge(1.0_wp)
@@ -135,6 +144,7 @@ module plydyn_state_state
       type(energies_type) :: energies
    contains
       procedure :: is_finished
+      procedure :: ends_after
    end type state_type
 
 contains
@@ -157,9 +167,27 @@ contains
    pure logical function is_finished(self)
       class(state_type), intent(in) :: self
 
-      is_finished = self%time >= self%end_time*(1.0_wp - epsilon(1.0_wp)) &
-         & .or. (self%end_cycle > 0 .and. self%cycle >= self%end_cycle)
+      is_finished = is_end(self, self%time, self%cycle)
    end function is_finished
+
+   !> Whether the end comes with the step that begins now
+   pure logical function ends_after(self, step)
+      class(state_type), intent(in) :: self
+      !> The step
+      real(wp), intent(in) :: step
+
+      ends_after = is_end(self, self%time + step, self%cycle + 1)
+   end function ends_after
+
+   !> Whether the end is at some time and number of steps
+   pure logical function is_end(self, time, cycle)
+      class(state_type), intent(in) :: self
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+
+      is_end = time >= self%end_time*(1.0_wp - epsilon(1.0_wp)) &
+         & .or. (self%end_cycle > 0 .and. cycle >= self%end_cycle)
+   end function is_end
 
    !> What the system holds and has lost, in the form that central differences conserve
    pure real(wp) function total(self)

@@ -138,7 +138,7 @@ contains
       case (joints)
          call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
       case (acceleration)
-         call accelerate(domain, 0.0_wp, displacement, force, state%chunk_sums)
+         call accelerate(domain, 0.0_wp, state)
          call count_sums(state%chunk_sums, state%tally)
       case default
          call advance(domain, state)

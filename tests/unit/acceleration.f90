@@ -1,10 +1,10 @@
 !> Accelerations of a whole plate at once, as a step makes them chunk by chunk.
 module acceleration
-   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
+   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_solver_motion, only : accelerate, count_sums
-   use plydyn_state_state, only : sums_of, sums_type, tally_sums
+   use plydyn_state_state, only : state_type, sums_of, sums_type, tally_sums
    implicit none
    private
 
@@ -25,13 +25,16 @@ contains
       !> Sums over all points
       type(sums_type), intent(out) :: sums
 
-      type(exact_sums_type) :: tally
-      type(sums_type) :: chunk_sums(size(domain%chunks))
+      type(state_type) :: state
 
-      tally = new_exact_sums(tally_sums)
-      call accelerate(domain, step, velocity, force, chunk_sums)
-      call count_sums(chunk_sums, tally)
-      sums = sums_of(tally)
+      state%tally = new_exact_sums(tally_sums)
+      state%velocity = velocity
+      state%acceleration = force
+      allocate (state%chunk_sums(size(domain%chunks)))
+      call accelerate(domain, step, state)
+      force(:) = state%acceleration
+      call count_sums(state%chunk_sums, state%tally)
+      sums = sums_of(state%tally)
    end subroutine accelerate_points
 
 end module acceleration
