@@ -3,7 +3,8 @@ module plydyn_domain_initial_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_delamination, only : interface_ply
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_interface, only : history_size, interface_type, point_positions, set_damage
+   use plydyn_element_interface, only : history_size, interface_type, set_damage
+   use plydyn_fem_quad_points, only : quad_points
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -33,7 +34,7 @@ contains
                      if (batch%lower(l) == 0 .or. batch%law%histories == 0) cycle
                      ply = interface_ply(domain, batch, l)
                      if (ply < initial%interfaces(1) .or. ply > initial%interfaces(2)) cycle
-                     call set_damage(batch, l, chosen_points(domain, batch, initial), &
+                     call set_damage(batch, l, chosen_points(model, batch, initial), &
                         & initial%damage, history(batch%first_history:batch%first_history - 1 &
                         & + history_size(batch)))
                   end do
@@ -44,24 +45,24 @@ contains
    end subroutine set_initial_damage
 
    !> Points of the elements that are meant, within the circle, (points, quads)
-   pure function chosen_points(domain, batch, initial) result(chosen)
-      type(domain_type), intent(in) :: domain
+   pure function chosen_points(model, batch, initial) result(chosen)
+      type(model_type), intent(in) :: model
       type(interface_type), intent(in) :: batch
       type(initial_damage_type), intent(in) :: initial
       logical :: chosen(size(batch%node, 1), size(batch%node, 2))
 
-      real(wp) :: place(2, size(batch%node, 1), size(batch%node, 2))
       logical :: named(max(maxval(batch%quad), maxval(initial%quads)))
-      integer :: e, q
+      integer :: e
 
       named(:) = .false.
       named(initial%quads) = .true.
-      place(:, :, :) = point_positions(batch, domain%position)
-      do e = 1, size(batch%node, 2)
-         do q = 1, size(batch%node, 1)
-            chosen(q, e) = named(batch%quad(e)) &
-               & .and. norm2(place(:, q, e) - initial%centre) <= initial%radius
-         end do
+      chosen(:, :) = .false.
+      do e = 1, size(batch%quad)
+         if (.not. named(batch%quad(e))) cycle
+         associate (nodes => model%mesh%quad_node(:, batch%quad(e)))
+            chosen(:, e) = initial%encloses(quad_points(model%mesh%position(:2, nodes), &
+               & batch%nodal))
+         end associate
       end do
    end function chosen_points
 

@@ -9,13 +9,13 @@
 !> stored or lost.
 module plydyn_element_interface
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_quad, only : plane_table, quad_metric, quad_node_metric
+   use plydyn_element_quad, only : quad_metric, quad_node_metric
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_cohesive, only : closing_at, cohesive_type, damage_at, fracture_at, friction_at
    implicit none
    private
 
-   public :: history_size, point_positions, set_damage, set_plane, sum_lanes
+   public :: history_size, set_damage, set_plane, sum_lanes
 
    !> Where the points of one face lie in the arrays of motion, for each lane
    type, public :: face_type
@@ -102,29 +102,6 @@ contains
 
       history_size = lanes*self%law%histories*size(self%node)
    end function history_size
-
-   !> Positions of the points in the plane, (2, side**2, quads)
-   pure function point_positions(self, position) result(place)
-      !> The interfaces
-      type(interface_type), intent(in) :: self
-      !> Positions of all nodes, (3, nodes)
-      real(wp), intent(in) :: position(:, :)
-      real(wp) :: place(2, size(self%node, 1), size(self%node, 2))
-
-      real(wp) :: slope(2, self%side**2), table(self%side**2, self%side**2), x(self%side)
-      integer :: e, i, j
-
-      x(:) = gauss_points(self%side)
-      if (self%nodal) x(:) = x/maxval(x)
-      do j = 1, self%side
-         do i = 1, self%side
-            call plane_table(self%side, x(i), x(j), table(:, i + self%side*(j - 1)), slope)
-         end do
-      end do
-      do e = 1, size(self%node, 2)
-         place(:, :, e) = matmul(position(1:2, self%node(:, e)), table)
-      end do
-   end function point_positions
 
    !> Begin with damage at some points of a lane; 1 where the faces are apart
    pure subroutine set_damage(self, lane, chosen, damage, history)

@@ -3,8 +3,7 @@ module plydyn_input_read_initial
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_fem_shape, only : shape_functions
+   use plydyn_fem_quad_points, only : quad_points
    use plydyn_input_catalogue, only : a_part, a_quad_set, catalogue_type
    use plydyn_input_read_interface, only : find_interfaces
    use plydyn_model_initial, only : initial_damage_type
@@ -114,8 +113,8 @@ contains
          associate (joint => model%parts(initial%part)%joint(k))
             do i = 1, size(initial%quads)
                associate (nodes => model%mesh%quad_node(:, initial%quads(i)))
-                  if (is_met(model%mesh%position(:2, nodes), initial, &
-                     & model%interface_materials(joint)%nodal)) return
+                  if (any(initial%encloses(quad_points(model%mesh%position(:2, nodes), &
+                     & model%interface_materials(joint)%nodal)))) return
                end associate
             end do
          end associate
@@ -123,31 +122,6 @@ contains
       call catalogue%refuse(cards, "R", "no point of the interfaces lies in the circle", &
          & "a circle on the elements, as large as the distance between their points", nth)
    end subroutine check_met
-
-   !> A point of an interface in a quad lies in the circle
-   pure logical function is_met(position, initial, nodal)
-      !> Positions of the nodes of the quad, (2, nodes)
-      real(wp), intent(in) :: position(:, :)
-      !> Has the circle
-      type(initial_damage_type), intent(in) :: initial
-      !> The points are the nodes, else Gauss points
-      logical, intent(in) :: nodal
-
-      real(wp) :: shape(size(position, 2)), slope(2, size(position, 2))
-      real(wp) :: x(nint(sqrt(real(size(position, 2), wp))))
-      integer :: k, l
-
-      x(:) = gauss_points(size(x))
-      if (nodal) x(:) = x/maxval(x)
-      is_met = .true.
-      do l = 1, size(x)
-         do k = 1, size(x)
-            call shape_functions(size(position, 2), x(k), x(l), shape, slope)
-            if (norm2(matmul(position, shape) - initial%centre) <= initial%radius) return
-         end do
-      end do
-      is_met = .false.
-   end function is_met
 
    !> A centre without a radius means nothing
    subroutine check_circle(cards, nth, catalogue)

@@ -16,6 +16,24 @@ module plydyn_model_initial
       real(wp) :: damage = 1.0_wp
       !> Only points within a circle of the plane: its centre and its radius
       real(wp) :: centre(2) = 0.0_wp, radius = huge(1.0_wp)
+   contains
+      procedure :: encloses
    end type initial_damage_type
+
+contains
+
+   !> Whether points of the plane lie in the circle
+   pure function encloses(self, point)
+      class(initial_damage_type), intent(in) :: self
+      !> The points, (2, points)
+      real(wp), intent(in) :: point(:, :)
+      logical :: encloses(size(point, 2))
+
+      integer :: i
+
+      do i = 1, size(point, 2)
+         encloses(i) = norm2(point(:, i) - self%centre) <= self%radius
+      end do
+   end function encloses
 
 end module plydyn_model_initial

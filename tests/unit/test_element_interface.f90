@@ -4,9 +4,10 @@ program test_element_interface
    use faces, only : area, lay_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface, only : history_size, interface_sums_type, &
-      & interface_type, point_positions, set_damage, set_plane, sum_lanes
+      & interface_type, set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_quad, only : tensor_order
+   use plydyn_fem_quad_points, only : quad_points
    use plydyn_law_cohesive, only : cohesive_constants_type, new_cohesive, new_springs
    use plydyn_model_mesh, only : mesh_type
    use sample, only : rectangle_mesh
@@ -239,11 +240,14 @@ contains
       type(mesh_type) :: mesh
       real(wp), allocatable :: place(:, :, :)
       real(wp) :: moment(2)
-      integer :: c
+      integer :: c, e
 
-      call begin("point_positions")
+      call begin("quad_points")
       call make(table_6(), self, mesh)
-      place = point_positions(self, mesh%position)
+      allocate (place(2, side**2, size(mesh%quad_id)))
+      do e = 1, size(mesh%quad_id)
+         place(:, :, e) = quad_points(mesh%position(:2, mesh%quad_node(:, e)), nodal)
+      end do
       call check(sum(self%metric(5, :, :)), area, 1.0e-12_wp, "the areas add to that of the plate")
       do c = 1, 2
          moment(c) = sum(self%metric(5, :, :)*place(c, :, :))
