@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 import synthetic
+import synthetic_damage
 from matplotlib.image import imread
 
 from plydyn_post import offscreen
@@ -134,6 +135,15 @@ def test_a_field_of_one_number_is_shown_as_it_is() -> None:
     wanted = shown("plastic_strain")
     assert not wanted.signed
     assert wanted.values(grid, "a file").tolist() == [0.0, 0.02]
+
+
+def test_damage_between_points_stays_within_theirs(tmp_path: Path) -> None:
+    """A cell of 27 nodes with a step in it, through which its polynomial swings."""
+    job = synthetic_damage.write_job(tmp_path)
+    scene = make_scene(open_results(job), Wish("damage_matrix", time=1.0))
+    assert scene.limits == (0.0, 1.0)
+    assert scene.values.min() == 0.0
+    assert scene.values.max() == 1.0
 
 
 def test_figures_of_curves_are_drawn(job: Path, own_job: Path, tmp_path: Path) -> None:

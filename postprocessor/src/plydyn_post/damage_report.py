@@ -15,7 +15,7 @@ from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
 from plydyn_post.results import Results, labels
 from plydyn_post.section import draw_section
 
-SECTION, WIDE_SECTION = "Damage", "Damage of the plies"
+SECTION, WIDE_SECTION = "Damage", "Damage of interfaces and plies"
 
 
 def damage_tasks(plan: Plan) -> list[Task]:

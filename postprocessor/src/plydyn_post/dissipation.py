@@ -11,7 +11,7 @@ from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
 from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, save
 from plydyn_post.table import Table
-from plydyn_post.units import Scale, in_brackets, readable
+from plydyn_post.units import in_brackets, readable
 
 #: Mechanisms in the order in which they are stacked, with their names in print
 MECHANISMS = {
@@ -46,7 +46,10 @@ def draw_dissipation(results: Results, path: Path) -> Path:
         axes.stackplot(
             x,
             [found[name] * energy.factor for name in shown],
-            labels=[_label(name, found[name][-1] * energy.factor, energy) for name in shown],
+            labels=[
+                f"{MECHANISMS[name]}, {_last(found[name] * energy.factor, energy.unit)}"
+                for name in shown
+            ],
             colors=[COLOURS[list(MECHANISMS).index(name) % len(COLOURS)] for name in shown],
             alpha=0.82,
             linewidth=0,
@@ -60,23 +63,27 @@ def draw_dissipation(results: Results, path: Path) -> Path:
         return save(made, path)
 
 
-def _label(name: str, last: float, energy: Scale) -> str:
-    return f"{MECHANISMS[name]}, {last:.3g} {energy.unit}".rstrip()
+def _last(values: np.ndarray, unit: str) -> str:
+    """What a curve comes to."""
+    return f"{values[-1]:.3g} {unit}".rstrip()
 
 
 def draw_areas(results: Results, path: Path) -> Path:
     """Delaminated area of each interface over time, and the projected one."""
     table = results.delamination()
     columns = area_columns(table)
-    unit = table.unit("projected area")
+    unit = table.unit("projected area").replace("2", "²")
     time = readable(table.unit("time"), float(table["time"][-1]))
     x = table["time"] * time.factor
     with figure(size=(NARROW, 3.3)) as (made, axes):
         for place, (number, name) in enumerate(columns.items()):
-            axes.plot(x, table[name], label=f"interface {number}", **look_of(place))
-        axes.plot(x, table["projected area"], color="black", linewidth=1.6, label="projected")
+            label = f"interface {number}, {_last(table[name], unit)}"
+            axes.plot(x, table[name], label=label, **look_of(place))
+        projected = table["projected area"]
+        label = f"projected, {_last(projected, unit)}"
+        axes.plot(x, projected, color="black", linewidth=1.6, label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
-        axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))
+        axes.set_ylabel(in_brackets("Delaminated area", unit))
         axes.set_xlim(x[0], x[-1])
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=64)

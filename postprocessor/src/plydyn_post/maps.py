@@ -8,19 +8,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
-from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
 from plydyn_post.grid import Header
 from plydyn_post.sheets import Sheet
-from plydyn_post.style import INK
+from plydyn_post.style import DAMAGE_MAP, INK
 from plydyn_post.units import readable
 
-#: Damage from nothing to all: paper, straw, orange, red, nearly black
-DAMAGE_MAP = LinearSegmentedColormap.from_list(
-    "damage", ["#f6f5f2", "#fbe3a1", "#f7ad4c", "#dd5a2a", "#9c1c27", "#3b0a1c"]
-)
 #: Damage that the window of a map must hold
 SEEN = 0.05
 #: Free share around it, and the least share of the plate that a window shows

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from plydyn_post import offscreen
 from plydyn_post.camera import AZIMUTH, ELEVATION, Camera, camera_for
-from plydyn_post.render import colour_map, draw_plain, render_vtk
+from plydyn_post.render import draw_plain, render_vtk
 from plydyn_post.results import Results
 from plydyn_post.scene import Scene, Wish, make_scene
 from plydyn_post.style import DPI, INK, WIDE, figure, save
@@ -84,9 +84,10 @@ def _draw_bar(made: Figure, scene: Scene, share: float, lowest: float) -> None:
     ends = {(0, 0): "neither", (1, 0): "min", (0, 1): "max", (1, 1): "both"}
     inch = 1.0 / made.get_size_inches()[1]
     start = lowest + 0.8 * inch
-    box = made.add_axes([share + 0.012, start, 0.018, 1 - start - 0.38 * inch])
+    head = (0.38 + 0.16 * scene.label.count("\n")) * inch
+    box = made.add_axes([share + 0.012, start, 0.018, 1 - start - head])
     bar = made.colorbar(
-        ScalarMappable(Normalize(low, high), colour_map(scene)),
+        ScalarMappable(Normalize(low, high), scene.colours),
         cax=box,
         extend=ends[(int(below), int(above))],
         extendfrac=0.04,

@@ -6,7 +6,6 @@ import os
 
 import numpy as np
 import pyvista as pv
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
@@ -15,7 +14,7 @@ from matplotlib.patches import Circle
 from plydyn_post.camera import Camera
 from plydyn_post.offscreen import CHOICE
 from plydyn_post.scene import Lines, Scene
-from plydyn_post.style import INK, PLAIN_MAP, SIGNED_MAP
+from plydyn_post.style import INK
 
 # Pixels that VTK draws for each one that is shown, along each side
 FINER = 2
@@ -25,11 +24,6 @@ GLASS, STEEL = 0.38, "#8c929a"
 FAINT = 0.22
 # Light that comes from everywhere; the rest comes from beside the eye
 AMBIENT = 0.6
-
-
-def colour_map(scene: Scene) -> str:
-    """Name of the colour map of a scene."""
-    return SIGNED_MAP if scene.signed else PLAIN_MAP
 
 
 def render_vtk(scene: Scene, camera: Camera, width: int, window: str) -> np.ndarray:
@@ -73,7 +67,7 @@ def _add_plate(plotter: pv.Plotter, scene: Scene) -> None:
     plotter.add_mesh(
         mesh,
         scalars="value",
-        cmap=colour_map(scene),
+        cmap=scene.colours,
         clim=scene.limits,
         n_colors=256,
         show_scalar_bar=False,
@@ -142,6 +136,6 @@ def _shaded(scene: Scene, camera: Camera) -> np.ndarray:
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-30)
     light = AMBIENT + (1.0 - AMBIENT) * np.abs(normal @ _light(camera))
     value = scene.values[scene.triangles].mean(axis=1)
-    colours = colormaps[colour_map(scene)](Normalize(*scene.limits)(value))
+    colours = scene.colours(Normalize(*scene.limits)(value))
     colours[:, :3] *= light[:, None]
     return colours

@@ -10,7 +10,7 @@ from pathlib import Path
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.errors import ResultsError
 from plydyn_post.figures import curves_of, draw_energy, draw_history
-from plydyn_post.grid import read_header
+from plydyn_post.grid import has_point_field, read_header
 from plydyn_post.numbers import Comparison, compare, write_numbers
 from plydyn_post.page import Image, Sheet, write_page
 from plydyn_post.picture import draw_picture
@@ -144,4 +144,5 @@ def _picture_tasks(plan: Plan) -> list[Task]:
         )
         for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
         for kind, caption, wish in looks
+        if kind != "stress" or has_point_field(job.fields, "stress")
     ]

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyvista as pv
+from matplotlib.colors import Colormap
 
 from plydyn_post.cut import cut_surface
 from plydyn_post.errors import ResultsError
@@ -60,7 +61,7 @@ class Scene:
     mesh_lines: Lines
     spheres: tuple[Sphere, ...]
     label: str
-    signed: bool
+    colours: Colormap
     limits: tuple[float, float]
     words: str
     ply_height: float  # as drawn
@@ -107,9 +108,11 @@ def make_scene(results: Results, wish: Wish) -> Scene:
         wish.thickness or _auto_thickness(state.points, wish),
         wish.factor or _auto_factor(state.points, wish),
     )
-    unit = state.shown.unit(state.header)
-    scale = readable(unit, float(np.abs(state.points[:, 6]).max()))
+    known = state.points[:, 6]
+    scale = readable(state.shown.unit(state.header), float(np.abs(known).max()))
     values = scale.factor * surface.points[:, 6]
+    if state.shown.bounded:
+        values = values.clip(scale.factor * known.min(), scale.factor * known.max())
     plies = len(np.unique(np.concatenate([block.ply for block in blocks])))
     return Scene(
         points=magnified.place(surface.points),
@@ -118,9 +121,9 @@ def make_scene(results: Results, wish: Wish) -> Scene:
         ply_lines=magnified.lines(surface.ply_lines),
         mesh_lines=magnified.lines(surface.mesh_lines if wish.mesh else Surface().mesh_lines),
         spheres=_spheres(results, state, magnified),
-        label=in_brackets(f"${state.shown.symbol}$", scale.unit),
-        signed=state.shown.signed,
-        limits=wish.limits or _limits(values, state.shown.signed),
+        label=in_brackets(state.shown.label, scale.unit),
+        colours=state.shown.colours,
+        limits=wish.limits or state.shown.limits or _limits(values, state.shown.signed),
         words=_words(state, magnified),
         ply_height=magnified.thickness * float(np.ptp(state.points[:, 2])) / plies,
         middle=magnified.place(_below(state.points, _middle(state), 1.0)),

@@ -15,7 +15,6 @@ from plydyn_post.grid import Header, read_header
 from plydyn_post.hexahedra import finer
 from plydyn_post.interfaces import DELAMINATED, Interfaces, read_interfaces
 from plydyn_post.maps import (
-    DAMAGE_MAP,
     MARGIN,
     SEEN,
     SMALLEST,
@@ -27,7 +26,7 @@ from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.ply_maps import MECHANISMS
 from plydyn_post.results import Results
 from plydyn_post.sheets import Found, find
-from plydyn_post.style import INK, QUIET, WIDE, figure, save
+from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, save
 from plydyn_post.units import in_brackets, readable
 
 #: Places along a cut, and finer parts of each layer through the thickness

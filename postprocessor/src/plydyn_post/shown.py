@@ -6,9 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import pyvista as pv
+from matplotlib.colors import Colormap
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import PLY_TENSOR, TENSOR, Header
+from plydyn_post.style import DAMAGE_MAP, PLAIN_MAP, SIGNED_MAP
 
 # Letter of a quantity -> (field of global components, of ply components, symbol, kind of unit)
 TENSORS = {
@@ -16,13 +18,13 @@ TENSORS = {
     "e": ("strain", "strain_ply", r"\varepsilon", ""),
 }
 VECTORS = {"u": ("displacement", "length"), "v": ("velocity", "length/time")}
-# Name of a field of one number -> symbol, kind of unit
+# Name of a field of one number -> label, kind of unit, colours, their ends where always the same
 SCALARS = {
-    "plastic_strain": (r"\bar{\varepsilon}^{p}", ""),
-    "damage_fibre": (r"\omega_1", ""),
-    "damage_matrix": (r"\omega_2", ""),
-    "damage_shear": (r"\omega_{12}", ""),
-    "dissipated": ("w", "stress"),
+    "plastic_strain": ("Plastic\nstrain", "", PLAIN_MAP, None),
+    "damage_fibre": ("Fibre\ndamage", "", DAMAGE_MAP, (0.0, 1.0)),
+    "damage_matrix": ("Matrix\ndamage", "", DAMAGE_MAP, (0.0, 1.0)),
+    "damage_shear": ("Shear\ndamage", "", DAMAGE_MAP, (0.0, 1.0)),
+    "dissipated": ("Dissipated\nenergy", "stress", PLAIN_MAP, None),
 }
 
 
@@ -32,9 +34,16 @@ class Shown:
 
     field: str
     component: int | None  # None is the length of a vector, or the number of a scalar
-    symbol: str
+    label: str
     kind: str  # of its unit
-    signed: bool  # colours are centred at zero
+    colours: Colormap
+    limits: tuple[float, float] | None = None  # of the colours, where always the same
+    bounded: bool = False  # between points it stays within the range of the points
+
+    @property
+    def signed(self) -> bool:
+        """Whether colours are centred at zero."""
+        return self.colours is SIGNED_MAP
 
     def values(self, grid: pv.UnstructuredGrid, where: object) -> np.ndarray:
         """The component at the points, (points,)."""
@@ -58,20 +67,20 @@ class Shown:
 def shown(name: str) -> Shown:
     """The component of a name; strains are tensor components."""
     if name in SCALARS:
-        symbol, kind = SCALARS[name]
-        return Shown(name, None, symbol, kind, False)
+        return Shown(name, None, *SCALARS[name], bounded=True)
     letter, place = name[:1], name[1:]
     if letter in VECTORS and place in ("", "x", "y", "z"):
         field, kind = VECTORS[letter]
         if not place:
-            return Shown(field, None, rf"|\mathbf{{{letter}}}|", kind, False)
-        return Shown(field, "xyz".index(place), f"{letter}_{place}", kind, letter == "v")
+            return Shown(field, None, rf"$|\mathbf{{{letter}}}|$", kind, PLAIN_MAP)
+        colours = SIGNED_MAP if letter == "v" else PLAIN_MAP
+        return Shown(field, "xyz".index(place), f"${letter}_{place}$", kind, colours)
     if letter in TENSORS:
         whole, ply, symbol, kind = TENSORS[letter]
         for field, components in ((whole, TENSOR), (ply, PLY_TENSOR)):
             if place in components:
-                text = rf"{symbol}_{{{place}}}"
-                return Shown(field, components.index(place), text, kind, True)
+                label = rf"${symbol}_{{{place}}}$"
+                return Shown(field, components.index(place), label, kind, SIGNED_MAP)
     raise ResultsError(
         f"{name!r} is no quantity to show; expected u, ux, uy, uz, v, vx, vy, vz,"
         " sxx, syy, szz, sxy, syz, sxz, s11, s22, s33, s12, s23, s13, or e for strains,"

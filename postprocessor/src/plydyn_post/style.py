@@ -10,8 +10,10 @@ import matplotlib
 
 matplotlib.use("Agg")
 
+from matplotlib import colormaps
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 # Colours that stay apart for colour-blind eyes (Okabe and Ito), and dashes that do so in grey
@@ -23,7 +25,11 @@ INK = "#262626"
 # Widths of figures, inches, and dots per inch
 WIDE, NARROW, DPI = 6.3, 4.6, 200
 # Colour maps of quantities with and without a meaning of zero
-SIGNED_MAP, PLAIN_MAP = "RdBu_r", "viridis"
+SIGNED_MAP, PLAIN_MAP = colormaps["RdBu_r"], colormaps["viridis"]
+# Damage from nothing to all: paper, straw, orange, red, nearly black
+DAMAGE_MAP = LinearSegmentedColormap.from_list(
+    "damage", ["#f6f5f2", "#fbe3a1", "#f7ad4c", "#dd5a2a", "#9c1c27", "#3b0a1c"]
+)
 
 LOOK = {
     "font.family": "sans-serif",
