@@ -89,10 +89,16 @@ class Deck:
         return path
 
     def control(
-        self, *, linear: bool = False, damping: float = 0.0, share: float = 0.9, scheme: int = 0
+        self,
+        *,
+        linear: bool = False,
+        damping: float = 0.0,
+        share: float = 0.9,
+        scheme: int = 0,
+        largest: float = 0.0,
     ) -> None:
-        """Strain measure, damping per mass, share of the stable step, what is implicit."""
-        self.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05, scheme))
+        """Strain measure, damping per mass, share of the stable step, what is implicit, DTMAX."""
+        self.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05, scheme, largest))
         self.add("CONTROL_TIMESTEP", (0.0, share))
         if damping > 0.0:
             self.add("DAMPING_GLOBAL", (0, damping))
@@ -195,12 +201,12 @@ class Deck:
         ]
         self.add("LOAD_FACE_POINT", *cards)
 
-    def sphere(self, sphere: Sphere) -> None:
-        """Impactor 1, in contact with part 1."""
+    def sphere(self, sphere: Sphere, number: int = 1) -> None:
+        """An impactor, in contact with part 1."""
         s = sphere
         motion = (*s.velocity, int(s.guided), s.gravity, 0)
-        self.add("IMPACTOR_SPHERE", (1, s.radius, s.mass, *s.centre), motion)
-        self.add("CONTACT_IMPACTOR", (1, 1, 1, s.face, s.method, s.spacing))
+        self.add("IMPACTOR_SPHERE", (number, s.radius, s.mass, *s.centre), motion)
+        self.add("CONTACT_IMPACTOR", (number, number, 1, s.face, s.method, s.spacing))
 
     def profile(self, number: int, x: float, y: float, interval: float, points: int = 5) -> None:
         """Stress through the thickness at a place."""
