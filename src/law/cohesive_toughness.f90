@@ -21,8 +21,9 @@ contains
 
    !> Energies per crack area at mixes of modes
    pure subroutine find_toughness(criterion, exponent, each, mix, toughness)
-      !> `benzeggagh_kenane` or `power_law`, and its exponent
+      !> `benzeggagh_kenane` or `power_law`
       integer, intent(in) :: criterion
+      !> Its exponent, above 0
       real(wp), intent(in) :: exponent
       !> Energies per crack area of opening and of sliding
       real(wp), intent(in) :: each(2)
