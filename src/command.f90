@@ -212,8 +212,6 @@ contains
 
       if (len(command%restart) > 0 .and. command%action == "run") command%action = "restart"
       select case (command%action)
-      case ("")
-         call fail(error, exit_usage, usage)
       case ("run", "check")
          if (len(command%deck) == 0) then
             call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
@@ -230,8 +228,12 @@ contains
             call name_job(command%restart, folder, command, error)
          end if
       case default
-         if (len(command%deck) > 0) call fail(error, exit_usage, "'"//command%deck &
-            & //"' is not understood"//new_line("a")//usage)
+         if (len(command%deck) > 0) then
+            call fail(error, exit_usage, "'"//command%deck//"' is not understood"//new_line("a") &
+               & //usage)
+         else if (len(command%action) == 0) then
+            call fail(error, exit_usage, usage)
+         end if
       end select
    end subroutine finish
 

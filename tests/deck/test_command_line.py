@@ -34,6 +34,8 @@ def said(*words: object) -> tuple[int, str]:
         (["--keywords", "NODE", "PART"], USAGE, "'PART' is not understood"),
         (["--version", "deck.k"], USAGE, "'deck.k' is not understood"),
         ([], USAGE, "plydyn run DECK"),
+        (["strike", DECK], USAGE, "is not understood"),
+        (["strike"], USAGE, "'strike' is not understood"),
         (["run"], USAGE, "run needs a deck"),
         (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
         (["run", DECK, "-j"], USAGE, "-j needs a name after it"),
