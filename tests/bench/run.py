@@ -89,9 +89,10 @@ def machine() -> str:
 
 def kernels() -> str:
     """Time and share of the peak of every kernel."""
-    told = subprocess.run(
-        [BUILD / "tests/bench/bench"], capture_output=True, text=True, check=True
-    ).stdout
+    bench = BUILD / "tests/bench/bench"
+    if not bench.is_file():
+        raise SystemExit(f"there is no {bench}: cmake --build --preset release")
+    told = subprocess.run([bench], capture_output=True, text=True, check=True).stdout
     times = {name: float(value) for name, value in (line.split(",") for line in told.splitlines())}
     peak = times.pop("peak GFLOP/s")
     rows, others = [], []

@@ -1,6 +1,6 @@
 """All tests of delamination, orders 1 to 3 and quads of 0.5 to 2 mm, as a table for the manual.
 
-PYTHONPATH=tests/support .venv/bin/python tests/verification/delamination/study.py FOLDER
+.venv/bin/python tests/verification/delamination/study.py [FOLDER]
 
 Rows are printed as they come; a run takes from seconds to a minute, the whole some minutes.
 """
@@ -12,7 +12,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from delamination import PEEK_BOND, TESTS, Specimen, simulate
+ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+from delamination import PEEK_BOND, TESTS, Specimen, simulate  # noqa: E402
 
 HEAD = (
     "| test | order | quad [mm] | variant | force [N] | over theory | over test | G/Gc | kinetic |"
@@ -67,4 +70,6 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    place = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/study/delamination"
+    place.mkdir(parents=True, exist_ok=True)
+    main(place)

@@ -1,6 +1,6 @@
 """Energy that failed faces give to a plate as they open and close, as a table for the manual.
 
-PYTHONPATH=tests/support .venv/bin/python tests/verification/reclosing/study.py FOLDER
+.venv/bin/python tests/verification/reclosing/study.py [FOLDER]
 """
 
 from __future__ import annotations
@@ -8,7 +8,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from reclosing import BOND, WHOLE, Course, energies, mean_kinetic
+ROOT = Path(__file__).resolve().parents[3]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+from reclosing import BOND, WHOLE, Course, energies, mean_kinetic  # noqa: E402
 
 SHARES = (0.5, 0.7, 0.9)
 LONG = 1.0e-3
@@ -34,4 +37,6 @@ def lost(course: Course, folder: Path) -> float:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    place = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/study/reclosing"
+    place.mkdir(parents=True, exist_ok=True)
+    main(place)
