@@ -16,7 +16,9 @@ def damaged(study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive) -> pre.Stu
         study,
         materials={"ply": ply, "bond": bond},
         laminate=pre.Laminate("[0/90]s", 0.1, "ply", interfaces="bond"),
-        outputs=pre.Outputs(fields=("damage_matrix",), delamination_interval=1e-6),
+        outputs=pre.Outputs(
+            fields=("damage_matrix",), delamination_interval=1e-6, restart_steps=2000
+        ),
     )
 
 
@@ -73,6 +75,7 @@ def test_a_bond_that_fails_says_all_that_it_is(
     ]
     assert cards["INTERFACE_COHESIVE"][0].split() == ["1", "0", "0", "2", "1", "1", "0.3", "2"]
     assert cards["DATABASE_DELAM"][0].split() == ["1e-06"]
+    assert cards["DATABASE_BINARY_RUNRSF"][0].split() == ["2000"]
     other = replace(bond, mixing="power", exponent=1.0)
     cards = cards_of(text_of(damaged(study, ply, other)))
     assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"

@@ -58,6 +58,8 @@ def interval_keywords(names: Names) -> Iterator[str]:
             yield keyword(name, {"dt": interval})
     if outputs.fields:
         yield keyword("DATABASE_FIELD", *outputs.fields)
+    if outputs.restart_steps is not None:
+        yield keyword("DATABASE_BINARY_RUNRSF", {"cycl": outputs.restart_steps})
 
 
 def _units(study: Study) -> Card:

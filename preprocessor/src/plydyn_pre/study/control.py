@@ -84,6 +84,7 @@ class Outputs:
     nodes: tuple[str, ...] = ()  # names of node sets with a history
     support_interval: float | None = None  # support forces; none if absent
     delamination_interval: float | None = None  # delaminated areas
+    restart_steps: int | None = None  # between two restart files, which replace each other
     profiles: tuple[Profile, ...] = ()
 
     def __post_init__(self) -> None:
@@ -92,5 +93,7 @@ class Outputs:
             value = getattr(self, f"{name}_interval")
             rule = f"{value!r} must be above zero; leave it out for the solver's own"
             require(value is None or value > 0.0, f"{name}_interval", rule)
+        rule = f"{self.restart_steps!r} must be above zero; leave it out for no restart files"
+        require(self.restart_steps is None or self.restart_steps > 0, "restart_steps", rule)
         both = bool(self.nodes) or self.node_interval is None
         require(both, "nodes", 'missing; name the node sets, such as nodes = ["centre"]')
