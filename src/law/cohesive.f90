@@ -43,7 +43,7 @@ module plydyn_law_cohesive
       real(wp) :: strength(2) = 0.0_wp
       !> Energies G_Ic and G_IIc per crack area
       real(wp) :: toughness(2) = 0.0_wp
-      !> Toughness of mixed modes, a law of `cohesive_toughness`, and its exponent
+      !> Toughness of mixed modes, a law of `cohesive_toughness.f90`, and its exponent
       integer :: criterion = benzeggagh_kenane
       real(wp) :: exponent = 1.0_wp
       !> Replace the shear stiffness by K_n (G_Ic/G_IIc) (S/N)**2, for which the energy lost depends

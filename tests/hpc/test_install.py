@@ -178,6 +178,21 @@ def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) ->
     assert unlike(whole, listing.parent) == []
 
 
+def test_deck_that_was_changed_is_told(tree: Path, tmp_path: Path) -> None:
+    """A job goes on with the deck that it began with, and says so where there is a newer one."""
+    deck = impact(1, end=1.0e-4).write(tmp_path / "plate.k")
+    found = environment(tree)
+    words = ["run", deck, "-j", "plate", "-o", tmp_path, "--wall-time", "0.01"]
+    assert subprocess.run(["plydyn", *words], env=found, capture_output=True).returncode == STOPPED
+    command = ["plydyn-batch", deck, "plate", tmp_path]
+    for newer in (False, True):
+        stamp = (tmp_path / "plate.dump01").stat().st_mtime + (10.0 if newer else -10.0)
+        os.utime(deck, (stamp, stamp))
+        done = subprocess.run(command, env=found, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        assert ("remove the restart files of plate" in done.stderr) == newer
+
+
 def test_recipes_can_be_read() -> None:
     """Python's grammar holds for the recipes of Spack and EasyBuild; the container knows its parts.
 
