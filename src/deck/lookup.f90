@@ -48,8 +48,12 @@ contains
       else if (keywords(i)%fate == is_refused) then
          call report%refuse(place, "'*"//name//"' is not supported", keywords(i)%remark)
       else if (keywords(i)%fate == is_ignored) then
-         call report%warn(place, "'*"//name//"' is known, ignored", &
-            & "nothing to do: it does not change the results")
+         if (len(keywords(i)%remark) > 0) then
+            call report%warn(place, "'*"//name//"' is known, ignored", keywords(i)%remark)
+         else
+            call report%warn(place, "'*"//name//"' is known, ignored", &
+               & "nothing to do: it does not change the results")
+         end if
       else
          cards%name = keywords(i)%name
          cards%declaration = keywords(i)

@@ -52,6 +52,9 @@ contains
       do i = 1, size(keywords)
          if (keywords(i)%fate /= fate) cycle
          if (fate == is_ignored) words = words//"`*"//keywords(i)%name//"` "
+         if (fate == is_ignored .and. len(keywords(i)%remark) > 0) then
+            words = words//"(right would be "//keywords(i)%remark//") "
+         end if
          if (fate == is_refused) words = words//"- `*"//keywords(i)%name//"`: right would be " &
             & //keywords(i)%remark//line_feed
       end do

@@ -141,7 +141,7 @@ contains
       type(place_type) :: place
       integer :: i
 
-      if (source%ended .or. source%file_count == 0) return
+      if (source%ended) return
       do i = source%line_count, 1, -1
          if (source%files(source%lines(i)%file)%parent == 0) exit
       end do

@@ -35,6 +35,8 @@ module plydyn_deck_source
    end type source_type
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
+   !> What an HDF5 file begins with
+   character(*), parameter :: hdf5_mark = char(137)//"HDF"
 
 contains
 
@@ -58,10 +60,15 @@ contains
       !> The files to read in place of those on the disk
       type(bundle_type), intent(in), optional :: stored
 
+      integer :: files
+
       source%ended = .false.
       source%include_path = ""
       if (present(stored)) source%stored = stored
+      files = source%file_count
       call load(source, path, 0, 0, report)
+      ! of a deck that cannot be read nobody misses the end
+      if (source%file_count == files) source%ended = .true.
       deallocate (source%stored%documents)
       allocate (source%stored%documents(0))
    end subroutine add_source
@@ -179,7 +186,10 @@ contains
       else
          call read_content(path, file%content, found)
       end if
-      if (found) then
+      if (found .and. index(file%content, hdf5_mark) == 1) then
+         call report%refuse(place, "the file '"//path//"' is no deck but an HDF5 file", &
+            & "a deck; 'plydyn restart FILE' goes on from a restart file")
+      else if (found) then
          call add_file(source, file)
          call add_lines(source, (source%file_count), report)
       else

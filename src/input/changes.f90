@@ -1,12 +1,13 @@
 !> What the deck of a restart changes in the decks before it.
 module plydyn_input_changes
    use plydyn_deck_deck, only : deck_type
+   use plydyn_deck_report, only : place_type
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_model_control, only : changes_type
    implicit none
    private
 
-   public :: apply_changes, changes_of
+   public :: apply_changes, changes_of, warn_of_nothing
 
    !> Longest name below
    integer, parameter :: longest_name = 32
@@ -18,6 +19,10 @@ module plydyn_input_changes
       & "SET_NODE_GENERAL", "SET_SHELL_LIST", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
       & "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
       & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
+
+   !> All of these in words
+   character(*), parameter :: changeable = "supports, loads, damping, the end time, intervals of " &
+      & //"results, and the sets, boxes and curves for them"
 
 contains
 
@@ -87,11 +92,30 @@ contains
          if (len(keyword%name) == 0) return
          if (any(allowed == keyword%name)) return
          if (is_replaced(keyword%name)) return
-         call catalogue%report%refuse(keyword%head(), "a restart cannot change this", &
-            & "supports, loads, damping, the end time, intervals of results, and the sets, boxes " &
-            & //"and curves for them")
+         call catalogue%report%refuse(keyword%head(), "a restart cannot change this", changeable)
       end associate
    end subroutine check_allowed
+
+   !> Warn when the last deck changes nothing, unless something was refused already
+   subroutine warn_of_nothing(deck, catalogue)
+      !> Decks, one after the other
+      type(deck_type), intent(in) :: deck
+      !> Gets the warning
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(place_type) :: place
+      integer :: i, last
+
+      if (catalogue%report%has_errors() .or. deck%source%line_count == 0) return
+      last = deck%source%root(deck%source%line_count)
+      if (last == 1) return
+      do i = 1, size(deck%keywords)
+         if (deck%source%root(deck%keywords(i)%line) < last) cycle
+         if (len(deck%keywords(i)%name) > 0 .and. deck%keywords(i)%name /= "TITLE") return
+      end do
+      place%line = deck%source%line_count
+      call catalogue%report%warn(place, "the deck changes nothing", changeable)
+   end subroutine warn_of_nothing
 
    !> Take out the keywords of a family from the decks before the last one that has any
    subroutine take_out(deck, family)

@@ -13,13 +13,16 @@ module plydyn_input_declare_known
    character(longest_name), parameter :: ignored(*) = [character(longest_name) :: &
       & "CONTROL_OUTPUT", "CONTROL_SOLUTION", "DATABASE_ABSTAT", "DATABASE_ATDOUT", &
       & "DATABASE_BINARY_D3PART", "DATABASE_BINARY_D3THDT", "DATABASE_BINARY_INTFOR", &
-      & "DATABASE_BNDOUT", &
       & "DATABASE_DEFORC", "DATABASE_DISBOUT", "DATABASE_ELOUT", "DATABASE_EXTENT_BINARY", &
       & "DATABASE_EXTENT_INTFOR", "DATABASE_FORMAT", "DATABASE_HISTORY_SHELL", &
       & "DATABASE_HISTORY_SHELL_SET", "DATABASE_HISTORY_SOLID", "DATABASE_JNTFORC", &
-      & "DATABASE_MATSUM", "DATABASE_NCFORC", "DATABASE_NODFOR", "DATABASE_RBDOUT", &
-      & "DATABASE_RCFORC", "DATABASE_RWFORC", "DATABASE_SECFORC", "DATABASE_SLEOUT", &
-      & "DATABASE_SWFORC", "DATABASE_TRHIST"]
+      & "DATABASE_MATSUM", "DATABASE_NODFOR", "DATABASE_RBDOUT", "DATABASE_RWFORC", &
+      & "DATABASE_SECFORC", "DATABASE_SLEOUT", "DATABASE_SWFORC", "DATABASE_TRHIST"]
+   !> The same, where plydyn has another way to what they write
+   character(longest_name), parameter :: boundary_forces(*) = [character(longest_name) :: &
+      & "DATABASE_BNDOUT"]
+   character(longest_name), parameter :: contact_forces(*) = [character(longest_name) :: &
+      & "DATABASE_NCFORC", "DATABASE_RCFORC"]
 
    !> Would change the results: an error with advice
    character(longest_name), parameter :: whole_laminates(*) = [character(longest_name) :: &
@@ -45,9 +48,13 @@ contains
 
    !> Keywords that do not change the results
    function ignored_keywords() result(keywords)
-      type(keyword_type) :: keywords(size(ignored))
+      type(keyword_type), allocatable :: keywords(:)
 
-      keywords = listed(ignored, is_ignored, "")
+      keywords = [listed(ignored, is_ignored, ""), &
+         & listed(boundary_forces, is_ignored, &
+         & "*DATABASE_SPCFORC, which writes the forces of prescribed motions, too"), &
+         & listed(contact_forces, is_ignored, &
+         & "*DATABASE_IMPACTOR, which writes the force of contact; it does so without a keyword")]
    end function ignored_keywords
 
    !> Keywords that plydyn has another way for

@@ -5,7 +5,7 @@ module plydyn_input_read_model
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
-   use plydyn_input_changes, only : apply_changes, changes_of
+   use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
    use plydyn_input_check_model, only : check_model
    use plydyn_input_defaults, only : begin_model, end_model
    use plydyn_input_keywords, only : all_keywords
@@ -56,7 +56,10 @@ contains
       call read_decks(archive, path, all_keywords(), deck, catalogue%report)
       call apply_changes(deck, catalogue)
       call begin_model(model)
-      if (len(path) > 0) model%changes = changes_of(deck)
+      if (len(path) > 0) then
+         model%changes = changes_of(deck)
+         call warn_of_nothing(deck, catalogue)
+      end if
       call read_stage(deck, read_independent, catalogue, model)
       call read_stage(deck, read_plain_material, catalogue, model)
       call read_stage(deck, read_table, catalogue, model)

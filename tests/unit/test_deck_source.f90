@@ -55,6 +55,10 @@ program test_deck_source
    call check(report%count(grave_error), 2, "a missing file is an error")
    call read_alone("nowhere.k")
    call check(report%count(grave_error), 3, "also as the deck itself")
+   call check(source%ended, "whose end nobody misses")
+   call write_file("source_10.k", char(137)//"HDF"//windows//char(26))
+   call read_alone("source_10.k")
+   call check(report%count(grave_error), 4, "so is a restart file in place of a deck")
 
    call finish()
 

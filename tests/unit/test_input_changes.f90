@@ -68,6 +68,10 @@ contains
       call check(model%control%end_time, 3.0_wp, 0.0_wp, "which counts")
       call check(model%request%energy_interval, 0.1_wp, 0.0_wp, "an interval as well")
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "that of the fields stays")
+      call read_text("*KEYWORD|*PARAMETER|R end,3.0|*TITLE|as before|*END|")
+      call check(index(messages, "changes.k:6: the deck changes nothing") > 0, "a deck in vain")
+      call read_decks_of_run(archive, "", model, messages, error)
+      call check(index(messages, "the deck changes nothing") == 0, "is told of once")
    end subroutine again
 
    !> Decks that change too much
