@@ -2,6 +2,7 @@
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
    use plydyn_base_error, only : error_type, exit_normal, exit_output
+   use plydyn_base_files, only : is_same_path
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
@@ -111,7 +112,7 @@ contains
       if (allocated(error)) return
       if (comm%is_root()) call move_alloc(job%version, written_by)
       job%version = version
-      if (len(command%job) > 0) call rename_job(command%job, job)
+      if (len(command%job) > 0) call rename_job(comm, command%job, job)
       call read_model(comm, command%deck, job, parts%model, messages, error)
       if (allocated(error)) return
       call build_run(comm, command%threads, messages, parts, error)
@@ -149,11 +150,19 @@ contains
       if (command%action /= "check") call catch_signals()
    end subroutine begin_job
 
-   !> Let the results of a restart go to files of their own, which begin there
-   subroutine rename_job(path, job)
+   !> Let the results of a restart go to files of their own, which begin there, unless these are the
+   !> files of the restart: then they go on
+   subroutine rename_job(comm, path, job)
+      type(comm_type), intent(in) :: comm
       character(*), intent(in) :: path
       type(job_type), intent(inout) :: job
 
+      integer :: same(1)
+
+      same(1) = 0
+      if (comm%is_root()) same(1) = merge(1, 0, is_same_path(path, job%path))
+      call comm%tell(same)
+      if (same(1) > 0) return
       job%path = path
       job%places = new_places(path)
       job%is_renamed = .true.

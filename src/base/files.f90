@@ -9,7 +9,10 @@ module plydyn_base_files
    implicit none
    private
 
-   public :: cut_file, has_room, remove_file, rename_file, secure_file
+   public :: cut_file, has_room, is_same_path, remove_file, rename_file, secure_file
+
+   !> Longest path that the operating system knows
+   integer, parameter :: longest_path = 4096
 
    interface
       integer(c_int) function c_rename(from, to) bind(c, name="rename")
@@ -76,6 +79,13 @@ module plydyn_base_files
          type(c_ptr), value :: stream
       end function c_fclose
 
+      type(c_ptr) function c_realpath(path, whole) bind(c, name="realpath")
+         import :: c_char, c_ptr, longest_path
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(inout) :: whole(longest_path)
+      end function c_realpath
+
       type(c_ptr) function c_opendir(path) bind(c, name="opendir")
          import :: c_char, c_ptr
          implicit none
@@ -118,6 +128,35 @@ contains
       status = c_fsync(c_dirfd(folder))
       status = c_closedir(folder)
    end subroutine rename_file
+
+   !> Whether two paths name the same file, there or not, in whatever words
+   logical function is_same_path(one, other)
+      !> Paths; their folders must exist
+      character(*), intent(in) :: one, other
+
+      integer :: name, other_name
+
+      name = index(one, "/", back=.true.) + 1
+      other_name = index(other, "/", back=.true.) + 1
+      is_same_path = one(name:) == other(other_name:)
+      if (.not. is_same_path) return
+      is_same_path = all(whole_path(one(:name - 1)//".") == whole_path(other(:other_name - 1)//"."))
+   end function is_same_path
+
+   !> Path of a folder from the root on, without links; blank when there is none
+   function whole_path(folder)
+      character(*), intent(in) :: folder
+      character(kind=c_char) :: whole_path(longest_path)
+
+      integer :: last
+
+      whole_path(:) = " "
+      last = 0
+      if (c_associated(c_realpath(folder//c_null_char, whole_path))) then
+         last = findloc(whole_path, c_null_char, 1) - 1
+      end if
+      whole_path(last + 1:) = " "
+   end function whole_path
 
    !> Wait until all that was written to a file is on the disk
    subroutine secure_file(path, good)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,7 +15,7 @@ import pytest
 from broken import CYCLES, KINDS, impact, said, unlike
 from decks import Deck
 from elasticity import Array
-from runs import DIGITS, Results
+from runs import DIGITS, SOLVER, Results
 
 NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
 
@@ -90,6 +91,18 @@ def test_running_file_replaces_the_one_before(tmp_path: Path) -> None:
         code, text = said(f"r={whole / f'job.runrsf{number}'}")
         assert code == NORMAL, text
         assert before == {path.name: path.read_bytes() for path in whole.glob("*.csv")}
+
+
+@pytest.mark.parametrize("words", [["-j", "job"], ["-o", "broken"], ["-o", "whole/../broken"]])
+def test_name_of_the_run_goes_on_with_its_files(words: list[str], tmp_path: Path) -> None:
+    """However it is written: nothing of what is before the restart is lost."""
+    whole, broken = both(impact(1, end=1.0e-5), tmp_path)
+    folder = broken if words[0] == "-j" else tmp_path
+    dump = (broken / "job.dump01").relative_to(folder)
+    command = [SOLVER, "restart", dump, *words]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == NORMAL, done.stderr
+    assert unlike(whole, broken) == []
 
 
 def test_parameters_and_include_files_are_in_the_restart_file(tmp_path: Path) -> None:
@@ -236,6 +249,7 @@ def test_restart_refuses(tmp_path: Path) -> None:
         ([dump, "-p", "speed=1"], USAGE, "-p belongs to run"),
         ([], USAGE, "restart needs a restart file"),
         ([tmp_path / "job.k"], INPUT, "job.k is no restart file"),
+        ([dump, dump], INPUT, "job.dump01' is no deck but an HDF5 file"),
         ([tmp_path / "job.vtkhdf"], INPUT, "but no restart file of plydyn"),
     ]:
         code, text = said("restart", *words)

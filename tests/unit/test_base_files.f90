@@ -1,13 +1,15 @@
 !> Files: renamed, cut, removed, brought to the disk, and whether there is room behind them.
 program test_base_files
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_files, only : cut_file, has_room, remove_file, rename_file, secure_file
+   use plydyn_base_files, only : cut_file, has_room, is_same_path, remove_file, rename_file, &
+      & secure_file
    use testing, only : begin, check, finish
    implicit none
 
    character(*), parameter :: one = "test_base_files_1", other = "test_base_files_2"
 
    call names()
+   call paths()
    call lengths()
    call room()
    call finish()
@@ -32,6 +34,16 @@ contains
       inquire (file=other, exist=exists)
       call check(.not. exists, "a file is removed")
    end subroutine names
+
+   !> Paths in several words
+   subroutine paths()
+      call begin("is_same_path")
+      call check(is_same_path("job", "./job"), "with and without the folder")
+      call check(is_same_path("/proc//self/../job", "/proc/job"), "by a detour")
+      call check(.not. is_same_path("job", "other"), "another name")
+      call check(.not. is_same_path("job", "/job"), "another folder")
+      call check(.not. is_same_path("/proc/job", "/job"), "a folder above")
+   end subroutine paths
 
    !> Lengths
    subroutine lengths()
