@@ -273,18 +273,19 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: i, k
-      real(wp) :: arm(3)
+      real(wp) :: arm(3), distance
 
       do i = 1, size(self%near%point)
          k = self%near%point(i)
-         arm(:) = position(:, k) - centre
+         arm(:) = centre - position(:, k)
          if (arm(1)**2 + arm(2)**2 + arm(3)**2 >= self%setup%radius**2) cycle
+         distance = norm2(arm)
          call self%rows%add(k, 0.0_wp)
          associate (rows => self%rows, row => self%rows%count)
             rows%point(1, row) = k
             rows%weight(1, row) = 1.0_wp
-            call sphere_gap(position(:, k), centre, self%setup%radius, self%setup%side, &
-               & rows%gap(row), rows%normal(:, row))
+            rows%gap(row) = distance - self%setup%radius
+            rows%normal(:, row) = arm/distance
          end associate
       end do
    end subroutine collect_points

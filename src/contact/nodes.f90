@@ -322,8 +322,9 @@ contains
       if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
    end subroutine note
 
-   !> Whether the plate faces the sphere there; where crushed matter has folded over it does not,
-   !> and its normal would pull the sphere in
+   !> Whether the plate faces the sphere there, with the centre on its outside. Where crushed matter
+   !> has folded over it does not, and its normal would pull the sphere in; where the sphere has
+   !> slipped down beside the border the centre is not, and its nodes come in under the face
    pure logical function is_faced(self, foot, node)
       !> The nodes
       type(node_set_type), intent(in) :: self
@@ -332,8 +333,11 @@ contains
       !> Its number
       integer, intent(in) :: node
 
+      real(wp) :: height
+
       associate (arm => self%position(:, node))
-         is_faced = dot_product(foot%normal, arm) <= -faced_cosine*norm2(arm)
+         height = -dot_product(foot%normal, arm)
+         is_faced = height >= faced_cosine*norm2(arm) .and. height + foot%gap > 0.0_wp
       end associate
    end function is_faced
 

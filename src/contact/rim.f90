@@ -1,10 +1,9 @@
-!> The border of a face against the exact sphere, where the sphere hangs over it.
+!> The border of a face against the exact sphere.
 !>
-!> A contact node beyond the border touches nothing. Where the centre itself is beyond, the sphere
-!> rests on the edge of the face, between nodes that have slipped off and nodes above: it would
-!> sink until one of them is found far below the face. So there no side of the border may enter the
-!> sphere; each makes a row at its closest point to the centre. Above the face contact nodes do it
-!> alone, and on a border that the centre lies on, which may be a plane of symmetry.
+!> A contact node beyond the border touches nothing. A sphere over it would sink between nodes that
+!> have slipped off and nodes above the face, until one of them is found far below. So no side of
+!> the border may enter the sphere: each that does makes a row at its closest point to the centre.
+!> None is made where the centre lies over the side to the digit: it may be a plane of symmetry.
 module plydyn_contact_rim
    use plydyn_base_precision, only : wp
    use plydyn_contact_constraint, only : constraints_type
@@ -20,8 +19,8 @@ module plydyn_contact_rim
    integer, parameter :: most_steps = 30
    real(wp), parameter :: last_step = 1.0e-9_wp
 
-   !> A centre this little beyond the border is on it, as a share of the radius
-   real(wp), parameter :: least_overhang = 1.0e-6_wp
+   !> A centre this close to the plane above a side is in it, as a share of the radius
+   real(wp), parameter :: least_offset = 1.0e-6_wp
 
    !> A side never bulges out farther from its ends than this many times the distance between them
    real(wp), parameter :: largest_bulge = 1.5_wp
@@ -32,13 +31,13 @@ module plydyn_contact_rim
       real(wp) :: along = 0.0_wp
       !> From there to the centre, length
       real(wp) :: arm(3) = 0.0_wp
-      !> How far the centre is beyond the side, seen from above, length
-      real(wp) :: overhang = 0.0_wp
+      !> How far the centre is beside the side, seen from above, length
+      real(wp) :: offset = 0.0_wp
    end type touch_type
 
 contains
 
-   !> Make a row of every side of the border inside a sphere that hangs over it
+   !> Make a row of every side of the border inside the sphere
    pure subroutine collect_rim(surface, facets, position, centre, radius, rows)
       !> The surface
       type(surface_type), intent(in) :: surface
@@ -61,14 +60,14 @@ contains
             if (surface%neighbour(s, facets(i)) /= 0) cycle
             if (is_far(surface, facets(i), s, position, centre, radius)) cycle
             touch = touch_of(surface, facets(i), s, position, centre)
-            if (touch%overhang <= least_overhang*radius) cycle
+            if (touch%offset <= least_offset*radius) cycle
             if (norm2(touch%arm) < radius) call add_row(surface, facets(i), s, touch, radius, rows)
          end do
       end do
    end subroutine collect_rim
 
-   !> Least distance of the sphere from a side of the border that it hangs over, by no less than a
-   !> length; huge when there is none within that length, negative when one is inside
+   !> Least distance of the sphere from a side of the border, negative when one is inside; huge when
+   !> there is none within a length
    pure real(wp) function rim_gap(surface, facets, position, centre, radius, reach)
       !> The surface
       type(surface_type), intent(in) :: surface
@@ -80,7 +79,7 @@ contains
       real(wp), intent(in) :: centre(3)
       !> Of the sphere, length
       real(wp), intent(in) :: radius
-      !> Sides as near as this count, and such as the centre is this little short of, length
+      !> Sides as near as this count, length
       real(wp), intent(in) :: reach
 
       type(touch_type) :: touch
@@ -92,7 +91,7 @@ contains
             if (surface%neighbour(s, facets(i)) /= 0) cycle
             if (is_far(surface, facets(i), s, position, centre, radius + reach)) cycle
             touch = touch_of(surface, facets(i), s, position, centre)
-            if (touch%overhang <= least_overhang*radius - reach) cycle
+            if (touch%offset <= least_offset*radius) cycle
             if (norm2(touch%arm) < radius + reach) rim_gap = min(rim_gap, norm2(touch%arm) - radius)
          end do
       end do
@@ -142,7 +141,7 @@ contains
       touch%along = closest_along(middle, slope, square)
       touch%arm(:) = -(middle + touch%along*(slope + touch%along*square))
       slope(:) = slope + 2.0_wp*touch%along*square
-      touch%overhang = (touch%arm(1)*slope(2) - touch%arm(2)*slope(1)) &
+      touch%offset = abs(touch%arm(1)*slope(2) - touch%arm(2)*slope(1)) &
          & /max(norm2(slope(:2)), tiny(1.0_wp))
    end function touch_of
 

@@ -24,8 +24,8 @@ FOLD = 1.0e-4
 BESIDE = 1.0e-10
 #: Facets turned from the sphere by more than 60 degrees have folded
 FACED = 0.5
-#: A centre beyond the border by this much of the radius hangs over it
-OVERHANG = 1.0e-6
+#: A centre beside a side of the border by this much of the radius is not in the plane above it
+OFFSET = 1.0e-6
 #: Plate points against the exact sphere
 POINTS = 2
 
@@ -188,7 +188,8 @@ def _node_row(points: Array, face: Face, place: Array, arm: Array, side: int) ->
     normal = side * np.cross(*along)
     normal /= np.linalg.norm(normal)
     gap = float(normal @ foot.arm)
-    if gap >= 0.0 or normal @ arm > -FACED * np.linalg.norm(arm):
+    height = -float(normal @ arm)
+    if gap >= 0.0 or height < FACED * np.linalg.norm(arm) or height + gap <= 0.0:
         return None
     radial = foot.arm - gap / (arm @ normal) * arm
     on = {s for s, (axis, end) in enumerate(SIDES) if end * foot.local[axis] >= 1.0 - 1.0e-12}
@@ -209,7 +210,7 @@ def _leaves(sides: list[tuple[int, float]], along: Array, arm: Array) -> bool:
 
 
 def _border_rows(points: Array, face: Face, own: Impactor) -> list[Row]:
-    """Sides of the border inside the exact sphere, where its centre is beyond them."""
+    """Sides of the border inside the exact sphere, but those that its centre is right over."""
     rows, radius = [], own.sphere.radius
     for facet, s in sorted(face.border):
         quad = face.quads[facet]
@@ -217,10 +218,10 @@ def _border_rows(points: Array, face: Face, own: Impactor) -> list[Row]:
         if np.linalg.norm(corners, axis=1).min() > radius + np.ptp(corners, axis=0).max():
             continue
         local, arm = closest_on_side(corners, s)
-        along = tangents(corners, local)[1 - SIDES[s][0]] * (1.0 if s < 2 else -1.0)
-        beyond = (arm[0] * along[1] - arm[1] * along[0]) / np.hypot(*along[:2])
+        along = tangents(corners, local)[1 - SIDES[s][0]]
+        beside = abs(arm[0] * along[1] - arm[1] * along[0]) / np.hypot(*along[:2])
         distance = float(np.linalg.norm(arm))
-        if distance < radius and beyond > OVERHANG * radius:
+        if distance < radius and beside > OFFSET * radius:
             rows.append(Row(quad, shape(len(quad), local), arm / distance, distance - radius))
     return rows
 

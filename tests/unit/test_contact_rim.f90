@@ -1,4 +1,4 @@
-!> The border of a face holds a sphere that hangs over it, and no other.
+!> The border of a face stays outside of the sphere, but where it may be a plane of symmetry.
 program test_contact_rim
    use plydyn_base_precision, only : wp
    use plydyn_contact_constraint, only : constraints_type, new_constraints
@@ -49,17 +49,19 @@ contains
       end do
    end subroutine check_straight
 
-   !> A sphere whose centre is over the face, or on the border, has nothing from it
+   !> Also where the centre is over the face, but not where it is over the side itself
    subroutine check_inside()
       type(constraints_type) :: rows
 
       call begin("collect_rim, inside")
       call new_constraints(rows, 9)
-      call collect_rim(surface, facets, flat, [0.9_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
-      call collect_rim(surface, facets, flat, [1.0_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
-      call check(rows%count, 0, "nodes alone")
-      call collect_rim(surface, facets, flat, [1.5_wp, 0.3_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_rim(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], 0.45_wp, rows)
+      call check(rows%count, 0, "nothing on a plane of symmetry")
+      call collect_rim(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
       call check(rows%count, 0, "nothing where the edge is outside")
+      call collect_rim(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
+      call check(rows%count, 1, "a row where the centre is over the face")
+      call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
    end subroutine check_inside
 
    !> Over a corner both sides end in the same point
@@ -97,17 +99,17 @@ contains
       call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), foot, 1.0e-9_wp, "foot")
    end subroutine check_curved
 
-   !> The gap is that of sides which the sphere hangs over, or soon may
+   !> The gap is that of the nearest side within reach
    subroutine check_reach()
       real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, reach = 0.2_wp
 
       call begin("rim_gap")
       call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.4_wp, reach), 0.1_wp, &
          & round_off, "gap to the edge")
-      call check(rim_gap(surface, facets, flat, [0.9_wp, y, height], 0.6_wp, reach) < 0.0_wp, &
-         & "the centre is a little short of it")
-      call check(rim_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, reach) > 1.0_wp, &
-         & "the centre is over the face")
+      call check(rim_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, reach), -0.1_wp, &
+         & round_off, "depth of the edge")
+      call check(rim_gap(surface, facets, flat, [1.0_wp, y, height], 0.6_wp, reach) > 1.0_wp, &
+         & "the centre is over the side")
       call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.2_wp, reach) > 1.0_wp, &
          & "the edge is out of reach")
    end subroutine check_reach

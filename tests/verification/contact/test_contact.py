@@ -197,3 +197,31 @@ def test_edge_holds_a_sphere_that_hangs_over_it(method: int, tmp_path: Path) -> 
     lean = 1.5 / np.sqrt(RADIUS**2 - 1.5**2)
     assert impulse[0] / impulse[1] == pytest.approx(lean, rel=0.05)
     assert np.abs(results.table("energy")["error"]).max() < 1.0e-3
+
+
+def test_sphere_slides_off_without_a_jolt(tmp_path: Path) -> None:
+    """A ball that strikes the free end of a cantilever slides down past it, on and off.
+
+    Contact takes less than 1 % of its energy and gives none, and both methods push alike: they
+    differ by the height of the sphere between two contact nodes.
+    """
+    mesh, energy = regular(16.0, 4.0, 8, 2, 9), 0.5 * 2.0e-6 * 2.0e4**2
+    pushes = []
+    for method in (1, 2):
+        deck = Deck("free end", 7.5e-4)
+        deck.control(share=0.8)
+        deck.mesh(mesh)
+        deck.laminate([Ply(CARBON, THICKNESS)], 1)
+        deck.hold(mesh.where(x=0.0), "xyz")
+        height = 0.5 * THICKNESS + np.sqrt(3.0**2 - 0.4**2) + 1.0e-3
+        deck.sphere(Sphere(3.0, 2.0e-6, (16.4, 2.3, height), (0.0, 0.0, -2.0e4), method=method))
+        deck.intervals(impactor=0.0, glstat=0.0)
+        results = run(deck, tmp_path / f"{method}")
+        taken = results.table("energy")["contact"]
+        assert np.abs(taken).max() < 0.01 * energy
+        assert np.abs(np.diff(taken)).max() < 0.001 * energy
+        history = results.table("impactor_1")
+        pushes.append(
+            [np.trapezoid(history[name], history["time"]) for name in ("force x", "force")]
+        )
+    assert pushes[0] == pytest.approx(pushes[1], rel=0.05)
