@@ -10,7 +10,7 @@ module plydyn_input_read_support
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type, initial_velocity_type, &
-      & motion_type, one_plane, top_face
+      & motion_type, one_plane, prescribes_displacement, top_face
    implicit none
    private
 
@@ -100,9 +100,10 @@ contains
    end subroutine find_plane
 
    !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
-   subroutine read_boundary_prescribed_motion_set(cards, catalogue, holds, motions)
+   subroutine read_boundary_prescribed_motion_set(cards, catalogue, curves, holds, motions)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), intent(in) :: curves(:)
       !> All supports of the deck
       type(hold_type), intent(in) :: holds(:)
       type(motion_type), allocatable, intent(inout) :: motions(:)
@@ -120,6 +121,7 @@ contains
             call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
                & "a time behind BIRTH, or 0 for ever", nth)
          end if
+         call check_jump(cards, nth, catalogue, curves, motion)
          call check_free(cards, nth, catalogue, holds, motions, motion)
          motions = [motions, motion]
       end do
@@ -143,6 +145,7 @@ contains
          motion%face = cards%integer("FACE", nth)
          motion%name = "face motion "//text(cards%integer("NSID", nth)) &
             & //face_words(motion%face, 0.0_wp)
+         call check_jump(cards, nth, catalogue, curves, motion)
          call check_free(cards, nth, catalogue, holds, motions, motion)
          motions = [motions, motion]
       end do
@@ -231,6 +234,26 @@ contains
       motion%quantity = cards%integer("VAD", nth)
       motion%scale = cards%real("SF", nth)
    end subroutine read_motion
+
+   !> Warn of a displacement that is not 0 at the start, where that of the points is
+   subroutine check_jump(cards, nth, catalogue, curves, motion)
+      type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      type(curve_type), intent(in) :: curves(:)
+      !> The motion
+      type(motion_type), intent(in) :: motion
+
+      real(wp) :: jump
+
+      if (motion%quantity /= prescribes_displacement .or. motion%birth > 0.0_wp) return
+      ! the points of a restart are somewhere
+      if (catalogue%report%has_errors() .or. catalogue%stored_lines > 0) return
+      jump = motion%scale*curves(motion%curve)%at(0.0_wp)
+      if (abs(jump) > 0.0_wp) call catalogue%warn(cards, "LCID", "the points jump by " &
+         & //number_words(jump)//" in the first step", "a curve that is 0 at time 0", nth)
+   end subroutine check_jump
 
    !> A point cannot be held and moved, or moved twice, in one direction
    subroutine check_free(cards, nth, catalogue, holds, motions, motion)

@@ -54,7 +54,8 @@ contains
 
       select case (cards%name)
       case ("BOUNDARY_PRESCRIBED_MOTION_SET")
-         call read_boundary_prescribed_motion_set(cards, catalogue, model%holds, model%motions)
+         call read_boundary_prescribed_motion_set(cards, catalogue, model%curves, model%holds, &
+            & model%motions)
       case ("BOUNDARY_FACE_MOTION")
          call read_boundary_face_motion(cards, catalogue, model%curves, model%holds, model%motions)
       case ("LOAD_NODE_SET")

@@ -49,6 +49,7 @@ program test_input_read_support
    call check(model%motions(1)%death, 0.5_wp, 0.0_wp, "end")
    call check(model%motions(2)%death > 1.0e300_wp, "or no end")
    call check(all(model%motions%name == "motion 1"), "one name for one set")
+   call check(index(messages, "jump") == 0, "a displacement of later, or from 0 on")
    call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,1.0,0,0.1,0.5|")
    call check_error(error, "the motion ends before it begins", "an end before the begin")
 
@@ -58,6 +59,10 @@ program test_input_read_support
    call check(model%motions(1)%face, top_face, "face")
    call check(model%motions(1)%name == "face motion 1 top", "name")
    call check(model%curves(model%motions(1)%curve)%at(7.0_wp), 1.0_wp, 0.0_wp, "curve 0 is 1")
+   call check(index(messages, "jump") == 0, "a velocity may begin at once")
+   call read_plate(edge//"*BOUNDARY_FACE_MOTION|1,1,3,2,0,5.0|")
+   call check(index(messages, "LCID: the points jump by 5 in the first step") > 0, &
+      & "a displacement makes a jump then")
 
    call begin("read_initial_velocity")
    call read_plate("*INITIAL_VELOCITY|0,|0.,0.,-5.|*INITIAL_VELOCITY_NODE|3,1.,2.,3.|")
