@@ -1,9 +1,9 @@
 !> Onset of damage of fibres and of matrix: when, and the strains between which it grows.
 !>
-!> Stresses are trial stresses of the intact ply, along and across the fibres, with the shear on its
-!> curve. Where the crack band is too wide for the toughness, damage starts as
-!> soon as the work of the mode leaves no less than the asked ratio of the two strains: in uniaxial
-!> stress this is the strength sqrt(2 E G/(length*ratio)), and it holds on any other path.
+!> Stresses are trial stresses along and across the fibres, of a ply that is intact there, with the
+!> shear on its curve. Where the crack band is too wide for the toughness, damage starts as soon as
+!> the work of the mode leaves no less than the asked ratio of the two strains: in uniaxial stress
+!> this is the strength sqrt(2 E G/(length*ratio)), and it holds on any other path.
 module plydyn_law_damage_onset
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_constants, only : in_compression, in_tension, onset_hashin, &
