@@ -18,6 +18,5 @@ class Plydyn(CMakePackage):
     depends_on("mpi")
 
     def cmake_args(self) -> list[str]:
-        """The instruction set of the nodes, in gcc's spelling of Spack's name."""
-        machine = str(self.spec.target).replace("_", "-")
-        return [self.define("PLYDYN_MACHINE", machine)]
+        """No instruction set: Spack tells compilers that of its target, in their own spelling."""
+        return [self.define("PLYDYN_MACHINE", "")]
