@@ -23,6 +23,7 @@ between its two marks.
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from typing import Annotated
 
@@ -59,6 +60,7 @@ from studies.jobs import ROOT, Job, StudyError, find_tools, made_by
 from studies.ladder_figures import draw_ladder
 from studies.markdown import insert
 from studies.rungs import ORDER, OUTPUTS, open_rungs, rungs
+from studies.runs import PICTURES
 
 __all__ = ["brick_commands", "damage_commands", "main", "refinement_commands"]
 
@@ -107,8 +109,12 @@ def profiles(
     found: dict[str, Results] = {job.name: open_results(output / job.name) for job in jobs}
     text = stress.stress_text(found)
     tell(output / "profiles.md", [("Profiles", text)])
-    list_files(stress.draw_stress(list(found.values()), output))
+    pictures = stress.draw_stress(list(found.values()), output)
+    list_files(pictures)
     if into:
+        if into.resolve().is_relative_to(ROOT):
+            for picture in pictures:
+                shutil.copy(picture, PICTURES / f"elastic_{picture.name}")
         insert(into, "profiles", text)
 
 

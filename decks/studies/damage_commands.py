@@ -115,7 +115,7 @@ def runs_command(
     if into:
         if pictures and into.resolve().is_relative_to(ROOT):
             shutil.copy(pictures[0], runs.PICTURES)
-            list_files(runs.draw_scan(shown))
+            list_files(runs.draw_quick_start(shown))
         for heading, text in sections:
             insert(into, heading.lower(), text)
     complain(failed)

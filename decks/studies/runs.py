@@ -8,9 +8,11 @@ from pathlib import Path
 
 import h5py
 import numpy as np
-from plydyn_post.cscan import draw_cscan
+from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.grid import read_point_field, read_times
+from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results, open_results
+from plydyn_post.section import draw_section
 
 from studies.damage import MODELS, RECIPES, answers_text, areas_text, mean_force, read_answer
 from studies.jobs import ROOT, Job, StudyError, kept_effort
@@ -100,9 +102,20 @@ def bounds_text(found: Sequence[tuple[Run, Results]]) -> str:
     return table(("run", "what", "by hand", "here"), rows)
 
 
-def draw_scan(found: Sequence[tuple[Run, Results]]) -> list[Path]:
-    """The picture of the first page: what delaminates in the quick start, where that has run."""
-    return [draw_cscan(results, PICTURES / "cscan.png") for run, results in found if run is COARSE]
+def draw_quick_start(found: Sequence[tuple[Run, Results]]) -> list[Path]:
+    """What is damaged in the quick start, where that has run; the scan is on the first page."""
+    pictures = (
+        (draw_cscan, "cscan"),
+        (draw_ply_maps, "damage_plies"),
+        (draw_delamination, "damage_interfaces"),
+        (draw_section, "damage_section"),
+    )
+    return [
+        draw(results, PICTURES / f"{name}.png")
+        for run, results in found
+        if run is COARSE
+        for draw, name in pictures
+    ]
 
 
 def late_force(results: Results) -> float:
