@@ -1,4 +1,4 @@
-!> The elastic law of orthotropic plies over a batch, for stacks in which other layers yield or crack.
+!> The elastic law of orthotropic plies over a batch, for stacks where other layers yield or crack.
 module plydyn_law_orthotropic
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_elastic, only : ply_stiffness
