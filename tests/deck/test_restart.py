@@ -12,7 +12,17 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, KINDS, impact, said, unlike
+from broken import (
+    CYCLES,
+    KINDS,
+    averaged_parts,
+    impact,
+    metal,
+    said,
+    unlike,
+    yielding_by_points,
+    yielding_by_power,
+)
 from decks import Deck
 from elasticity import Array
 from runs import DIGITS, SOLVER, Results
@@ -23,6 +33,11 @@ CASES: dict[str, Callable[[], Deck]] = {
     **KINDS,
     "points of plate": lambda: impact(2),
     "springs": lambda: impact(1, "springs"),
+    "thick linear plies": lambda: impact(1, linear=True, order=4),
+    "failing plies that close": lambda: impact(1, "springs", failing=True, closing=True),
+    "averages on two parts, one of given strains": averaged_parts,
+    "metal by points": lambda: metal(yielding_by_points),
+    "metal by a power": lambda: metal(yielding_by_power),
 }
 
 

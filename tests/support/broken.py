@@ -43,22 +43,25 @@ def impact(
     end: float = END,
     *,
     implicit: int = 0,
+    linear: bool = False,
+    order: int = 1,
     failing: bool = False,
+    closing: bool = False,
     radii: tuple[float, float] = (0.0, 0.0),
 ) -> Deck:
     """A ball on a cross-ply plate; it touches at once. What can fail does so soon.
 
-    Radii let averages over neighbours drive the damage.
+    Radii let averages over neighbours drive the damage; cracks may close.
     """
     mesh = regular(SIDE, SIDE, 6, 6, 9)
     deck = Deck("impact to be broken off", end)
-    deck.add("CONTROL_LAYERWISE", (1, 0.05, implicit))
+    deck.add("CONTROL_LAYERWISE", (int(not linear), 0.05, implicit))
     deck.add("DAMPING_GLOBAL", (0, 100.0))
     deck.mesh(mesh)
     if failing:
-        weak_plies(deck, radii)
+        weak_plies(deck, radii, closing=closing)
     else:
-        deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES], 1)
+        deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES], order)
     if joint == "springs":
         deck.interfaces(1.0e5, 5.0e4)
     if joint == "cohesive":
@@ -106,29 +109,54 @@ def averaged_parts() -> Deck:
     return deck
 
 
-def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
-    """Material 1, the same ply with damage of fibres and matrix."""
+def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0), *, closing: bool = False) -> None:
+    """Material 1, the same ply with damage of fibres and matrix.
+
+    Where cracks close, shear follows a curve and crushed fibres keep a share of their strength.
+    """
     head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
     strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
+    shear = (1, 0, 0.05) if closing else (0,)
+    choices = (0, 0, 0.0, 0, 0, 1, 0.2) if closing else (0,)
     average = (0.0, *radii)
-    deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness, (0,), (0,), average)
+    deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness, shear, choices, average)
 
 
-def weak_plies(deck: Deck, radii: tuple[float, float] = (0.0, 0.0)) -> None:
+def weak_plies(
+    deck: Deck, radii: tuple[float, float] = (0.0, 0.0), *, closing: bool = False
+) -> None:
     """The same plies, with damage of fibres and matrix."""
-    weak_ply(deck, radii)
+    weak_ply(deck, radii, closing=closing)
     plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
     deck.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *plies)
     deck.add("SECTION_LAYERWISE", (1, 0, 1))
 
 
-def metal() -> Deck:
+def yielding(deck: Deck) -> None:
+    """A metal that hardens in both ways, and with the rate."""
+    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
+
+
+def yielding_by_points(deck: Deck) -> None:
+    """A metal whose yield stress is given by points, and rises with the rate."""
+    head, rate = (1, 7.8e-9, 2.1e5, 0.3, 200.0), (40.0, 5.0, 0, 0, 1)
+    points = (0.0, 0.01, 0.1), (200.0, 230.0, 300.0)
+    deck.add("MAT_PIECEWISE_LINEAR_PLASTICITY", head, rate, *points)
+
+
+def yielding_by_power(deck: Deck) -> None:
+    """A metal after Johnson and Cook."""
+    head, power = (1, 7.8e-9, 2.1e5, 0.3, 1), (200.0, 500.0, 0.3, 0.02, 0.0, 0.0, 0.0, 1.0)
+    deck.add("MAT_SIMPLIFIED_JOHNSON_COOK", head, power)
+
+
+def metal(law: Callable[[Deck], None] = yielding) -> Deck:
     """A plate of metal that is struck so hard that it yields, and whose edge is pulled."""
     mesh = regular(SIDE, SIDE, 4, 4, 4)
     deck = Deck("metal to be broken off", END)
     deck.control()
     deck.mesh(mesh)
-    yielding(deck)
+    law(deck)
     deck.add("PART_COMPOSITE_LONG", "metal", (1, 0), (1, 1.0, 0.0, 0, 1))
     deck.add("SECTION_LAYERWISE", (1, 0, 2))
     deck.hold(mesh.where(x=0.0), "xyz")
@@ -156,11 +184,6 @@ def bricks(points: int, *, failing: bool = False) -> Deck:
     deck.sphere(Sphere(RADIUS, 5.0e-6, (10.0, 10.0, RADIUS + 2.01), (0.0, 0.0, -2.0e4)))
     deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)
     return deck
-
-
-def yielding(deck: Deck) -> None:
-    """A metal that hardens in both ways, and with the rate."""
-    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 0.5), (40.0, 5.0))
 
 
 #: Every kind of model that a run may be broken off with
