@@ -52,6 +52,13 @@ def test_a_run_that_ends_in_contact_has_no_rebound(own_job: Path) -> None:
     assert "still in contact" in numbers.notes[0]
 
 
+def test_a_run_that_goes_on_in_contact_is_told(own_job: Path) -> None:
+    path = own_job.with_name("plate.impactor_1.csv")
+    lines = path.read_text().splitlines()
+    path.write_text("\n".join(lines[:1] + lines[200:]) + "\n")
+    assert "when the run begins" in read_numbers(open_results(own_job)).notes[0]
+
+
 def test_an_impactor_that_never_touched_has_no_duration(own_job: Path) -> None:
     synthetic.write_impactor(own_job.parent, "plate", factor=0.0)
     numbers = read_numbers(open_results(own_job))

@@ -51,9 +51,6 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
     during = (time >= start) & (time <= end)
     over = abs(force[-1]) <= SILENT * abs(force[peak]) and force[peak] != 0.0
     absorbed = table.get("absorbed")
-    notes = () if over else ("the impactor is still in contact at the end of the run",)
-    if force[peak] == 0.0:
-        notes = ("the impactor never touched the plate",)
     return Numbers(
         peak_force=float(force[peak]),
         peak_time=float(time[peak]),
@@ -69,8 +66,18 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
         ),
         largest_absorbed_energy=None if absorbed is None else float(np.max(absorbed)),
         energy_error=_energy_error(results),
-        notes=notes,
+        notes=_notes(force),
     )
+
+
+def _notes(force: np.ndarray) -> tuple[str, ...]:
+    """What to know of the numbers of an impact."""
+    if not np.any(force):
+        return ("the impactor never touched the plate",)
+    inside = touching(force)
+    begun = ("the impactor is in contact when the run begins",) if inside[0] == 0 else ()
+    still = ("the impactor is still in contact at the end of the run",)
+    return begun + (still if inside[-1] == len(force) - 1 else ())
 
 
 def touching(force: np.ndarray) -> np.ndarray:
