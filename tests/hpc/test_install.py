@@ -17,7 +17,7 @@ from ranks import LAUNCHER, PATIENT
 from runs import ROOT, SOLVER, run_deck
 
 RECIPES = ROOT / "decks" / "hpc"
-STOPPED = 4
+STOPPED, OUTPUT = 4, 5
 # long enough that a run takes many clock ticks on a fast machine
 END = 1.0e-3
 
@@ -169,6 +169,9 @@ def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) ->
     found = environment(tree, PLYDYN_LAUNCHER=" ".join([*LAUNCHER, "2"]), **PATIENT)
     command = ["plydyn-batch", deck, "plate", listing.parent]
     run = begin(command, found, listing)
+    again = subprocess.run(command, env=found, capture_output=True, text=True)
+    assert (again.returncode, again.stdout) == (OUTPUT, "")
+    assert "another run of job plate" in again.stderr
     run.terminate()
     assert run.wait() == STOPPED
     assert subprocess.run(command, env=found, stdout=subprocess.DEVNULL).returncode == 0
