@@ -6,6 +6,8 @@
     .venv/bin/python decks/study.py schemes --into manual/theory.md
     .venv/bin/python decks/study.py figure11
     .venv/bin/python decks/study.py figure12
+    .venv/bin/python decks/study.py figure13
+    .venv/bin/python decks/study.py figure14
     .venv/bin/python decks/study.py table7
     .venv/bin/python decks/study.py table2
     .venv/bin/python decks/study.py table4

@@ -8,7 +8,10 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from plydyn_post.results import open_results
+from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.ply_maps import draw_ply_maps
+from plydyn_post.results import Results, open_results
+from plydyn_post.section import draw_section
 
 from studies import choices as open_choices
 from studies import damage_times, implicit, runs
@@ -67,6 +70,41 @@ def figure12(
     """Orders of the damage impact: 192 Q9 with LE1, LE2 and LE3 over each other."""
     models = [model for model in MODELS if model.quads == 192]
     _compare(models, "figure12", (output, into, plydyn, parallel, overrides, again), tests)
+
+
+@app.command()
+def figure13(
+    output: Folder = DEFAULT / "damage",
+    plydyn: Solver = None,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """Damage of the plies after the impact, 192 Q9 with LE3, and a cut."""
+    results = _finest(output, plydyn, overrides, again)
+    draw_ply_maps(results, output / "figure13.png")
+    draw_section(results, output / "figure13_section.png")
+    list_files([output / "figure13.png", output / "figure13_section.png"])
+
+
+@app.command()
+def figure14(
+    output: Folder = DEFAULT / "damage",
+    plydyn: Solver = None,
+    overrides: Overrides = None,
+    again: Again = False,
+) -> None:
+    """Delamination of each interface after the impact, 192 Q9 with LE3, and a scan of all."""
+    results = _finest(output, plydyn, overrides, again)
+    draw_delamination(results, output / "figure14.png")
+    draw_cscan(results, output / "figure14_scan.png")
+    list_files([output / "figure14.png", output / "figure14_scan.png"])
+
+
+def _finest(output: Path, plydyn: Path | None, overrides: list[str] | None, again: bool) -> Results:
+    """Run the model of the paper's figures 13 and 14."""
+    model = next(model for model in MODELS if (model.quads, model.order) == (192, 3))
+    run_all(find_tools(plydyn), [model.job(overrides or ())], output, 1, again)
+    return open_results(output / model.recipe)
 
 
 _Common = tuple[Path, Path | None, Path | None, int, list[str] | None, bool]
