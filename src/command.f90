@@ -1,6 +1,7 @@
 !> The words on the command line.
 module plydyn_command
    use plydyn_base_error, only : error_type, exit_output, exit_usage, fail
+   use plydyn_base_files, only : is_same_path
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case, text
    implicit none
@@ -217,6 +218,7 @@ contains
             call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
          else
             call name_job(command%deck, folder, command, error)
+            call check_listing(command, error)
          end if
       case ("restart")
          if (len(command%restart) == 0) then
@@ -260,5 +262,16 @@ contains
       if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
       command%job = folder//"/"//command%job
    end subroutine name_job
+
+   !> The listing is not to replace the deck
+   subroutine check_listing(command, error)
+      type(command_type), intent(in) :: command
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. command%action == "check") return
+      if (.not. is_same_path(command%deck, command%job//".out")) return
+      call fail(error, exit_usage, "the listing of the job would replace its deck "//command%deck &
+         & //": the job needs another name, as in -j JOB")
+   end subroutine check_listing
 
 end module plydyn_command

@@ -130,6 +130,8 @@ contains
       if (allocated(error)) return
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
          & command%deck, messages, parts%state)
+      if (parts%state%is_finished()) call job%note("nothing is left to do: the end that the run " &
+         & //"has is reached; *CONTROL_TERMINATION in a deck of the restart moves it")
       call run_job(comm, job, command%most_seconds, parts, error)
    end subroutine restart_run
 
