@@ -34,6 +34,8 @@ module plydyn_parallel_halo
    !> Messages on their way
    type, public :: messages_type
       type(mpi_request), allocatable, private :: request(:)
+      !> Whether all have come and gone
+      logical, private :: are_done = .true.
    end type messages_type
 
 contains
@@ -103,6 +105,7 @@ contains
 
       associate (n => size(self%from))
          if (.not. allocated(messages%request)) allocate (messages%request(n + size(self%to)))
+         messages%are_done = .false.
          do i = 1, n
             call mpi_irecv(force, 1, self%received(i), self%from(i), tag, mpi_comm_world, &
                & messages%request(i))
@@ -122,9 +125,9 @@ contains
       !> Messages on their way
       type(messages_type), intent(inout) :: messages
 
-      logical :: is_done
-
-      call mpi_testall(size(messages%request), messages%request, is_done, mpi_statuses_ignore)
+      if (messages%are_done) return
+      call mpi_testall(size(messages%request), messages%request, messages%are_done, &
+         & mpi_statuses_ignore)
    end subroutine push_on
 
    !> Wait until all columns have come and gone
@@ -135,7 +138,9 @@ contains
       !> Messages on their way
       type(messages_type), intent(inout) :: messages
 
+      if (messages%are_done) return
       call mpi_waitall(size(messages%request), messages%request, mpi_statuses_ignore)
+      messages%are_done = .true.
    end subroutine finish
 
 end module plydyn_parallel_halo
