@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import plydyn_post.cli
+import plydyn_pre.cli
 import pytest
+import typer
 
+import study
 from studies.commands import run_all, run_most
 from studies.jobs import ROOT, Job, StudyError, Tools, find_tools, kept_effort, made_by
 
@@ -47,3 +52,22 @@ def test_what_has_run_is_not_run_again(tools: Tools, tmp_path: Path):
     for again in (False, False, True):
         run_all(tools, [_job("good")], tmp_path, 1, again)
     assert (tmp_path / "good.turns").read_text().splitlines() == ["again"] * 2
+
+
+@pytest.mark.parametrize(
+    ("program", "app"),
+    [
+        (r"decks/study\.py", study.app),
+        ("plydyn-pre", plydyn_pre.cli.app),
+        ("plydyn-post", plydyn_post.cli.app),
+    ],
+)
+def test_pages_name_commands_that_there_are(program: str, app: typer.Typer) -> None:
+    """In text and in examples, on all pages."""
+    known = typer.main.get_command(app).commands
+    pages = [ROOT / "README.md", *ROOT.glob("manual/*.md"), *ROOT.glob("decks/**/README.md")]
+    pages += [ROOT / "preprocessor/README.md", ROOT / "postprocessor/README.md"]
+    text = "\n".join(page.read_text() for page in pages)
+    named = set(re.findall(rf"(?<![\w/]){program} ([a-z]\w*)", text))
+    assert named
+    assert named <= set(known)
