@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brick_decks import add_bricks, box
-from decks import Deck, Ply, Sphere, ramp
+from decks import BOTTOM, Deck, Ply, Sphere, ramp
 from elasticity import CARBON, GLASS
 from meshes import Mesh, distorted, regular
 
@@ -23,12 +23,13 @@ def start(title: str, mesh: Mesh, *, linear: bool) -> Deck:
 
 
 def load(deck: Deck, mesh: Mesh, method: int) -> None:
-    """Pressure, line, point and body loads, a moved edge, an impactor in contact, all results."""
+    """Loads, a face held beside the edge, a moved corner, an impactor in contact, all results."""
     curve = deck.curve(ramp(0.5 * STEPS * STEP))
     edge = deck.node_set(mesh.where(x=LENGTH))
     deck.add("LOAD_FACE_PRESSURE", (0, -1, curve, 0.5))
     deck.add("LOAD_FACE_LINE", (edge, 1, 3, curve, 0.1))
     deck.add("LOAD_BODY_Z", (curve, 1.0e6))
+    deck.hold_face(mesh.where(y=0.0), BOTTOM, "yz")
     deck.move_face(mesh.where(x=LENGTH, y=WIDTH), 1, 1, curve, 1.0e-3)
     centre = (0.5 * LENGTH, 0.5 * WIDTH, 8.0 + 0.5 * THICKNESS)
     deck.sphere(Sphere(8.0, 1.0e-5, centre, (0.0, 0.0, -2.0e4), method=method))
