@@ -17,6 +17,10 @@ module plydyn_parallel_comm
    !> The rank that reads the deck and writes the results
    integer, parameter :: root = 0
 
+   !> Numbers of a rank that MPI passes on without asking whether they may come, 4 KB with their
+   !> head; up to so many pieces of that length are faster than one message
+   integer, parameter :: at_once = 496, most_pieces = 4
+
    !> The ranks of a run
    type, public :: comm_type
       !> Number of this one, from 0, and how many there are
@@ -142,7 +146,8 @@ contains
       !> Those of all ranks, one after the other
       real(wp), intent(out), contiguous :: whole(:)
 
-      integer :: first(0:size(counts) - 1), r
+      integer, dimension(0:size(counts) - 1) :: first, piece
+      integer :: longest, r, sent
 
       if (self%ranks == 1) then
          whole(:) = part
@@ -152,8 +157,13 @@ contains
       do r = 1, size(counts) - 1
          first(r) = first(r - 1) + counts(r - 1)
       end do
-      call mpi_allgatherv(part, counts(self%rank), mpi_double_precision, whole, counts, first, &
-         & mpi_double_precision, mpi_comm_world)
+      longest = maxval(counts)
+      if (longest <= most_pieces*at_once) longest = at_once
+      do sent = 0, maxval(counts) - 1, longest
+         piece(:) = max(0, min(counts - sent, longest))
+         call mpi_allgatherv(part(sent + 1:), piece(self%rank), mpi_double_precision, whole, &
+            & piece, first + sent, mpi_double_precision, mpi_comm_world)
+      end do
    end subroutine collect
 
    !> Let all ranks have the greatest of each number
