@@ -92,8 +92,7 @@ contains
          end do
       end associate
       ! whatever else has its forces, while the other threads make theirs
-      do while (.not. crew%has_made_all())
-         if (crew%movers%own(omp_get_thread_num(), place) == 0) exit
+      do while (crew%movers%own(omp_get_thread_num(), place) > 0)
          call move_ahead(domain, crew, place, step, state, is_moved)
          place = place + 1
       end do
@@ -120,7 +119,7 @@ contains
       is_moved = crew%has_forces(domain%chunks(chunk)%makers)
       if (.not. is_moved) return
       call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
-      crew%is_moved(chunk) = .true.
+      call crew%note_moved(chunk)
    end subroutine move_ahead
 
    !> All other chunks, whoever takes them
@@ -135,7 +134,7 @@ contains
       do
          chunk = crew%movers%take(omp_get_thread_num(), .true.)
          if (chunk == 0) exit
-         if (crew%is_moved(chunk)) cycle
+         if (crew%has_moved(chunk)) cycle
          call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
       end do
    end subroutine move_rest

@@ -8,7 +8,7 @@ module plydyn_solver_crew
       & omp_set_lock, omp_unset_lock
    use plydyn_domain_domain, only : domain_type
    use plydyn_parallel_halo, only : messages_type
-   use plydyn_solver_turns, only : turns_type
+   use plydyn_solver_turns, only : line, turns_type
    implicit none
    private
 
@@ -16,6 +16,9 @@ module plydyn_solver_crew
 
    !> Lists of chunks: those whose forces other ranks need, and the others
    integer, parameter, public :: outer = 1, inner = 2, lists = 2
+
+   !> What is noted of a chunk, in a line of the cache of its own
+   integer, parameter :: made = 1, moved = 2
 
    !> Threads and their chunks
    type, public :: crew_type
@@ -27,13 +30,11 @@ module plydyn_solver_crew
       logical, allocatable, private :: waits(:)
       !> Forces on their way to and from other ranks
       type(messages_type) :: messages
-      !> Whether the forces of a chunk are made in this step; in place 0 those of other
+      !> Number of the step, and that of the last one in which each chunk has made its forces, and
+      !> has moved its points ahead of the others, (line, 0:chunks); in place 0 the forces of other
       !> ranks: never, as all threads wait for them
-      logical, allocatable, private :: is_made(:)
-      !> Whether a chunk has moved its points ahead of the others
-      logical, allocatable :: is_moved(:)
-      !> Chunks whose forces are to be made
-      integer, private :: left = 0
+      integer, private :: step = 0
+      integer, allocatable, private :: done(:, :)
       !> Whether contact is done in this step, and whether all chunks wait for it
       logical, private :: is_open = .true., all_wait = .false.
       !> Held by the thread that does it until it is
@@ -46,9 +47,10 @@ module plydyn_solver_crew
       procedure :: take
       procedure :: await_contact
       procedure :: has_opened
-      procedure :: count_made
+      procedure :: note_made
       procedure :: has_forces
-      procedure :: has_made_all
+      procedure :: note_moved
+      procedure :: has_moved
    end type crew_type
 
 contains
@@ -64,7 +66,7 @@ contains
 
       chunks = size(domain%chunks)
       self%threads = omp_get_max_threads()
-      allocate (self%is_made(0:chunks), self%is_moved(chunks))
+      allocate (self%done(line, 0:chunks), source=0)
       allocate (self%waits(chunks), source=.false.)
       call omp_init_lock(self%gate)
       call self%movers%arrange([(c, c=1, chunks)], self%waits, self%threads)
@@ -107,9 +109,7 @@ contains
       call self%makers(outer)%begin()
       call self%makers(inner)%begin()
       call self%movers%begin()
-      self%is_made(:) = .false.
-      self%is_moved(:) = .false.
-      self%left = size(self%is_moved)
+      self%step = self%step + 1
       self%is_open = .false.
       self%all_wait = all_wait
    end subroutine begin
@@ -163,16 +163,17 @@ contains
    end subroutine await_contact
 
    !> The forces of a chunk are made
-   subroutine count_made(self, chunk)
+   subroutine note_made(self, chunk)
       class(crew_type), intent(inout) :: self
       !> The chunk
       integer, intent(in) :: chunk
 
+      integer :: step
+
+      step = self%step
       !$omp atomic write seq_cst
-      self%is_made(chunk) = .true.
-      !$omp atomic update seq_cst
-      self%left = self%left - 1
-   end subroutine count_made
+      self%done(made, chunk) = step
+   end subroutine note_made
 
    !> Whether all forces of some chunks are there
    logical function has_forces(self, makers)
@@ -180,23 +181,32 @@ contains
       !> The chunks; 0 for those of other ranks
       integer, intent(in) :: makers(:)
 
-      integer :: i
+      integer :: i, step
 
       do i = 1, size(makers)
          !$omp atomic read seq_cst
-         has_forces = self%is_made(makers(i))
+         step = self%done(made, makers(i))
+         has_forces = step == self%step
          if (.not. has_forces) return
       end do
    end function has_forces
 
-   !> Whether the forces of all chunks of this rank are made
-   logical function has_made_all(self)
-      class(crew_type), intent(in) :: self
-      integer :: left
+   !> A chunk has moved its points ahead of the others
+   pure subroutine note_moved(self, chunk)
+      class(crew_type), intent(inout) :: self
+      !> The chunk
+      integer, intent(in) :: chunk
 
-      !$omp atomic read seq_cst
-      left = self%left
-      has_made_all = left == 0
-   end function has_made_all
+      self%done(moved, chunk) = self%step
+   end subroutine note_moved
+
+   !> Whether a chunk has; when all forces are made
+   pure logical function has_moved(self, chunk)
+      class(crew_type), intent(in) :: self
+      !> The chunk
+      integer, intent(in) :: chunk
+
+      has_moved = self%done(moved, chunk) == self%step
+   end function has_moved
 
 end module plydyn_solver_crew

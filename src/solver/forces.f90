@@ -174,7 +174,7 @@ contains
             call add_interface_forces(domain, chunk, displacement, history, force)
          end if
       end associate
-      call crew%count_made(number)
+      call crew%note_made(number)
    end subroutine make_chunk_forces
 
    !> Set some columns to zero

@@ -11,7 +11,7 @@ module plydyn_solver_turns
    private
 
    !> Integers in a line of the cache: threads do not wait for each other's counters
-   integer, parameter :: line = 16
+   integer, parameter, public :: line = 16
    !> Parts of a stretch: chunks that wait, and the others
    integer, parameter :: waiting = 1, free = 2
 

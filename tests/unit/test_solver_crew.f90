@@ -32,17 +32,18 @@ contains
       call new_crew(domain, crew)
       call check(size(domain%chunks), 8, "there are chunks enough")
       do c = 2, 8
-         call check(.not. crew%has_made_all(), "some forces are not made")
-         call crew%count_made(c)
+         call crew%note_made(c)
       end do
       call check(crew%has_forces([2, 8]), "these are made")
       call check(.not. crew%has_forces([1, 2]), "one of these is not")
-      call crew%count_made(1)
+      call crew%note_made(1)
       call check(crew%has_forces([1, 2]), "now both are")
-      call check(crew%has_made_all(), "and all")
       call check(.not. crew%has_forces([0, 1]), "those of other ranks never are")
+      call crew%note_moved(3)
+      call check(crew%has_moved(3) .and. .not. crew%has_moved(4), "a chunk moves by itself")
       call crew%begin(.false.)
       call check(.not. crew%has_forces([2]), "none is in a new step")
+      call check(.not. crew%has_moved(3), "and none has moved")
    end subroutine check_made
 
    !> No chunk that waits is taken before contact is done; others are where not all wait
