@@ -2,7 +2,7 @@
 module plydyn_solver_accelerations
    use omp_lib, only : omp_get_thread_num
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_domain, only : domain_type
    use plydyn_solver_crew, only : crew_type, inner, new_crew
    use plydyn_solver_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
       & make_chunk_forces, make_outer_forces, push_messages_on
@@ -118,7 +118,7 @@ contains
       if (chunk == 0) return
       is_moved = crew%has_forces(domain%chunks(chunk)%makers)
       if (.not. is_moved) return
-      call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
+      call move_chunk(domain, chunk, step, state)
       call crew%note_moved(chunk)
    end subroutine move_ahead
 
@@ -135,25 +135,24 @@ contains
          chunk = crew%movers%take(omp_get_thread_num(), .true.)
          if (chunk == 0) exit
          if (crew%has_moved(chunk)) cycle
-         call move_chunk(domain, domain%chunks(chunk), chunk, step, state)
+         call move_chunk(domain, chunk, step, state)
       end do
    end subroutine move_rest
 
    !> Accelerations of the points that move with a chunk; when nobody looks at them, also the motion
    !> over the next step
-   pure subroutine move_chunk(domain, chunk, number, step, state)
+   pure subroutine move_chunk(domain, number, step, state)
       type(domain_type), intent(in) :: domain
-      type(chunk_type), intent(in) :: chunk
-      !> Its number
+      !> Which chunk
       integer, intent(in) :: number
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
 
-      associate (force => state%acceleration)
+      associate (chunk => domain%chunks(number), force => state%acceleration)
          call add_borders(domain, chunk%borders, force)
          call hold_points(domain, chunk%held, force, state%support_force)
       end associate
-      call accelerate_chunk(domain, chunk, step, state, state%chunk_sums(number))
+      call accelerate_chunk(domain, number, step, state)
    end subroutine move_chunk
 
    !> Count what the accelerations of all chunks give

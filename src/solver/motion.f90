@@ -3,7 +3,7 @@ module plydyn_solver_motion
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : front
-   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_domain, only : domain_type
    use plydyn_solver_column_inertia, only : couple_column
    use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
    use plydyn_state_state, only : added_sum, kinetic_sum, momentum_sum, power_sum, pull_sum, &
@@ -143,28 +143,27 @@ contains
       end if
       !$omp do schedule(static)
       do c = 1, size(domain%chunks)
-         call accelerate_chunk(domain, domain%chunks(c), step, state, state%chunk_sums(c))
+         call accelerate_chunk(domain, c, step, state)
       end do
       !$omp end do nowait
    end subroutine accelerate
 
    !> `accelerate` for the points that move with a chunk, where no ties reach further than a family.
    !> Points that nobody looks at go on to the end of the next step
-   pure subroutine accelerate_chunk(domain, chunk, step, state, sums)
+   pure subroutine accelerate_chunk(domain, number, step, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The chunk
-      type(chunk_type), intent(in) :: chunk
+      !> Which chunk
+      integer, intent(in) :: number
       !> As in `accelerate`
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
-      !> Sums over the points that it has first
-      type(sums_type), intent(out) :: sums
 
-      type(sums_type) :: counted_elsewhere
+      type(sums_type) :: counted_elsewhere, sums
 
-      call accelerate_columns(domain, chunk%own, step, state, sums)
-      call accelerate_columns(domain, chunk%guests, step, state, counted_elsewhere)
+      call accelerate_columns(domain, domain%chunks(number)%own, step, state, sums)
+      state%chunk_sums(number) = sums
+      call accelerate_columns(domain, domain%chunks(number)%guests, step, state, counted_elsewhere)
    end subroutine accelerate_chunk
 
    !> `accelerate` for some columns, each moved on while it is in the cache
