@@ -46,6 +46,8 @@ module plydyn_law_shear_curve
       !> Stress that an exponential tends to, 0 for other shapes, and the rate at which it does:
       !> modulus/asymptote
       real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp
+      !> Growth of the strain up to which `go_on` has all digits in all lanes
+      real(wp) :: short = huge(1.0_wp)
       !> Ramberg and Osgood
       real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
       !> Strains where a table bends, and change of its slope there, (lanes, points)
@@ -67,6 +69,8 @@ module plydyn_law_shear_curve
    real(wp), parameter :: beyond_rise = 40.0_wp
    real(wp), parameter :: series(9) = 1.0_wp/[-2.0_wp, 6.0_wp, -24.0_wp, 120.0_wp, -720.0_wp, &
       & 5040.0_wp, -40320.0_wp, 362880.0_wp, -3628800.0_wp]
+   !> Where the first four of these give it to the last digit
+   real(wp), parameter :: short_way = 1.0e-3_wp
 
 contains
 
@@ -203,10 +207,12 @@ contains
       self%has(curve%shape) = .true.
       self%bends = .true.
       self%curved(lane) = 1.0_wp
+      if (curve%shape /= shape_exponential) self%short = 0.0_wp
       select case (curve%shape)
       case (shape_exponential)
          self%asymptote(lane) = curve%asymptote
          self%rate(lane) = modulus/curve%asymptote
+         self%short = min(self%short, short_way/self%rate(lane))
       case (shape_table)
          call set_table(self, lane, curve%strain, curve%stress)
       case default
@@ -262,14 +268,13 @@ contains
       !> Whether any strain is larger than it has been
       logical, intent(out) :: grows
 
-      real(wp) :: ahead(lanes), grown(lanes, points), kept, most, stress(lanes, points)
+      real(wp) :: ahead(lanes), grown(lanes, points), most
       integer :: l, m
 
       ahead(:) = 0.0_wp
       do m = 1, points
          !$omp simd
          do l = 1, lanes
-            work(l, m) = 0.0_wp
             ! nothing changes along a line
             grown(l, m) = max(peak(l, m), self%curved(l)*strain(l, m))
             ahead(l) = max(ahead(l), grown(l, m) - peak(l, m))
@@ -281,7 +286,56 @@ contains
          most = max(most, ahead(l))
       end do
       grows = most > 0.0_wp
-      if (.not. grows) return
+      if (.not. grows) then
+         work(:, :) = 0.0_wp
+      else if (most <= self%short) then
+         call go_on(self, points, grown, peak, set, work)
+      else
+         call start_anew(self, points, grown, peak, set, work)
+      end if
+   end subroutine advance
+
+   !> A short way along exponentials, from where they have been left: of the growth g of the strain
+   !> stays q + y - q*y, with q = stress/asymptote before it and y = 1 - (1 - exp(-x))/x of
+   !> x = g*modulus/asymptote. Exact but for round-off, and nothing cancels
+   pure subroutine go_on(self, points, grown, peak, set, work)
+      class(shear_lanes_type), intent(in) :: self
+      integer, intent(in) :: points
+      !> Largest size of the shear strain now
+      real(wp), intent(in) :: grown(lanes, points)
+      !> As in `advance`
+      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
+      real(wp), intent(out) :: work(lanes, points)
+
+      real(wp) :: before, growth, stays, x, y
+      integer :: l, m
+
+      do m = 1, points
+         !$omp simd private(before, growth, stays, x, y)
+         do l = 1, lanes
+            before = peak(l, m) - set(l, m)
+            growth = grown(l, m) - peak(l, m)
+            x = self%rate(l)*growth
+            y = -x*(series(1) + x*(series(2) + x*(series(3) + x*series(4))))
+            stays = growth*(y + (1.0_wp - y)*self%rate(l)*before)
+            work(l, m) = self%modulus(l)*stays*(before + 0.5_wp*(growth - stays))
+            set(l, m) = set(l, m) + stays
+            peak(l, m) = grown(l, m)
+         end do
+      end do
+   end subroutine go_on
+
+   !> Any way along any curve
+   pure subroutine start_anew(self, points, grown, peak, set, work)
+      class(shear_lanes_type), intent(in) :: self
+      integer, intent(in) :: points
+      !> As in `go_on`
+      real(wp), intent(in) :: grown(lanes, points)
+      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
+      real(wp), intent(out) :: work(lanes, points)
+
+      real(wp) :: kept, stress(lanes, points)
+      integer :: l, m
 
       call self%curve_stress(points, grown, set, stress)
       do m = 1, points
@@ -295,7 +349,7 @@ contains
             peak(l, m) = grown(l, m)
          end do
       end do
-   end subroutine advance
+   end subroutine start_anew
 
    !> Stress on the curve: a sum, in which what belongs to other shapes is zero
    pure subroutine curve_stress(self, points, strain, set, stress)

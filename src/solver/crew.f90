@@ -106,10 +106,14 @@ contains
       !> Whether all chunks wait for contact
       logical, intent(in) :: all_wait
 
-      call self%makers(outer)%begin()
-      call self%makers(inner)%begin()
-      call self%movers%begin()
+      logical :: is_backward
+
       self%step = self%step + 1
+      ! what the last step used last is still in the cache
+      is_backward = mod(self%step, 2) == 0
+      call self%makers(outer)%begin(is_backward)
+      call self%makers(inner)%begin(is_backward)
+      call self%movers%begin(is_backward)
       self%is_open = .false.
       self%all_wait = all_wait
    end subroutine begin

@@ -4,6 +4,9 @@
 !> needs is still in the cache of its core. One that has come to the end of its own takes of what
 !> the others have left. The chunks say where their forces go: who takes them changes no bit.
 !>
+!> A list that is taken backward in every second step begins with what was used last, which is in the
+!> cache still where the whole stretch does not fit.
+!>
 !> Some chunks may have to wait. They are the first of their stretch once they need not any more,
 !> and are passed over until then.
 module plydyn_solver_turns
@@ -24,6 +27,8 @@ module plydyn_solver_turns
       integer, allocatable :: before(:, :), last(:, :)
       !> Last place taken of either part, (line, threads)
       integer, allocatable :: taken(:, :)
+      !> Whether the parts are taken from their ends
+      logical :: is_backward = .false.
    contains
       procedure :: arrange
       procedure :: begin
@@ -85,10 +90,13 @@ contains
    end subroutine put_first
 
    !> Nothing is taken any more
-   pure subroutine begin(self)
+   pure subroutine begin(self, is_backward)
       class(turns_type), intent(inout) :: self
+      !> Take the parts from their ends
+      logical, intent(in) :: is_backward
 
       self%taken(:2, :) = self%before
+      self%is_backward = is_backward
    end subroutine begin
 
    !> The next chunk for a thread; 0 when nothing is left
@@ -109,6 +117,7 @@ contains
             place = self%taken(part, t)
             !$omp end atomic
             if (place > self%last(part, t)) cycle
+            if (self%is_backward) place = self%before(part, t) + 1 + self%last(part, t) - place
             chunk = self%list(place)
             return
          end do
@@ -124,10 +133,13 @@ contains
       !> Which, from 1
       integer, intent(in) :: k
 
+      integer :: place
+
       chunk = 0
-      associate (place => self%before(waiting, thread) + k)
-         if (place <= self%last(free, thread)) chunk = self%list(place)
-      end associate
+      place = self%before(waiting, thread) + k
+      if (place > self%last(free, thread)) return
+      if (self%is_backward) place = self%last(free, thread) + 1 - k
+      chunk = self%list(place)
    end function own
 
 end module plydyn_solver_turns
