@@ -15,12 +15,11 @@ module plydyn_law_ply_shear
 
    !> What a step makes of the shear; 0 in lanes of other laws
    type, public :: shear_type
-      !> Strain that stays
-      real(wp) :: set(lanes, most_points)
-      !> Whether it grows at any of the points; only then, largest strain, and work of a ply without
-      !> damage on what stays
+      !> Strain that stays, and largest strain
+      real(wp), dimension(lanes, most_points) :: set, peak
+      !> Whether they grow at any of the points; only then, work of a ply without damage on what stays
       logical :: grows
-      real(wp), dimension(lanes, most_points) :: peak, work
+      real(wp) :: work(lanes, most_points)
       !> Whether damage has begun at any of the points
       logical :: begun
    end type shear_type
@@ -40,20 +39,22 @@ contains
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
-      real(wp) :: across, ahead(lanes), beyond, least(lanes), lowest, most
+      real(wp) :: across, ahead(lanes), here, least(lanes), lowest, most, size(lanes, most_points)
       integer :: l, m
 
       ahead(:) = 0.0_wp
       least(:) = 0.0_wp
       do m = 1, points
-         !$omp simd private(across, beyond)
+         !$omp simd private(across, here)
          do l = 1, lanes
-            shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
             across = ply%own(l)*history(l, matrix_gate, m)
             least(l) = min(least(l), ply%own(l)*history(l, fibre_gate, m), across)
-            beyond = ply%curve%curved(l)*(abs(strain(l, 4, m)) - history(l, shear_peak, m))
             ! what has cracked is elastic
-            ahead(l) = max(ahead(l), beyond*max(sign(1.0_wp, across), 0.0_wp))
+            here = ply%own(l)*abs(strain(l, 4, m))
+            size(l, m) = merge(0.0_wp, here, across < 0.0_wp)
+            shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
+            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
+            ahead(l) = max(ahead(l), ply%curve%curved(l)*(size(l, m) - shear%peak(l, m)))
          end do
       end do
       lowest = 0.0_wp
@@ -65,30 +66,8 @@ contains
       end do
       shear%begun = lowest < 0.0_wp
       shear%grows = most > 0.0_wp
-      if (shear%grows) call follow(ply, points, histories, strain, history, shear)
+      if (shear%grows) call ply%curve%grow(points, most, size, shear%peak, shear%set, shear%work)
    end subroutine bend
-
-   !> Shear that grows along its curve
-   pure subroutine follow(ply, points, histories, strain, history, shear)
-      type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
-      type(shear_type), intent(inout) :: shear
-
-      real(wp) :: gate, here, size(lanes, most_points)
-      integer :: l, m
-
-      do m = 1, points
-         !$omp simd private(gate, here)
-         do l = 1, lanes
-            gate = history(l, matrix_gate, m)
-            here = ply%own(l)*abs(strain(l, 4, m))
-            size(l, m) = merge(0.0_wp, here, gate < 0.0_wp)
-            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
-         end do
-      end do
-      call ply%curve%advance(points, size, shear%peak, shear%set, shear%work, shear%grows)
-   end subroutine follow
 
    !> Keep what the shear of a point has become, and what it has cost
    pure subroutine keep_shear(ply, peak, set, work, history)

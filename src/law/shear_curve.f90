@@ -55,6 +55,7 @@ module plydyn_law_shear_curve
    contains
       procedure :: set_lane
       procedure :: advance
+      procedure :: grow
       procedure :: curve_stress
    end type shear_lanes_type
 
@@ -268,7 +269,7 @@ contains
       !> Whether any strain is larger than it has been
       logical, intent(out) :: grows
 
-      real(wp) :: ahead(lanes), grown(lanes, points), most
+      real(wp) :: ahead(lanes), most
       integer :: l, m
 
       ahead(:) = 0.0_wp
@@ -276,8 +277,7 @@ contains
          !$omp simd
          do l = 1, lanes
             ! nothing changes along a line
-            grown(l, m) = max(peak(l, m), self%curved(l)*strain(l, m))
-            ahead(l) = max(ahead(l), grown(l, m) - peak(l, m))
+            ahead(l) = max(ahead(l), self%curved(l)*(strain(l, m) - peak(l, m)))
          end do
       end do
       most = 0.0_wp
@@ -286,24 +286,40 @@ contains
          most = max(most, ahead(l))
       end do
       grows = most > 0.0_wp
-      if (.not. grows) then
-         work(:, :) = 0.0_wp
-      else if (most <= self%short) then
-         call go_on(self, points, grown, peak, set, work)
+      if (grows) then
+         call self%grow(points, most, strain, peak, set, work)
       else
-         call start_anew(self, points, grown, peak, set, work)
+         work(:, :) = 0.0_wp
       end if
    end subroutine advance
+
+   !> `advance` where the largest growth of the strain is known, which is more than 0
+   pure subroutine grow(self, points, most, strain, peak, set, work)
+      class(shear_lanes_type), intent(in) :: self
+      !> As in `advance`
+      integer, intent(in) :: points
+      !> Largest growth of the strain in all lanes at all points
+      real(wp), intent(in) :: most
+      !> As in `advance`
+      real(wp), intent(in) :: strain(lanes, points)
+      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
+      real(wp), intent(out) :: work(lanes, points)
+
+      if (most <= self%short) then
+         call go_on(self, points, strain, peak, set, work)
+      else
+         call start_anew(self, points, strain, peak, set, work)
+      end if
+   end subroutine grow
 
    !> A short way along exponentials, from where they have been left: of the growth g of the strain
    !> stays q + y - q*y, with q = stress/asymptote before it and y = 1 - (1 - exp(-x))/x of
    !> x = g*modulus/asymptote. Exact but for round-off, and nothing cancels
-   pure subroutine go_on(self, points, grown, peak, set, work)
+   pure subroutine go_on(self, points, strain, peak, set, work)
       class(shear_lanes_type), intent(in) :: self
-      integer, intent(in) :: points
-      !> Largest size of the shear strain now
-      real(wp), intent(in) :: grown(lanes, points)
       !> As in `advance`
+      integer, intent(in) :: points
+      real(wp), intent(in) :: strain(lanes, points)
       real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
       real(wp), intent(out) :: work(lanes, points)
 
@@ -314,29 +330,32 @@ contains
          !$omp simd private(before, growth, stays, x, y)
          do l = 1, lanes
             before = peak(l, m) - set(l, m)
-            growth = grown(l, m) - peak(l, m)
+            growth = max(self%curved(l)*strain(l, m) - peak(l, m), 0.0_wp)
             x = self%rate(l)*growth
             y = -x*(series(1) + x*(series(2) + x*(series(3) + x*series(4))))
             stays = growth*(y + (1.0_wp - y)*self%rate(l)*before)
             work(l, m) = self%modulus(l)*stays*(before + 0.5_wp*(growth - stays))
             set(l, m) = set(l, m) + stays
-            peak(l, m) = grown(l, m)
+            peak(l, m) = max(self%curved(l)*strain(l, m), peak(l, m))
          end do
       end do
    end subroutine go_on
 
    !> Any way along any curve
-   pure subroutine start_anew(self, points, grown, peak, set, work)
+   pure subroutine start_anew(self, points, strain, peak, set, work)
       class(shear_lanes_type), intent(in) :: self
+      !> As in `advance`
       integer, intent(in) :: points
-      !> As in `go_on`
-      real(wp), intent(in) :: grown(lanes, points)
+      real(wp), intent(in) :: strain(lanes, points)
       real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
       real(wp), intent(out) :: work(lanes, points)
 
-      real(wp) :: kept, stress(lanes, points)
+      real(wp) :: grown(lanes, points), kept, stress(lanes, points)
       integer :: l, m
 
+      do m = 1, points
+         grown(:, m) = max(peak(:, m), self%curved*strain(:, m))
+      end do
       call self%curve_stress(points, grown, set, stress)
       do m = 1, points
          !$omp simd private(kept)
