@@ -164,9 +164,32 @@ contains
 
       chunk(:) = chunks_of(domain, domain%columns%column_of(domain%held))
       do c = 1, size(domain%chunks)
-         domain%chunks(c)%held = pack([(i, i=1, size(chunk))], chunk == c)
+         domain%chunks(c)%held = runs_of(domain%held, pack([(i, i=1, size(chunk))], chunk == c))
       end do
    end subroutine give_held
+
+   !> Held points that follow each other, in their list as in the arrays of motion: first and last
+   !> of each run, (2, runs)
+   pure function runs_of(held, points) result(runs)
+      !> Places of all held points
+      integer, intent(in) :: held(:)
+      !> Some of them, in rising order
+      integer, intent(in) :: points(:)
+      integer, allocatable :: runs(:, :)
+
+      logical :: goes_on(0:size(points))
+      integer :: i
+
+      goes_on(:) = .false.
+      do i = 1, size(points) - 1
+         goes_on(i) = points(i + 1) == points(i) + 1
+         if (goes_on(i)) goes_on(i) = held(points(i + 1)) == held(points(i)) + 1
+      end do
+      i = count(.not. goes_on(1:))
+      allocate (runs(2, i))
+      runs(1, :) = pack(points, .not. goes_on(:size(points) - 1))
+      runs(2, :) = pack(points, .not. goes_on(1:))
+   end function runs_of
 
    !> Chunks at the points of each facet of a face
    pure subroutine list_chunks(domain, surface, last, list)

@@ -122,8 +122,9 @@ module plydyn_domain_domain
       integer, allocatable :: own(:)
       !> Columns of nodes that are counted by another rank, and move with this chunk here
       integer, allocatable :: guests(:)
-      !> Those of the domain's borders, and of its held points, that are at any of these
-      integer, allocatable :: borders(:), held(:)
+      !> Those of the domain's borders that are at any of these, and of its held points: first and
+      !> last of each run, (2, runs)
+      integer, allocatable :: borders(:), held(:, :)
       !> Chunks whose forces its points need, itself too; 0 for those of other ranks
       integer, allocatable :: makers(:)
    end type chunk_type

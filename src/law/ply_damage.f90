@@ -13,7 +13,7 @@ module plydyn_law_ply_damage
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
       & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
-      & histories_closing, histories_most, histories_open, keep_driving, matrix_damage, &
+      & histories_closing, histories_most, histories_open, keep_driving, largest_band, matrix_damage, &
       & matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, own_strain, &
       & shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
@@ -93,6 +93,7 @@ contains
          where (self%owns) history(:, k) = 0.0_wp
       end do
       where (self%owns)
+         history(:, largest_band) = max(length(:, 1), length(:, 2))
          history(:, fibre_gate) = length(:, 1)
          history(:, matrix_gate) = length(:, 2)
       end where
@@ -349,6 +350,7 @@ contains
 
       ! once in the life of a mode at a point
       do l = 1, lanes
+         if (any(now%excess(l, :) >= 0.0_wp)) h(l, largest_band) = -abs(h(l, largest_band))
          if (now%excess(l, 1) >= 0.0_wp) then
             length = abs(h(l, fibre_gate))
             call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &

@@ -7,31 +7,33 @@ module plydyn_law_ply_history
    public :: find_remains, find_share, give, give_own, keep_driving, swap_closed, take_mean, &
       & take_own
 
-   !> What a step without growth looks at stands side by side, but for the damage of matrix. Energy
-   !> dissipated per volume by the shear strain that stays, largest shear strain up to the onset of
-   !> matrix damage, shear strain that stays
-   integer, parameter, public :: shear_energy = 1, shear_peak = 2, shear_set = 3
+   !> What an intact point looks at in every step stands side by side, in as few lines of the cache
+   !> as can be. The larger width of the two crack bands, less than 0 once a mode has begun
+   integer, parameter, public :: largest_band = 1
+   !> Largest shear strain up to the onset of matrix damage, shear strain that stays, and energy
+   !> dissipated per volume by it
+   integer, parameter, public :: shear_peak = 2, shear_set = 3, shear_energy = 4
    !> What the next growth of a mode depends on: before onset the width of its crack band; then, as
    !> less than 0, the square of the equivalent strain beyond which damage grows, or, where cracks
    !> close, the width
-   integer, parameter, public :: fibre_gate = 4, matrix_gate = 5
+   integer, parameter, public :: fibre_gate = 5, matrix_gate = 6
    !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
    !> 0 before; equivalent strain at the end of softening
-   integer, parameter, public :: fibre_damage = 6, fibre_onset = 7, fibre_finish = 8, &
-      & matrix_damage = 9, matrix_onset = 10, matrix_finish = 11
+   integer, parameter, public :: fibre_damage = 7, fibre_onset = 8, fibre_finish = 9, &
+      & matrix_damage = 10, matrix_onset = 11, matrix_finish = 12
    !> Energies dissipated per volume by fibres and by matrix
-   integer, parameter, public :: fibre_energy = 12, matrix_energy = 13
+   integer, parameter, public :: fibre_energy = 13, matrix_energy = 14
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
    integer, parameter, public :: to_compression = 8
 
    !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
    !> their averages; cracks do not close there
-   integer, parameter, public :: driving_strains = 4, own_strain = 14, mean_strain = 18
+   integer, parameter, public :: driving_strains = 4, own_strain = 15, mean_strain = 19
 
    !> Histories without and with cracks that close, with averages, and the most of all
-   integer, parameter, public :: histories_open = 13, histories_closing = 19, &
-      & histories_average = 21, histories_most = 21
+   integer, parameter, public :: histories_open = 14, histories_closing = 20, &
+      & histories_average = 22, histories_most = 22
 
 contains
 

@@ -6,7 +6,7 @@
 !> law, which finds the history as it was.
 module plydyn_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_gate, give, matrix_gate
+   use plydyn_law_ply_history, only : give, largest_band
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_shear, only : bend, keep_shear, most_points, shear_type
    use plydyn_law_ply_steady, only : hold
@@ -92,15 +92,15 @@ contains
       do m = 1, points
          associate (c => ply%secant%intact, g => ply%secant%shear, e => strain(:, :, m), &
             & a => ply%onset%far_fibre, b => ply%onset%far_matrix, s => stress(:, :, m), &
-            & h => history(:, fibre_gate:matrix_gate, m))
+            & h => history(:, largest_band, m))
             !$omp simd private(across, along, elastic, s11, s22, tau)
             do l = 1, lanes
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
                tau = g(l, 1)*elastic
                s11 = c(l, 1)*e(l, 1) + c(l, 2)*e(l, 2) + c(l, 3)*e(l, 3)
                s22 = c(l, 2)*e(l, 1) + c(l, 4)*e(l, 2) + c(l, 5)*e(l, 3)
-               along = a(l, 1)*s11**2 + h(l, 1)*(a(l, 2)*s11**2 + a(l, 3)*abs(s11*e(l, 1)))
-               across = b(l, 1)*s22**2 + b(l, 2)*tau**2 + h(l, 2)*(b(l, 3)*s22**2 &
+               along = a(l, 1)*s11**2 + h(l)*(a(l, 2)*s11**2 + a(l, 3)*abs(s11*e(l, 1)))
+               across = b(l, 1)*s22**2 + b(l, 2)*tau**2 + h(l)*(b(l, 3)*s22**2 &
                   & + b(l, 4)*(abs(s22*e(l, 2)) + tau*elastic))
                each(l) = max(each(l), along, across)
                s(l, 1) = s11

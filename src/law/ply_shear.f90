@@ -2,7 +2,7 @@
 !> their history as that takes.
 module plydyn_law_ply_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_gate, matrix_gate, shear_energy, shear_peak, shear_set
+   use plydyn_law_ply_history, only : largest_band, matrix_gate, shear_energy, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    implicit none
    private
@@ -39,19 +39,16 @@ contains
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
-      real(wp) :: across, ahead(lanes), here, least(lanes), lowest, most, size(lanes, most_points)
+      real(wp) :: ahead(lanes), least(lanes), lowest, most, size(lanes, most_points)
       integer :: l, m
 
       ahead(:) = 0.0_wp
       least(:) = 0.0_wp
       do m = 1, points
-         !$omp simd private(across, here)
+         !$omp simd
          do l = 1, lanes
-            across = ply%own(l)*history(l, matrix_gate, m)
-            least(l) = min(least(l), ply%own(l)*history(l, fibre_gate, m), across)
-            ! what has cracked is elastic
-            here = ply%own(l)*abs(strain(l, 4, m))
-            size(l, m) = merge(0.0_wp, here, across < 0.0_wp)
+            least(l) = min(least(l), ply%own(l)*history(l, largest_band, m))
+            size(l, m) = ply%own(l)*abs(strain(l, 4, m))
             shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
             shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
             ahead(l) = max(ahead(l), ply%curve%curved(l)*(size(l, m) - shear%peak(l, m)))
@@ -65,9 +62,42 @@ contains
          most = max(most, ahead(l))
       end do
       shear%begun = lowest < 0.0_wp
+      if (shear%begun) call leave_cracked(ply, points, histories, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
       if (shear%grows) call ply%curve%grow(points, most, size, shear%peak, shear%set, shear%work)
    end subroutine bend
+
+   !> What has cracked is elastic: nothing grows there
+   pure subroutine leave_cracked(ply, points, histories, history, peak, size, most)
+      type(ply_lanes_type), intent(in) :: ply
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: history(lanes, histories, points)
+      !> Largest shear strain
+      real(wp), intent(in) :: peak(lanes, most_points)
+      !> Shear strain in, 0 out where the matrix has cracked
+      real(wp), intent(inout) :: size(lanes, most_points)
+      !> Largest growth of the others
+      real(wp), intent(out) :: most
+
+      real(wp) :: ahead(lanes), gate, here
+      integer :: l, m
+
+      ahead(:) = 0.0_wp
+      do m = 1, points
+         !$omp simd private(gate, here)
+         do l = 1, lanes
+            gate = history(l, matrix_gate, m)
+            here = size(l, m)
+            size(l, m) = merge(0.0_wp, here, gate < 0.0_wp)
+            ahead(l) = max(ahead(l), ply%curve%curved(l)*(size(l, m) - peak(l, m)))
+         end do
+      end do
+      most = 0.0_wp
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         most = max(most, ahead(l))
+      end do
+   end subroutine leave_cracked
 
    !> Keep what the shear of a point has become, and what it has cost
    pure subroutine keep_shear(ply, peak, set, work, history)
@@ -76,7 +106,7 @@ contains
       !> As in `shear_type`
       real(wp), intent(in) :: peak(lanes), set(lanes), work(lanes)
       !> History of the point
-      real(wp), intent(inout) :: history(lanes, shear_set)
+      real(wp), intent(inout) :: history(lanes, shear_energy)
 
       real(wp) :: cost, kept
       integer :: l

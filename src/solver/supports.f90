@@ -62,20 +62,22 @@ contains
    end subroutine hold_supports
 
    !> Take held points out of the free motion, and keep the force they would feel
-   pure subroutine hold_points(domain, points, force, support_force)
+   pure subroutine hold_points(domain, runs, force, support_force)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Which of its held points
-      integer, intent(in) :: points(:)
+      !> Which of its held points: first and last of each run
+      integer, intent(in) :: runs(:, :)
       !> As in `hold_supports`
       real(wp), intent(inout), contiguous :: force(:), support_force(:)
-      integer :: i
 
-      do i = 1, size(points)
-         associate (place => domain%held(points(i)))
-            support_force(points(i)) = force(place)
-            force(place) = 0.0_wp
-         end associate
+      integer :: i, k, place
+
+      do i = 1, size(runs, 2)
+         place = domain%held(runs(1, i)) - runs(1, i)
+         do k = runs(1, i), runs(2, i)
+            support_force(k) = force(place + k)
+            force(place + k) = 0.0_wp
+         end do
       end do
    end subroutine hold_points
 

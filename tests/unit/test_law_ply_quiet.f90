@@ -4,8 +4,8 @@ program test_law_ply_quiet
    use plydyn_law_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_damage_growth, only : find_limits
-   use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, matrix_damage, &
-      & matrix_finish, matrix_gate, matrix_onset, shear_energy, shear_peak, shear_set
+   use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, largest_band, &
+      & matrix_damage, matrix_finish, matrix_gate, matrix_onset, shear_energy, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -83,13 +83,14 @@ contains
       call find_limits(lane%plateau, lane%brittle, &
          & history(:, fibre_damage:matrix_finish, points), limit)
       history(5, matrix_gate, points) = -limit(5, 2)**2
+      history(5, largest_band, points) = -1.0_wp
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)
       call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
       call check(history(5, matrix_damage, points), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
-      history(foreign, matrix_gate, :) = -1.0_wp
+      history(foreign, [largest_band, matrix_gate], :) = -1.0_wp
       call move(small)
       call check(all(stays), "what other laws remember does not count")
    end subroutine test_loud
@@ -110,8 +111,8 @@ contains
          call random_number(strain)
          strain(:) = reach*(2.0_wp*strain - 1.0_wp)
          ! bands from narrow to too wide
-         history(:, fibre_gate:matrix_gate, :) = history(:, fibre_gate:matrix_gate, :) &
-            & *2.0_wp**mod(i, 8)
+         history(:, [largest_band, fibre_gate, matrix_gate], :) = 2.0_wp**mod(i, 8) &
+            & *history(:, [largest_band, fibre_gate, matrix_gate], :)
          wide(:, :) = history(:, fibre_gate:matrix_gate, 1)
          call lane%secant%intact_stress(1, 3, spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
@@ -156,14 +157,15 @@ contains
          if (l /= foreign) call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
+      history(:, largest_band, :) = 1.0_wp
       history(:, fibre_gate, :) = 1.0_wp
       history(:, matrix_gate, :) = 0.1_wp
-      history(foreign, fibre_gate:matrix_gate, :) = 0.0_wp
+      history(foreign, :, :) = 0.0_wp
    end subroutine rest
 
-   !> The largest history since `rest` but that of the gates
+   !> The largest history since `rest` but that of the widths and the gates
    pure real(wp) function changed()
-      changed = max(maxval(abs(history(:, :fibre_gate - 1, :))), &
+      changed = max(maxval(abs(history(:, largest_band + 1:fibre_gate - 1, :))), &
          & maxval(abs(history(:, matrix_gate + 1:, :))))
    end function changed
 

@@ -6,8 +6,8 @@ program test_law_ply_steady
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
-      & histories_closing, histories_open, matrix_damage, matrix_finish, matrix_gate, &
-      & matrix_onset, shear_peak, shear_set
+      & histories_closing, histories_open, largest_band, matrix_damage, matrix_finish, &
+      & matrix_gate, matrix_onset, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -109,7 +109,7 @@ contains
       call choose(ply, strain, before)
       before(:, modes, :) = 0.0_wp
       before(1, matrix_damage:matrix_finish, :) = spread([1.0_wp, 0.004_wp, 0.02_wp], 2, points)
-      before(1, matrix_gate, :) = -1.0_wp
+      before(1, [largest_band, matrix_gate], :) = -1.0_wp
       before(foreign, :, :) = 1.0_wp
       strain(:, :, :) = 0.1_wp*strain
       strain(foreign, :, :) = 0.1_wp
@@ -137,8 +137,8 @@ contains
          call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, fibre_gate:matrix_gate, :) = 0.1_wp
-      history(2, matrix_gate, 2) = -0.1_wp
+      history(:, [largest_band, fibre_gate, matrix_gate], :) = 0.1_wp
+      history(2, [largest_band, matrix_gate], 2) = -0.1_wp
       strain(:, :, :) = 1.0e-4_wp
       call stay(lane, 2, histories_closing, strain, history, stress, stays)
       call check(stays(1) .and. .not. stays(2), "only what is damaged")
@@ -172,11 +172,11 @@ contains
          do l = 1, lanes
             call random_number(draw)
             strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
-            history(l, fibre_gate:matrix_gate, m) = [1.0_wp, 0.1_wp]
+            history(l, [largest_band, fibre_gate, matrix_gate], m) = [1.0_wp, 1.0_wp, 0.1_wp]
             call random_number(draw)
             if (ply%curve%shape > 0) then
                history(l, shear_peak, m) = 0.012_wp*draw(1)
-               history(l, shear_set, m) = 0.2_wp*history(l, shear_peak, m)
+               history(l, shear_set, m) = left_behind(ply, history(l, shear_peak, m))
             end if
             do k = 1, 2
                call random_number(draw)
@@ -192,7 +192,19 @@ contains
          where (history(:, [fibre_finish, matrix_finish], m) > 0.0_wp)
             history(:, fibre_gate:matrix_gate, m) = -limit**2
          end where
+         where (any(history(:, fibre_gate:matrix_gate, m) < 0.0_wp, 2)) &
+            & history(:, largest_band, m) = -1.0_wp
       end do
    end subroutine choose
+
+   !> Shear strain that stays behind the largest one, along an exponential
+   pure real(wp) function left_behind(ply, peak)
+      type(ply_constants_type), intent(in) :: ply
+      real(wp), intent(in) :: peak
+
+      associate (asymptote => ply%curve%asymptote, modulus => ply%shear(1))
+         left_behind = peak - asymptote/modulus*(1.0_wp - exp(-modulus*peak/asymptote))
+      end associate
+   end function left_behind
 
 end program test_law_ply_steady

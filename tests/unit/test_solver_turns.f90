@@ -6,6 +6,7 @@ program test_solver_turns
    implicit none
 
    call check_alone()
+   call check_backward()
    call check_waiting()
    call check_together()
    call finish()
@@ -22,7 +23,7 @@ contains
       call begin("take")
       waits(:) = .false.
       call turns%arrange([(i, i=4, 11)], waits, 3)
-      call turns%begin()
+      call turns%begin(.false.)
       call check(all([(turns%own(1, i), i=1, 4)] == [7, 8, 9, 0]), "a stretch has its end")
       call check(turns%take(1, .true.), 7, "the second thread begins behind three of the first")
       call check(turns%take(2, .true.), 10, "the third behind three of the second")
@@ -31,12 +32,29 @@ contains
       call check(turns%take(2, .true.), 11, "the third has one of its own left")
       call check(turns%take(2, .true.), 9, "and takes the last of all")
       call check(all([(turns%take(i, .true.), i=0, 2)] == 0), "nothing is left")
-      call turns%begin()
+      call turns%begin(.false.)
       call check(turns%take(1, .true.), 7, "all begins anew")
       call none%arrange([integer ::], waits, 3)
-      call none%begin()
+      call none%begin(.false.)
       call check(none%take(1, .true.), 0, "nothing was there")
    end subroutine check_alone
+
+   !> Backward, every stretch begins with its end
+   subroutine check_backward()
+      type(turns_type) :: turns
+      logical :: waits(7)
+      integer :: i
+
+      call begin("backward")
+      waits(:) = [.false., .false., .true., .false., .false., .false., .false.]
+      call turns%arrange([(i, i=1, 7)], waits, 2)
+      call turns%begin(.true.)
+      call check(all([(turns%own(0, i), i=1, 5)] == [4, 2, 1, 3, 0]), "the order is turned round")
+      call check(all([(turns%take(0, .false.), i=1, 4)] == [4, 2, 1, 7]), &
+         & "from the end on, then the end of the others")
+      call check(all([(turns%take(1, .true.), i=1, 3)] == [6, 5, 3]), "what waited is still left")
+      call check(turns%take(0, .true.), 0, "nothing is left")
+   end subroutine check_backward
 
    !> Chunks that wait are passed over, and then come first in their stretch
    subroutine check_waiting()
@@ -47,11 +65,11 @@ contains
       call begin("arrange")
       waits(:) = [.false., .true., .true., .false., .true., .false.]
       call turns%arrange([(i, i=1, 6)], waits, 2)
-      call turns%begin()
+      call turns%begin(.false.)
       call check(all([(turns%own(0, i), i=1, 3)] == [2, 3, 1]), "what waits is first in a stretch")
       call check(all([(turns%take(1, .false.), i=1, 4)] == [4, 6, 1, 0]), "it is passed over")
       call check(all([(turns%take(0, .true.), i=1, 4)] == [2, 3, 5, 0]), "until it need not wait")
-      call turns%begin()
+      call turns%begin(.false.)
       call check(all([(turns%take(0, .true.), i=1, 3)] == [2, 3, 1]), "then it is first")
    end subroutine check_waiting
 
@@ -68,7 +86,7 @@ contains
          call omp_set_num_threads(threads)
          taken(:) = 0
          call turns(threads)%arrange([(i, i=1, chunks)], waits, threads)
-         call turns(threads)%begin()
+         call turns(threads)%begin(.false.)
          !$omp parallel default(shared) private(chunk)
          do
             chunk = turns(threads)%take(omp_get_thread_num(), .true.)
