@@ -116,7 +116,7 @@ contains
          end associate
       end do
       do k = 1, size(domain%interfaces)
-         domain%interfaces(k)%target(:, :) = domain%plates(domain%interfaces(k)%plate)%target
+         domain%interfaces(k)%target(:, :) = abs(domain%plates(domain%interfaces(k)%plate)%target)
       end do
    end subroutine set_targets
 
@@ -272,7 +272,8 @@ contains
       chunk(:) = mover(column)
    end function chunks_of
 
-   !> Columns that take the forces of a chunk of quads
+   !> Columns that take the forces of a chunk of quads, the first of which begins them: the layers of
+   !> a quad fill the columns of its nodes
    pure subroutine aim_quads(chunk, column, node, target)
       type(chunk_type), intent(in) :: chunk
       !> That of each node
@@ -280,10 +281,16 @@ contains
       !> Nodes of each quad
       integer, intent(in) :: node(:, :)
       integer, intent(inout) :: target(:, :)
-      integer :: e
 
+      integer :: e, i
+      logical :: is_new(size(column))
+
+      is_new(:) = .true.
       do e = chunk%quads(1), chunk%quads(2)
-         target(:, e) = column(node(:, e))
+         do i = 1, size(node, 1)
+            target(i, e) = merge(-1, 1, is_new(node(i, e)))*column(node(i, e))
+            is_new(node(i, e)) = .false.
+         end do
       end do
    end subroutine aim_quads
 

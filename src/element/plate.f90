@@ -55,7 +55,8 @@ module plydyn_element_plate
       integer, allocatable :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
       integer, allocatable :: node(:, :)
-      !> Columns that take the forces of each quad: those of its nodes, or others behind them
+      !> Columns that take the forces of each quad: those of its nodes, or others behind them; less
+      !> than 0 where no quad before has added to one
       integer, allocatable :: target(:, :)
       !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)

@@ -162,8 +162,8 @@ contains
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       associate (chunk => domain%chunks(number))
-         call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
          if (size(domain%bricks) > 0) then
+            call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
             associate (bricks => domain%bricks(chunk%plate))
                call add_brick_forces(bricks, chunk%quads, &
                   & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &

@@ -47,7 +47,7 @@ contains
    subroutine test_targets()
       type(domain_type) :: domain
       type(error_type), allocatable :: error
-      integer, allocatable :: node_of(:), summed(:), taken(:)
+      integer, allocatable :: begun(:), node_of(:), summed(:), taken(:)
       integer :: c, e, i
 
       call begin("new_chunks")
@@ -60,15 +60,24 @@ contains
       do i = 1, size(domain%borders, 2)
          node_of(domain%borders(2, i):domain%borders(3, i)) = domain%borders(1, i)
       end do
+      allocate (begun, mold=node_of)
+      begun(:) = 0
       taken(:) = 0
       do c = 1, size(domain%chunks)
          associate (chunk => domain%chunks(c), plate => domain%plates(1))
             taken(chunk%column) = taken(chunk%column) + 1
             do e = chunk%quads(1), chunk%quads(2)
-               call check(all(node_of(plate%target(:, e)) == plate%node(:, e)), &
+               call check(all(node_of(abs(plate%target(:, e))) == plate%node(:, e)), &
                   & "forces go to a column of their node")
-               call check(all([(any(chunk%column == plate%target(i, e)), i=1, 9)]), &
+               call check(all([(any(chunk%column == abs(plate%target(i, e))), i=1, 9)]), &
                   & "and of their chunk")
+               do i = 1, 9
+                  associate (column => abs(plate%target(i, e)))
+                     call check((begun(column) == 0) .eqv. plate%target(i, e) < 0, &
+                        & "the first quad at a column begins it")
+                     begun(column) = begun(column) + 1
+                  end associate
+               end do
             end do
          end associate
       end do
