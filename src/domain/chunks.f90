@@ -272,8 +272,8 @@ contains
       chunk(:) = mover(column)
    end function chunks_of
 
-   !> Columns that take the forces of a chunk of quads, the first of which begins them: the layers of
-   !> a quad fill the columns of its nodes
+   !> Columns that take the forces of a chunk of quads. The first quad at one begins its forces: the
+   !> layers of a quad fill the columns of its nodes
    pure subroutine aim_quads(chunk, column, node, target)
       type(chunk_type), intent(in) :: chunk
       !> That of each node

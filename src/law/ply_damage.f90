@@ -13,9 +13,10 @@ module plydyn_law_ply_damage
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
       & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
-      & histories_closing, histories_most, histories_open, keep_driving, largest_band, matrix_damage, &
-      & matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, own_strain, &
-      & shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, to_compression
+      & histories_closing, histories_most, histories_open, keep_driving, largest_band, &
+      & matrix_damage, matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, &
+      & own_strain, shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, &
+      & to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type

@@ -4,7 +4,7 @@ module plydyn_law_ply_lanes
    use plydyn_law_damage_onset, only : onset_type
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_secant, only : secant_type
-   use plydyn_law_shear_curve, only : shear_lanes_type
+   use plydyn_law_shear_lanes, only : shear_lanes_type
    implicit none
    private
 

@@ -17,7 +17,8 @@ module plydyn_law_ply_shear
    type, public :: shear_type
       !> Strain that stays, and largest strain
       real(wp), dimension(lanes, most_points) :: set, peak
-      !> Whether they grow at any of the points; only then, work of a ply without damage on what stays
+      !> Whether they grow at any of the points; only then, work of a ply without damage on what
+      !> stays
       logical :: grows
       real(wp) :: work(lanes, most_points)
       !> Whether damage has begun at any of the points

@@ -4,8 +4,8 @@
 !> needs is still in the cache of its core. One that has come to the end of its own takes of what
 !> the others have left. The chunks say where their forces go: who takes them changes no bit.
 !>
-!> A list that is taken backward in every second step begins with what was used last, which is in the
-!> cache still where the whole stretch does not fit.
+!> A list that is taken backward in every second step begins with what was used last, which is in
+!> the cache still where the whole stretch does not fit.
 !>
 !> Some chunks may have to wait. They are the first of their stretch once they need not any more,
 !> and are passed over until then.
