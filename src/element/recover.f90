@@ -138,7 +138,8 @@ contains
       integer, intent(in) :: quad, q
       real(wp) :: metric(2, 2)
 
-      metric(:, :) = 2.0_wp*plate%reach*reshape(plate%metric(1:4, q, quad), [2, 2])
+      metric(:, 1) = 2.0_wp*plate%reach*plate%metric(1:2, q, quad)
+      metric(:, 2) = 2.0_wp*plate%reach*plate%metric(3:4, q, quad)
    end function gauss_metric
 
    !> One direction of the displacement of a layer at the nodes of a quad, (nodes, levels)
@@ -281,16 +282,20 @@ contains
       real(wp), intent(in) :: at_gauss(:, :)
       real(wp) :: values(recovered)
 
-      real(wp) :: turn(2, 2)
+      real(wp) :: projection(2, 2, size(at_gauss, 2)), turn(2, 2)
       integer :: i
 
       values(:) = matmul(at_gauss, shares%full)
+      projection(:, :, :) = shear_projection(plate, quad, shares)
+      turn(:, :) = plane_turn(plate%angle(layer))
       do i = 1, size(shear_at)
-         turn(:, :) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
-         if (in_ply_axes(i)) turn(:, :) = plane_turn(plate%angle(layer))
-         associate (first => shear_at(i))
-            values(first:first + 1) = matmul(transpose(turn), projected_shear(plate, quad, shares, &
-               & matmul(turn, at_gauss(first:first + 1, :))))
+         associate (shear => at_gauss(shear_at(i):shear_at(i) + 1, :), first => shear_at(i))
+            if (in_ply_axes(i)) then
+               values(first:first + 1) = matmul(transpose(turn), projected(projection, &
+                  & matmul(turn, shear)))
+            else
+               values(first:first + 1) = projected(projection, shear)
+            end if
          end associate
       end do
    end function plane_value
@@ -306,36 +311,59 @@ contains
       turn(:, :) = transpose(rotation(5:6, 5:6))
    end function plane_turn
 
-   !> Shear across the plate, projected along xi and along eta each in its own direction
-   pure function projected_shear(plate, quad, shares, at_gauss) result(shear)
+   !> Shares of the shear across the plate at the Gauss points in that at a place, projected along
+   !> xi and along eta each in its own direction: (x or y there, x or y at the point, points)
+   pure function shear_projection(plate, quad, shares) result(projection)
       type(plate_type), intent(in) :: plate
       integer, intent(in) :: quad
       type(plane_shares_type), intent(in) :: shares
-      real(wp), intent(in) :: at_gauss(:, :)
-      real(wp) :: shear(2)
+      real(wp) :: projection(2, 2, size(shares%full))
 
-      real(wp) :: along(2), jacobian(2, 2), place(2, 2)
+      real(wp) :: back(2, 2), jacobian(2, 2), place(2, 2)
       integer :: q
 
-      along(:) = 0.0_wp
       place(:, :) = 0.0_wp
-      do q = 1, size(at_gauss, 2)
-         ! d(x, y)/d(xi, eta), (x or y, xi or eta)
-         jacobian(:, :) = transpose(inverse(gauss_metric(plate, quad, q)))
+      do q = 1, size(shares%full)
+         ! d(x, y)/d(xi, eta), (xi or eta, x or y)
+         jacobian(:, :) = inverse(gauss_metric(plate, quad, q))
          place(:, :) = place + shares%full(q)*jacobian
-         along(1) = along(1) + shares%along_xi(q)*dot_product(jacobian(:, 1), at_gauss(:, q))
-         along(2) = along(2) + shares%along_eta(q)*dot_product(jacobian(:, 2), at_gauss(:, q))
+         projection(1, :, q) = shares%along_xi(q)*jacobian(1, :)
+         projection(2, :, q) = shares%along_eta(q)*jacobian(2, :)
       end do
-      shear(:) = matmul(transpose(inverse(place)), along)
-   end function projected_shear
+      back(:, :) = inverse(place)
+      do q = 1, size(shares%full)
+         projection(:, :, q) = matmul(back, projection(:, :, q))
+      end do
+   end function shear_projection
+
+   !> Shear at a place from that at the Gauss points
+   pure function projected(projection, at_gauss) result(shear)
+      !> As from `shear_projection`
+      real(wp), intent(in) :: projection(:, :, :)
+      !> (x or y, points)
+      real(wp), intent(in) :: at_gauss(:, :)
+      real(wp) :: shear(2)
+      integer :: q
+
+      shear(:) = 0.0_wp
+      do q = 1, size(at_gauss, 2)
+         shear(1) = shear(1) + projection(1, 1, q)*at_gauss(1, q) &
+            & + projection(1, 2, q)*at_gauss(2, q)
+         shear(2) = shear(2) + projection(2, 1, q)*at_gauss(1, q) &
+            & + projection(2, 2, q)*at_gauss(2, q)
+      end do
+   end function projected
 
    !> Inverse of a small matrix
    pure function inverse(a) result(b)
       real(wp), intent(in) :: a(2, 2)
       real(wp) :: b(2, 2)
 
-      b(:, :) = reshape([a(2, 2), -a(2, 1), -a(1, 2), a(1, 1)], [2, 2]) &
-         & /(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
+      b(1, 1) = a(2, 2)
+      b(2, 1) = -a(2, 1)
+      b(1, 2) = -a(1, 2)
+      b(2, 2) = a(1, 1)
+      b(:, :) = b/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
    end function inverse
 
    !> Shares of the Gauss points of the thickness at a height in the layer
