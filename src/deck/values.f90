@@ -204,6 +204,10 @@ contains
          words = "one of "//field%words
          return
       end if
+      if (.not. field%least < field%most) then
+         words = number_words(field%most)
+         return
+      end if
       words = noun(field)
       if (field%above > -huge(1.0_wp)) words = words//" above "//number_words(field%above)
       if (field%least > -huge(1.0_wp) .and. field%most < huge(1.0_wp)) then
