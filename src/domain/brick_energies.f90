@@ -22,7 +22,7 @@ contains
       !> Sums in the order of `mechanism_names`
       type(exact_sums_type), intent(inout) :: sums
 
-      integer :: b, i, last, m, p
+      integer :: b, first, i, m, p
 
       do p = 1, size(domain%bricks)
          associate (bricks => domain%bricks(p))
@@ -32,11 +32,11 @@ contains
                   if (law%energy_at(i) == 0) cycle
                   do b = 1, size(bricks%shape)
                      do m = 1, bricks%points
-                        last = bricks%first_history - 1 + lanes*(law%energy_at(i) &
-                           & + bricks%histories*(m - 1 + bricks%points*(b - 1)))
+                        first = bricks%first_history + lanes*bricks%histories &
+                           & *(m - 1 + bricks%points*(b - 1))
                         call sums%add(i, dot_product( &
                            & bricks%shapes(bricks%shape(b))%volume(:, m), &
-                           & history(last - lanes + 1:last)))
+                           & law%spent(i, history(first:first + lanes*bricks%histories - 1))))
                      end do
                   end do
                end do

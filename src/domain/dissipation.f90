@@ -69,7 +69,7 @@ contains
                      do m = 1, size(weight)
                         energy = energy + metric(size(metric, 1), q, e)*weight(m) &
                            & *sum(batch%half(:, block) &
-                           & *history(:, law%energy_at(i), m, q, block, e), law%owns)
+                           & *law%spent(i, history(:, :, m, q, block, e)), law%owns)
                      end do
                   end do
                   call sums%add(i, energy)

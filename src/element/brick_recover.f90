@@ -79,7 +79,7 @@ contains
             call law%recall(turned, history, s)
             call turn_stress(bricks%turn, s)
             do l = 1, lanes
-               values(l, scalars_at + 1:) = law%show(history(l, :))
+               values(l, scalars_at + 1:) = law%show(l, history)
             end do
          end associate
       end do

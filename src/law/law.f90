@@ -32,7 +32,8 @@ module plydyn_law_law
       !> History variables of a point; the last is the energy dissipated so far per volume, unless
       !> the law says otherwise in `show`
       integer :: histories = 0
-      !> History variable that is the energy dissipated so far by each mechanism; 0 for none
+      !> History variable of the energy dissipated so far by each mechanism, which is that energy
+      !> unless the law says otherwise in `spent`; 0 for none
       integer :: energy_at(mechanisms) = 0
       !> Rule for the width of the crack band of lanes that soften, as in `band_length`; 0 elsewhere
       integer :: band_rule(lanes) = 0
@@ -50,6 +51,7 @@ module plydyn_law_law
       procedure :: recall
       procedure :: start_history
       procedure :: show
+      procedure :: spent
    end type law_type
 
    !> The law of some lanes of one block of layers
@@ -128,14 +130,29 @@ contains
    end subroutine start_history
 
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
-   pure function show(self, history) result(values)
+   pure function show(self, lane, history) result(values)
       class(law_type), intent(in) :: self
-      !> History of the lane
-      real(wp), intent(in) :: history(:)
+      !> Lane
+      integer, intent(in) :: lane
+      !> History of the point
+      real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
       values(:) = 0.0_wp
-      if (self%histories > 0) values(shows_dissipated) = history(self%histories)
+      if (self%histories > 0) values(shows_dissipated) = history(lane, self%histories)
    end function show
+
+   !> Energy per volume that a mechanism has dissipated at a point
+   pure function spent(self, mechanism, history) result(energy)
+      class(law_type), intent(in) :: self
+      !> One that the law has
+      integer, intent(in) :: mechanism
+      !> History of the point
+      real(wp), intent(in) :: history(lanes, *)
+      !> Means nothing in lanes of other laws
+      real(wp) :: energy(lanes)
+
+      energy(:) = history(:, self%energy_at(mechanism))
+   end function spent
 
 end module plydyn_law_law

@@ -103,14 +103,15 @@ contains
    end subroutine own_lane
 
    !> Scalars of a lane that its fields show
-   pure function show(self, history) result(values)
+   pure function show(self, lane, history) result(values)
       class(plastic_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
       values(:) = 0.0_wp
-      values(shows_plastic_strain) = history(effective_plastic_strain)
-      values(shows_dissipated) = history(dissipated)
+      values(shows_plastic_strain) = history(lane, effective_plastic_strain)
+      values(shows_dissipated) = history(lane, dissipated)
    end function show
 
    !> Stress and history at the end of a step

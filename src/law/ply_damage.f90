@@ -15,7 +15,7 @@ module plydyn_law_ply_damage
       & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
       & histories_closing, histories_most, histories_open, keep_driving, largest_band, &
       & matrix_damage, matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, &
-      & own_strain, shear_energy, shear_peak, shear_set, swap_closed, take_mean, take_own, &
+      & own_strain, shear_peak, shear_set, shear_spared, swap_closed, take_mean, take_own, &
       & to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
@@ -43,6 +43,7 @@ module plydyn_law_ply_damage
       procedure :: set_average
       procedure :: start_history
       procedure :: show
+      procedure :: spent
    end type ply_damage_type
 
 contains
@@ -59,7 +60,7 @@ contains
       call self%ply%set_lane(lane, constants)
       self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
       self%energy_at(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
-         & shear_energy]
+         & shear_spared]
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane
@@ -101,21 +102,42 @@ contains
    end subroutine start_history
 
    !> Damage and energy of a lane that its fields show; where cracks close, the larger damage
-   pure function show(self, history) result(values)
+   pure function show(self, lane, history) result(values)
       class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
-      real(wp) :: damage(2)
+      real(wp) :: damage(2), plastic(lanes)
 
-      damage(:) = history([fibre_damage, matrix_damage])
+      damage(:) = history(lane, [fibre_damage, matrix_damage])
       if (self%ply%any_closes) damage(:) = max(damage, &
-         & history([fibre_damage, matrix_damage] + to_compression))
+         & history(lane, [fibre_damage, matrix_damage] + to_compression))
+      plastic(:) = self%spent(by_ply_plasticity, history)
       values(:) = 0.0_wp
       values(shows_fibre_damage:shows_matrix_damage) = damage
       values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
-      values(shows_dissipated) = sum(history([fibre_energy, matrix_energy, shear_energy]))
+      values(shows_dissipated) = sum(history(lane, [fibre_energy, matrix_energy])) + plastic(lane)
    end function show
+
+   !> Energies that a point has dissipated: plastic work is that of an intact ply, as the largest
+   !> shear strain tells, less what damage has spared
+   pure function spent(self, mechanism, history) result(energy)
+      class(ply_damage_type), intent(in) :: self
+      integer, intent(in) :: mechanism
+      real(wp), intent(in) :: history(lanes, *)
+      real(wp) :: energy(lanes)
+
+      real(wp) :: set(lanes)
+
+      energy(:) = history(:, self%energy_at(mechanism))
+      if (mechanism /= by_ply_plasticity) return
+      associate (curve => self%ply%curve, peak => self%ply%own*history(:, shear_peak))
+         set(:) = self%ply%own*history(:, shear_set)
+         if (.not. curve%keeps_set) call curve%find_set(1, peak, set)
+         energy(:) = curve%lost(peak, set) - energy
+      end associate
+   end function spent
 
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)
@@ -241,15 +263,17 @@ contains
       real(wp), intent(out) :: shear(lanes, 2)
       type(step_type), intent(inout) :: now
 
-      real(wp) :: size(lanes)
+      real(wp) :: set(lanes), size(lanes)
       integer :: l
 
       size(:) = merge(0.0_wp, abs(strain), h(:, matrix_gate) < 0.0_wp)
-      call self%ply%curve%advance(1, size, h(:, shear_peak), h(:, shear_set), now%work, now%grows)
+      set(:) = h(:, shear_set)
+      call self%ply%curve%advance(size, h(:, shear_peak), set, now%work, now%grows)
+      if (self%ply%curve%keeps_set) h(:, shear_set) = set
       associate (modulus => self%ply%secant%shear)
          !$omp simd
          do l = 1, lanes
-            shear(l, 2) = max(abs(strain(l)) - h(l, shear_set), 0.0_wp)
+            shear(l, 2) = max(abs(strain(l)) - set(l), 0.0_wp)
             shear(l, 1) = modulus(l, 1)*shear(l, 2)
          end do
       end associate

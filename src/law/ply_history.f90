@@ -10,22 +10,24 @@ module plydyn_law_ply_history
    !> What an intact point looks at in every step stands side by side, in as few lines of the cache
    !> as can be. The larger width of the two crack bands, less than 0 once a mode has begun
    integer, parameter, public :: largest_band = 1
-   !> Largest shear strain up to the onset of matrix damage, shear strain that stays, and energy
-   !> dissipated per volume by it
-   integer, parameter, public :: shear_peak = 2, shear_set = 3, shear_energy = 4
+   !> Largest shear strain up to the onset of matrix damage
+   integer, parameter, public :: shear_peak = 2
    !> What the next growth of a mode depends on: before onset the width of its crack band; then, as
    !> less than 0, the square of the equivalent strain beyond which damage grows, or, where cracks
    !> close, the width
-   integer, parameter, public :: fibre_gate = 5, matrix_gate = 6
+   integer, parameter, public :: fibre_gate = 3, matrix_gate = 4
    !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
    !> 0 before; equivalent strain at the end of softening
-   integer, parameter, public :: fibre_damage = 7, fibre_onset = 8, fibre_finish = 9, &
-      & matrix_damage = 10, matrix_onset = 11, matrix_finish = 12
+   integer, parameter, public :: fibre_damage = 5, fibre_onset = 6, fibre_finish = 7, &
+      & matrix_damage = 8, matrix_onset = 9, matrix_finish = 10
    !> Energies dissipated per volume by fibres and by matrix
-   integer, parameter, public :: fibre_energy = 13, matrix_energy = 14
+   integer, parameter, public :: fibre_energy = 11, matrix_energy = 12
+   !> Shear strain that stays, where it takes long to find from the largest; work per volume that it
+   !> would have cost an intact ply beyond what it has
+   integer, parameter, public :: shear_set = 13, shear_spared = 14
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
-   integer, parameter, public :: to_compression = 8
+   integer, parameter, public :: to_compression = 10
 
    !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
    !> their averages; cracks do not close there

@@ -50,8 +50,7 @@ contains
       end if
       if (.not. shear%grows) return
       do m = 1, points
-         if (quiet(m)) call keep_shear(ply, shear%peak(:, m), shear%set(:, m), shear%work(:, m), &
-            & history(:, :, m))
+         if (quiet(m)) call keep_shear(ply, m, histories, shear, history(:, :, m))
       end do
    end subroutine stay
 
@@ -60,7 +59,7 @@ contains
       type(ply_lanes_type), intent(in) :: ply
       integer, intent(in) :: points, histories
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
-      !> What the step makes of the shear; gets the work of a damaged ply
+      !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       real(wp), intent(out) :: stress(lanes, 6, points)
       logical, intent(out) :: quiet(points)

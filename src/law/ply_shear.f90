@@ -2,12 +2,13 @@
 !> their history as that takes.
 module plydyn_law_ply_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : largest_band, matrix_gate, shear_energy, shear_peak, shear_set
+   use plydyn_law_ply_history, only : largest_band, matrix_gate, shear_peak, shear_set, &
+      & shear_spared
    use plydyn_law_ply_lanes, only : ply_lanes_type
    implicit none
    private
 
-   public :: bend, keep_shear
+   public :: bend, keep_shear, spare_work
 
    !> Most points in a call, a line of a quad and the thickness: work space of fixed size can be
    !> aligned
@@ -15,14 +16,12 @@ module plydyn_law_ply_shear
 
    !> What a step makes of the shear; 0 in lanes of other laws
    type, public :: shear_type
-      !> Strain that stays, and largest strain
-      real(wp), dimension(lanes, most_points) :: set, peak
-      !> Whether they grow at any of the points; only then, work of a ply without damage on what
-      !> stays
-      logical :: grows
-      real(wp) :: work(lanes, most_points)
-      !> Whether damage has begun at any of the points
-      logical :: begun
+      !> Largest strain, and strain that stays
+      real(wp), dimension(lanes, most_points) :: peak, set
+      !> Whether they grow at any of the points, and whether damage has begun at any
+      logical :: grows, begun
+      !> Only where both is so, work on what stays that the damage spares
+      real(wp) :: spared(lanes, most_points)
    end type shear_type
 
 contains
@@ -49,10 +48,9 @@ contains
          !$omp simd
          do l = 1, lanes
             least(l) = min(least(l), ply%own(l)*history(l, largest_band, m))
-            size(l, m) = ply%own(l)*abs(strain(l, 4, m))
-            shear%set(l, m) = ply%own(l)*history(l, shear_set, m)
+            size(l, m) = ply%own(l)*ply%curve%curved(l)*abs(strain(l, 4, m))
             shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
-            ahead(l) = max(ahead(l), ply%curve%curved(l)*(size(l, m) - shear%peak(l, m)))
+            ahead(l) = max(ahead(l), size(l, m) - shear%peak(l, m))
          end do
       end do
       lowest = 0.0_wp
@@ -63,14 +61,17 @@ contains
          most = max(most, ahead(l))
       end do
       shear%begun = lowest < 0.0_wp
-      if (shear%begun) call leave_cracked(ply, points, histories, history, shear%peak, size, most)
+      if (shear%begun) call leave_cracked(points, histories, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
-      if (shear%grows) call ply%curve%grow(points, most, size, shear%peak, shear%set, shear%work)
+      if (ply%curve%keeps_set) call recall_set(ply%own, points, histories, history, shear%set)
+      if (shear%grows) call raise(points, size, shear%peak)
+      if (shear%grows .or. .not. ply%curve%keeps_set) then
+         call ply%curve%find_set(points, shear%peak, shear%set)
+      end if
    end subroutine bend
 
    !> What has cracked is elastic: nothing grows there
-   pure subroutine leave_cracked(ply, points, histories, history, peak, size, most)
-      type(ply_lanes_type), intent(in) :: ply
+   pure subroutine leave_cracked(points, histories, history, peak, size, most)
       integer, intent(in) :: points, histories
       real(wp), intent(in) :: history(lanes, histories, points)
       !> Largest shear strain
@@ -90,7 +91,7 @@ contains
             gate = history(l, matrix_gate, m)
             here = size(l, m)
             size(l, m) = merge(0.0_wp, here, gate < 0.0_wp)
-            ahead(l) = max(ahead(l), ply%curve%curved(l)*(size(l, m) - peak(l, m)))
+            ahead(l) = max(ahead(l), size(l, m) - peak(l, m))
          end do
       end do
       most = 0.0_wp
@@ -100,26 +101,97 @@ contains
       end do
    end subroutine leave_cracked
 
-   !> Keep what the shear of a point has become, and what it has cost
-   pure subroutine keep_shear(ply, peak, set, work, history)
+   !> Strain that stayed before, where it is kept
+   pure subroutine recall_set(own, points, histories, history, set)
+      real(wp), intent(in) :: own(lanes)
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: history(lanes, histories, points)
+      real(wp), intent(inout) :: set(lanes, most_points)
+
+      integer :: l, m
+
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            set(l, m) = own(l)*history(l, shear_set, m)
+         end do
+      end do
+   end subroutine recall_set
+
+   !> Strains that are larger than all before
+   pure subroutine raise(points, size, peak)
+      integer, intent(in) :: points
+      real(wp), intent(in) :: size(lanes, most_points)
+      real(wp), intent(inout) :: peak(lanes, most_points)
+
+      integer :: l, m
+
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            peak(l, m) = max(peak(l, m), size(l, m))
+         end do
+      end do
+   end subroutine raise
+
+   !> Work on what stays that damage spares in a step in which it does not grow
+   pure subroutine spare_work(ply, points, histories, history, remains, shear)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> As in `shear_type`
-      real(wp), intent(in) :: peak(lanes), set(lanes), work(lanes)
-      !> History of the point
-      real(wp), intent(inout) :: history(lanes, shear_energy)
+      !> As in `bend`; history as it was before
+      integer, intent(in) :: points, histories
+      real(wp), intent(in) :: history(lanes, histories, points)
+      !> What remains of the stiffness along and across the fibres
+      real(wp), intent(in) :: remains(lanes, 2, most_points)
+      !> What the step makes of the shear; gets the work
+      type(shear_type), intent(inout) :: shear
 
-      real(wp) :: cost, kept
+      real(wp) :: before(lanes, 2)
+      integer :: m
+
+      do m = 1, points
+         before(:, 1) = ply%own*history(:, shear_peak, m)
+         before(:, 2) = ply%own*history(:, shear_set, m)
+         if (.not. ply%curve%keeps_set) call ply%curve%find_set(1, before(:, 1), before(:, 2))
+         shear%spared(:, m) = (1.0_wp - remains(:, 1, m)*remains(:, 2, m)) &
+            & *(ply%curve%lost(shear%peak(:, m), shear%set(:, m)) &
+            & - ply%curve%lost(before(:, 1), before(:, 2)))
+      end do
+   end subroutine spare_work
+
+   !> Keep what the shear of a point has become
+   pure subroutine keep_shear(ply, point, histories, shear, history)
+      !> Constants
+      type(ply_lanes_type), intent(in) :: ply
+      !> Which of the points; history variables
+      integer, intent(in) :: point, histories
+      !> What the step has made of the shear
+      type(shear_type), intent(in) :: shear
+      !> History of the point
+      real(wp), intent(inout) :: history(lanes, histories)
+
+      real(wp) :: grown, kept
       integer :: l
 
-      !$omp simd private(cost, kept)
+      !$omp simd private(grown, kept)
       do l = 1, lanes
          kept = history(l, shear_peak)
-         history(l, shear_peak) = merge(peak(l), kept, ply%own(l) > 0.0_wp)
-         kept = history(l, shear_set)
-         history(l, shear_set) = merge(set(l), kept, ply%own(l) > 0.0_wp)
-         cost = ply%own(l)*work(l)
-         history(l, shear_energy) = history(l, shear_energy) + cost
+         grown = shear%peak(l, point)
+         history(l, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
+      end do
+      if (ply%curve%keeps_set) then
+         !$omp simd private(grown, kept)
+         do l = 1, lanes
+            kept = history(l, shear_set)
+            grown = shear%set(l, point)
+            history(l, shear_set) = merge(grown, kept, ply%own(l) > 0.0_wp)
+         end do
+      end if
+      if (.not. shear%begun) return
+      !$omp simd private(grown)
+      do l = 1, lanes
+         grown = ply%own(l)*shear%spared(l, point)
+         history(l, shear_spared) = history(l, shear_spared) + grown
       end do
    end subroutine keep_shear
 

@@ -4,7 +4,7 @@ module plydyn_law_ply_steady
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, matrix_damage, matrix_gate
    use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_shear, only : most_points, shear_type
+   use plydyn_law_ply_shear, only : most_points, shear_type, spare_work
    implicit none
    private
 
@@ -36,7 +36,7 @@ contains
       real(wp), intent(in) :: strain(lanes, 6, points)
       !> History
       real(wp), intent(in) :: history(lanes, histories, points)
-      !> What the step makes of the shear; gets the work of a damaged ply
+      !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       !> Stress; means nothing at points that are not steady, and in lanes of other laws
       real(wp), intent(out) :: stress(lanes, 6, points)
@@ -49,7 +49,9 @@ contains
       call ply%secant%damaged_stress(points, 6, strain, now%remains, now%normal)
       call judge(ply, points, histories, strain, history, now, steady)
       call give_stress(ply, points, strain, now, stress)
-      if (shear%grows) call weaken(points, now%remains, shear%work)
+      if (shear%grows .and. shear%begun) then
+         call spare_work(ply, points, histories, history, now%remains, shear)
+      end if
    end subroutine hold
 
    !> What remains, and the strains of the modes
@@ -188,21 +190,5 @@ contains
          end associate
       end do
    end subroutine give_stress
-
-   !> Work on the shear that stays, of what remains
-   pure subroutine weaken(points, remains, work)
-      integer, intent(in) :: points
-      real(wp), intent(in) :: remains(lanes, 2, most_points)
-      real(wp), intent(inout) :: work(lanes, most_points)
-
-      integer :: l, m
-
-      do m = 1, points
-         !$omp simd
-         do l = 1, lanes
-            work(l, m) = work(l, m)*remains(l, 1, m)*remains(l, 2, m)
-         end do
-      end do
-   end subroutine weaken
 
 end module plydyn_law_ply_steady

@@ -1,7 +1,7 @@
 !> What a step does to a point of a ply that is damaged: its stress, and the energy it costs.
 module plydyn_law_ply_step
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : fibre_energy, matrix_energy, shear_energy
+   use plydyn_law_ply_history, only : fibre_energy, matrix_energy, shear_spared
    use plydyn_law_secant, only : secant_type
    implicit none
    private
@@ -52,7 +52,8 @@ contains
       end associate
    end subroutine add_damaged
 
-   !> Energy that the loss of stiffness sets free at the strain of the step, and plastic work
+   !> Energy that the loss of stiffness sets free at the strain of the step, and what it spares of
+   !> plastic work
    pure subroutine add_energies(secant, across, e, elastic, now, s, h)
       !> Stiffness; 1 where damage weakens G13 and G23, else 0
       type(secant_type), intent(in) :: secant
@@ -82,7 +83,8 @@ contains
             h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
                & loss(2)*compliance(l, 2)*s(l, 2)**2 &
                & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
-            h(l, shear_energy) = h(l, shear_energy) + now%work(l)*after(l, 3)*after(l, 4)
+            h(l, shear_spared) = h(l, shear_spared) &
+               & + now%work(l)*(1.0_wp - after(l, 3)*after(l, 4))
          end do
       end associate
    end subroutine add_energies

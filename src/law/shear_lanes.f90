@@ -3,6 +3,9 @@
 !> Stress follows the curve while the strain grows beyond all it has been, to either side. Below
 !> that it unloads with the first modulus down to the strain that stays, and is zero between
 !> there and its mirror image (the paper's eqs 7 and 8, the sign of the strain put in).
+!>
+!> So all that a point must remember is the largest strain: the strain that stays, and the work
+!> lost on it, follow. Along an exponential that takes less time than to keep them.
 module plydyn_law_shear_lanes
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
@@ -17,17 +20,17 @@ module plydyn_law_shear_lanes
       integer :: shape(lanes) = shape_line
       !> 1 in lanes with a curve that is no line, else 0
       real(wp), public :: curved(lanes) = 0.0_wp
-      !> Whether any lane has a shape, by shape
+      !> Whether any lane has a shape, by shape; whether the strain that stays takes so long to find
+      !> that it must be kept
       logical :: has(shape_exponential:shape_power) = .false.
+      logical, public :: keeps_set = .false.
       !> Modulus at the origin, and its inverse
       real(wp) :: modulus(lanes) = 1.0_wp, compliance(lanes) = 1.0_wp
       !> Modulus where the curve is a line, 0 elsewhere
       real(wp) :: straight(lanes) = 0.0_wp
-      !> Stress that an exponential tends to, 0 for other shapes, and the rate at which it does:
-      !> modulus/asymptote
-      real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp
-      !> Growth of the strain up to which `go_on` has all digits in all lanes
-      real(wp) :: short = huge(1.0_wp)
+      !> Stress that an exponential tends to, 0 for other shapes, the rate at which it does,
+      !> modulus/asymptote, and 1 over that
+      real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp, reach(lanes) = 0.0_wp
       !> Ramberg and Osgood
       real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
       !> Strains where a table bends, and change of its slope there, (lanes, points)
@@ -35,7 +38,8 @@ module plydyn_law_shear_lanes
    contains
       procedure :: set_lane
       procedure :: advance
-      procedure :: grow
+      procedure :: find_set
+      procedure :: lost
       procedure :: curve_stress
    end type shear_lanes_type
 
@@ -46,8 +50,8 @@ module plydyn_law_shear_lanes
    real(wp), parameter :: beyond_rise = 40.0_wp
    real(wp), parameter :: series(9) = 1.0_wp/[-2.0_wp, 6.0_wp, -24.0_wp, 120.0_wp, -720.0_wp, &
       & 5040.0_wp, -40320.0_wp, 362880.0_wp, -3628800.0_wp]
-   !> Where the first four of these give it to the last digit
-   real(wp), parameter :: short_way = 1.0e-3_wp
+   !> Up to here these give it to the last digit
+   real(wp), parameter :: short_way = 0.125_wp
 
 contains
 
@@ -67,13 +71,13 @@ contains
       self%straight(lane) = merge(modulus, 0.0_wp, curve%shape == shape_line)
       if (curve%shape == shape_line) return
       self%has(curve%shape) = .true.
+      self%keeps_set = self%has(shape_table) .or. self%has(shape_power)
       self%curved(lane) = 1.0_wp
-      if (curve%shape /= shape_exponential) self%short = 0.0_wp
       select case (curve%shape)
       case (shape_exponential)
          self%asymptote(lane) = curve%asymptote
          self%rate(lane) = modulus/curve%asymptote
-         self%short = min(self%short, short_way/self%rate(lane))
+         self%reach(lane) = curve%asymptote/modulus
       case (shape_table)
          call set_table(self, lane, curve%strain, curve%stress)
       case default
@@ -114,121 +118,137 @@ contains
    end subroutine set_table
 
    !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
-   pure subroutine advance(self, points, strain, peak, set, work, grows)
+   pure subroutine advance(self, strain, peak, set, work, grows)
       class(shear_lanes_type), intent(in) :: self
-      !> Number of points
-      integer, intent(in) :: points
       !> Size of the shear strain; 0 where nothing is to change
-      real(wp), intent(in) :: strain(lanes, points)
+      real(wp), intent(in) :: strain(lanes)
       !> Largest size of the shear strain so far
-      real(wp), intent(inout) :: peak(lanes, points)
-      !> Shear strain that stays on unloading
-      real(wp), intent(inout) :: set(lanes, points)
+      real(wp), intent(inout) :: peak(lanes)
+      !> Shear strain that stays on unloading; out only, unless it is kept
+      real(wp), intent(inout) :: set(lanes)
       !> Work per volume spent on what stays
-      real(wp), intent(out) :: work(lanes, points)
+      real(wp), intent(out) :: work(lanes)
       !> Whether any strain is larger than it has been
       logical, intent(out) :: grows
 
-      real(wp) :: ahead(lanes), most
+      real(wp) :: before(lanes)
+
+      if (.not. self%keeps_set) call self%find_set(1, peak, set)
+      ! nothing changes along a line
+      grows = any(self%curved*strain > peak)
+      work(:) = 0.0_wp
+      if (.not. grows) return
+      before(:) = self%lost(peak, set)
+      peak(:) = max(peak, self%curved*strain)
+      call self%find_set(1, peak, set)
+      work(:) = self%lost(peak, set) - before
+   end subroutine advance
+
+   !> Shear strain that stays after a largest one
+   pure subroutine find_set(self, points, peak, set)
+      class(shear_lanes_type), intent(in) :: self
+      !> Number of points
+      integer, intent(in) :: points
+      !> Largest size of the shear strain; 0 along a line
+      real(wp), intent(in) :: peak(lanes, points)
+      !> Strain that stays; where it is kept, in what stayed before
+      real(wp), intent(inout) :: set(lanes, points)
+
+      real(wp) :: each(lanes), farthest
       integer :: l, m
 
-      ahead(:) = 0.0_wp
+      if (self%keeps_set) then
+         call search_set(self, points, peak, set)
+         return
+      end if
+      each(:) = 0.0_wp
       do m = 1, points
          !$omp simd
          do l = 1, lanes
-            ! nothing changes along a line
-            ahead(l) = max(ahead(l), self%curved(l)*(strain(l, m) - peak(l, m)))
+            each(l) = max(each(l), self%rate(l)*peak(l, m))
          end do
       end do
-      most = 0.0_wp
-      !$omp simd reduction(max:most)
+      farthest = 0.0_wp
+      !$omp simd reduction(max:farthest)
       do l = 1, lanes
-         most = max(most, ahead(l))
+         farthest = max(farthest, each(l))
       end do
-      grows = most > 0.0_wp
-      if (grows) then
-         call self%grow(points, most, strain, peak, set, work)
+      if (farthest <= short_way) then
+         call expand_set(self, points, peak, set)
       else
-         work(:, :) = 0.0_wp
+         do m = 1, points
+            !$omp simd
+            do l = 1, lanes
+               set(l, m) = max(peak(l, m) &
+                  & - self%reach(l)*rise_to_one(self%rate(l)*peak(l, m)), 0.0_wp)
+            end do
+         end do
       end if
-   end subroutine advance
+   end subroutine find_set
 
-   !> `advance` where the largest growth of the strain is known, which is more than 0
-   pure subroutine grow(self, points, most, strain, peak, set, work)
+   !> `find_set` for exponentials not far from the origin: of the strain stays the share
+   !> 1 - (1 - exp(-x))/x with x = strain*modulus/asymptote
+   pure subroutine expand_set(self, points, peak, set)
       class(shear_lanes_type), intent(in) :: self
-      !> As in `advance`
       integer, intent(in) :: points
-      !> Largest growth of the strain in all lanes at all points
-      real(wp), intent(in) :: most
-      !> As in `advance`
-      real(wp), intent(in) :: strain(lanes, points)
-      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
-      real(wp), intent(out) :: work(lanes, points)
+      real(wp), intent(in) :: peak(lanes, points)
+      real(wp), intent(out) :: set(lanes, points)
 
-      if (most <= self%short) then
-         call go_on(self, points, strain, peak, set, work)
-      else
-         call start_anew(self, points, strain, peak, set, work)
-      end if
-   end subroutine grow
-
-   !> A short way along exponentials, from where they have been left: of the growth g of the strain
-   !> stays q + y - q*y, with q = stress/asymptote before it and y = 1 - (1 - exp(-x))/x of
-   !> x = g*modulus/asymptote. Exact but for round-off, and nothing cancels
-   pure subroutine go_on(self, points, strain, peak, set, work)
-      class(shear_lanes_type), intent(in) :: self
-      !> As in `advance`
-      integer, intent(in) :: points
-      real(wp), intent(in) :: strain(lanes, points)
-      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
-      real(wp), intent(out) :: work(lanes, points)
-
-      real(wp) :: before, growth, stays, x, y
+      real(wp) :: x
       integer :: l, m
 
       do m = 1, points
-         !$omp simd private(before, growth, stays, x, y)
+         !$omp simd private(x)
          do l = 1, lanes
-            before = peak(l, m) - set(l, m)
-            growth = max(self%curved(l)*strain(l, m) - peak(l, m), 0.0_wp)
-            x = self%rate(l)*growth
-            y = -x*(series(1) + x*(series(2) + x*(series(3) + x*series(4))))
-            stays = growth*(y + (1.0_wp - y)*self%rate(l)*before)
-            work(l, m) = self%modulus(l)*stays*(before + 0.5_wp*(growth - stays))
-            set(l, m) = set(l, m) + stays
-            peak(l, m) = max(self%curved(l)*strain(l, m), peak(l, m))
+            x = self%rate(l)*peak(l, m)
+            set(l, m) = -peak(l, m)*x*(series(1) + x*(series(2) + x*(series(3) + x*(series(4) &
+               & + x*(series(5) + x*(series(6) + x*(series(7) + x*(series(8) + x*series(9)))))))))
          end do
       end do
-   end subroutine go_on
+   end subroutine expand_set
 
-   !> Any way along any curve
-   pure subroutine start_anew(self, points, strain, peak, set, work)
+   !> `find_set` for curves of any shape: never less than what stayed before
+   pure subroutine search_set(self, points, peak, set)
       class(shear_lanes_type), intent(in) :: self
-      !> As in `advance`
       integer, intent(in) :: points
-      real(wp), intent(in) :: strain(lanes, points)
-      real(wp), intent(inout) :: peak(lanes, points), set(lanes, points)
-      real(wp), intent(out) :: work(lanes, points)
+      real(wp), intent(in) :: peak(lanes, points)
+      real(wp), intent(inout) :: set(lanes, points)
 
-      real(wp) :: grown(lanes, points), kept, stress(lanes, points)
+      real(wp) :: stress(lanes, points)
       integer :: l, m
 
+      call self%curve_stress(points, peak, set, stress)
       do m = 1, points
-         grown(:, m) = max(peak(:, m), self%curved*strain(:, m))
-      end do
-      call self%curve_stress(points, grown, set, stress)
-      do m = 1, points
-         !$omp simd private(kept)
+         !$omp simd
          do l = 1, lanes
-            kept = max(set(l, m), grown(l, m) - stress(l, m)*self%compliance(l))
-            kept = merge(kept, set(l, m), grown(l, m) > peak(l, m))
-            work(l, m) = 0.5_wp*(kept - set(l, m)) &
-               & *(stress(l, m) + self%modulus(l)*(peak(l, m) - set(l, m)))
-            set(l, m) = kept
-            peak(l, m) = grown(l, m)
+            set(l, m) = max(set(l, m), peak(l, m) - stress(l, m)*self%compliance(l))
          end do
       end do
-   end subroutine start_anew
+   end subroutine search_set
+
+   !> Work per volume that an intact ply has spent on what stays since the beginning: the area under
+   !> the curve up to the largest strain, less what unloading from there gives back
+   pure function lost(self, peak, set) result(work)
+      class(shear_lanes_type), intent(in) :: self
+      !> Largest strain; strain that stays, as from `find_set`
+      real(wp), intent(in) :: peak(lanes), set(lanes)
+      real(wp) :: work(lanes)
+
+      real(wp) :: stress(lanes)
+      integer :: k
+
+      stress(:) = self%modulus*(peak - set)
+      work(:) = self%asymptote*set
+      if (self%has(shape_table)) then
+         do k = 1, size(self%bend, 2)
+            work(:) = work + 0.5_wp*self%change(:, k)*max(peak - self%bend(:, k), 0.0_wp)**2
+         end do
+      end if
+      ! round-off must not make the little that a small strain leaves less than nothing
+      work(:) = self%curved*max(work - 0.5_wp*stress**2*self%compliance, 0.0_wp)
+      if (self%has(shape_power)) work(:) = merge(stress*set*self%exponent &
+         & /(self%exponent + 1.0_wp), work, self%shape == shape_power)
+   end function lost
 
    !> Stress on the curve: a sum, in which what belongs to other shapes is zero
    pure subroutine curve_stress(self, points, strain, set, stress)

@@ -95,19 +95,20 @@ contains
    end subroutine set_average
 
    !> What is lost along the fibres, across them and in shear, and the energy
-   pure function show(self, history) result(values)
+   pure function show(self, lane, history) result(values)
       class(strain_damage_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
       real(wp) :: remains(strain_mechanisms)
 
-      remains(:) = 1.0_wp - history(:strain_mechanisms)
+      remains(:) = 1.0_wp - history(lane, :strain_mechanisms)
       values(:) = 0.0_wp
       values(shows_fibre_damage) = 1.0_wp - remains(by_fibres)*remains(by_locking)
       values(shows_matrix_damage) = 1.0_wp - remains(by_matrix)*remains(by_locking)
       values(shows_shear_damage) = values(shows_matrix_damage)
-      values(shows_dissipated) = history(histories)
+      values(shows_dissipated) = history(lane, histories)
    end function show
 
    !> Stress and history after a step

@@ -1,12 +1,12 @@
 !> One point of a damaged ply, pulled along a path: strain in, stress and work out.
 module ply_point
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_law, only : scalars, shows_dissipated
+   use plydyn_law_law, only : by_ply_plasticity, scalars, shows_dissipated
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_onset, histories_closing, &
-      & matrix_damage, matrix_onset, shear_set, to_compression
-   use plydyn_law_shear_curve, only : new_exponential_curve
+      & matrix_damage, matrix_onset, shear_peak, shear_set, to_compression
+   use plydyn_law_shear_curve, only : new_exponential_curve, shape_exponential
    implicit none
    private
 
@@ -26,6 +26,8 @@ module ply_point
       procedure :: move
       procedure :: pull
       procedure :: dissipated
+      procedure :: plastic
+      procedure :: stays
       procedure :: stored
    end type point_type
 
@@ -190,9 +192,31 @@ contains
 
       real(wp) :: values(scalars)
 
-      values(:) = self%law%show(self%history(:self%law%histories))
+      values(:) = self%law%show(1, spread(self%history, 1, lanes))
       dissipated = values(shows_dissipated)
    end function dissipated
+
+   !> Energy dissipated per volume by the shear that stays
+   pure real(wp) function plastic(self)
+      class(point_type), intent(in) :: self
+
+      real(wp) :: energy(lanes)
+
+      energy(:) = self%law%spent(by_ply_plasticity, spread(self%history, 1, lanes))
+      plastic = energy(1)
+   end function plastic
+
+   !> Shear strain that stays: kept, or that of the exponential
+   pure real(wp) function stays(self)
+      class(point_type), intent(in) :: self
+
+      stays = self%history(shear_set)
+      if (self%ply%curve%shape /= shape_exponential) return
+      associate (asymptote => self%ply%curve%asymptote, modulus => self%ply%shear(1), &
+         & peak => self%history(shear_peak))
+         stays = peak - asymptote/modulus*(1.0_wp - exp(-modulus*peak/asymptote))
+      end associate
+   end function stays
 
    !> Energy per volume that unloading gives back
    pure real(wp) function stored(self)
@@ -201,7 +225,7 @@ contains
       real(wp) :: elastic(6)
 
       elastic(:) = self%strain
-      elastic(4) = sign(max(abs(self%strain(4)) - self%history(shear_set), 0.0_wp), self%strain(4))
+      elastic(4) = sign(max(abs(self%strain(4)) - self%stays(), 0.0_wp), self%strain(4))
       stored = 0.5_wp*dot_product(self%stress, elastic)
    end function stored
 

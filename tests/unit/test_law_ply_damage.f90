@@ -4,8 +4,7 @@ program test_law_ply_damage
    use plydyn_base_precision, only : wp
    use plydyn_law_ply_constants, only : mode_names, ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_onset, &
-      & matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
-      & shear_energy, shear_set
+      & matrix_damage, matrix_energy, matrix_finish, matrix_onset
    use plydyn_law_shear_curve, only : shape_exponential
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
@@ -158,14 +157,14 @@ contains
             if (gamma > 0.04_wp) jump = max(jump, abs(point%stress(4) - before))
          end do
          call check(point%history(matrix_onset), s/g, 1.0e-6_wp, "starts with the elastic strain")
-         call check(point%history(shear_set), stays, 1.0e-6_wp, "keeps the strain that stays")
+         call check(point%stays(), stays, 1.0e-6_wp, "keeps the strain that stays")
          call check(jump <= 1.001_wp*0.08_wp/real(20*steps, wp)*s &
             & /(point%history(matrix_finish) - s/g), "goes over to damage without a jump")
          call check(point%history(matrix_energy)*narrow(2), ply%matrix_toughness(1), 1.0e-6_wp, &
             & "dissipates the toughness by damage")
-         call check(point%history(shear_energy)*narrow(2), plastic*narrow(2), 2.0e-5_wp, &
+         call check(point%plastic()*narrow(2), plastic*narrow(2), 2.0e-5_wp, &
             & "and the area of the curve by what stays")
-         call check([point%history(shear_energy), point%dissipated()]*narrow(2), &
+         call check([point%plastic(), point%dissipated()]*narrow(2), &
             & [0.6697_wp, 0.8897_wp], 2.0e-4_wp, "as an independent program has it")
          call check(point%work, point%dissipated(), 1.0e-5_wp*point%work, "all of the work")
 

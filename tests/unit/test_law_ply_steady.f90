@@ -10,6 +10,7 @@ program test_law_ply_steady
       & matrix_gate, matrix_onset, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
+   use plydyn_law_shear_curve, only : new_power_curve, shape_power
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none
@@ -52,6 +53,9 @@ contains
       ply%intact_onset = .true.
       ply%onset = onset_hashin
       call compare(ply, "by the intact ply, after Hashin")
+      ply = paper_ply()
+      ply%curve = new_power_curve(4.06e-9_wp, 5.4_wp)
+      call compare(ply, "with a strain that stays and is kept")
    end subroutine test_plies
 
    !> Random states of one ply by both ways
@@ -176,7 +180,9 @@ contains
             call random_number(draw)
             if (ply%curve%shape > 0) then
                history(l, shear_peak, m) = 0.012_wp*draw(1)
-               history(l, shear_set, m) = left_behind(ply, history(l, shear_peak, m))
+            end if
+            if (ply%curve%shape == shape_power) then
+               call bend_power(ply, draw(1), history(l, shear_peak, m), history(l, shear_set, m))
             end if
             do k = 1, 2
                call random_number(draw)
@@ -197,14 +203,16 @@ contains
       end do
    end subroutine choose
 
-   !> Shear strain that stays behind the largest one, along an exponential
-   pure real(wp) function left_behind(ply, peak)
+   !> Largest shear strain, and what stays of it, at a share of the strength on a power curve
+   pure subroutine bend_power(ply, share, peak, stays)
       type(ply_constants_type), intent(in) :: ply
-      real(wp), intent(in) :: peak
+      real(wp), intent(in) :: share
+      real(wp), intent(out) :: peak, stays
 
-      associate (asymptote => ply%curve%asymptote, modulus => ply%shear(1))
-         left_behind = peak - asymptote/modulus*(1.0_wp - exp(-modulus*peak/asymptote))
+      associate (curve => ply%curve, stress => share*ply%shear_strength)
+         stays = curve%coefficient*stress**curve%exponent/ply%shear(1)
+         peak = stress/ply%shear(1) + stays
       end associate
-   end function left_behind
+   end subroutine bend_power
 
 end program test_law_ply_steady

@@ -21,6 +21,7 @@ program test_law_shear_lanes
    call test_cycle()
    call test_shapes()
    call test_energy()
+   call test_lost()
    call test_unloading()
    call test_short_way()
    call test_digits()
@@ -116,6 +117,36 @@ contains
       call check(loss, 2.68_wp, 5.0e-3_wp, "is the 2.68 MJ/m3 of an independent program")
    end subroutine test_energy
 
+   !> Of every shape it is the area under the curve, by quadrature, less what unloading gives back
+   subroutine test_lost()
+      integer, parameter :: intervals = 4000
+      real(wp), parameter :: reached = 0.044_wp
+      real(wp) :: area(lanes), found(lanes), none(lanes), strain(lanes), stress(lanes)
+      integer :: i
+      logical :: grows
+
+      call begin("lost")
+      none(:) = 0.0_wp
+      area(:) = 0.0_wp
+      do i = 1, intervals
+         ! the tables bend where intervals meet
+         strain(:) = reached*(real(i, wp) - 0.5_wp)/intervals
+         call law%curve_stress(1, strain, none, stress)
+         area(:) = area + stress*reached/intervals
+      end do
+      call law%curve_stress(1, spread(reached, 1, lanes), none, stress)
+      call rest()
+      call law%advance(spread(reached, 1, lanes), peak, set, lost, grows)
+      found(:) = law%lost(peak, set)
+      call check(found(line), 0.0_wp, 0.0_wp, "nothing along a line")
+      call check(found([exponential, table, longer]), area([exponential, table, longer]) &
+         & - stress([exponential, table, longer])**2/(2.0_wp*modulus), 1.0e-6_wp, &
+         & "is the area that unloading does not give back")
+      call check(found(power), area(power) - stress(power)**2/(2.0_wp*power_modulus), 1.0e-6_wp, &
+         & "after Ramberg and Osgood too")
+      call check(lost, found, 0.0_wp, "all of it in one step")
+   end subroutine test_lost
+
    !> Nothing changes below the largest strain, nor along a line
    subroutine test_unloading()
       real(wp) :: before(lanes), strain(lanes)
@@ -123,16 +154,16 @@ contains
 
       call begin("unloading")
       call rest()
-      call law%advance(1, spread(0.02_wp, 1, lanes), peak, set, lost, grows)
+      call law%advance(spread(0.02_wp, 1, lanes), peak, set, lost, grows)
       call check(grows, "tells that a strain has grown")
       before(:) = set
-      call law%advance(1, spread(0.01_wp, 1, lanes), peak, set, lost, grows)
+      call law%advance(spread(0.01_wp, 1, lanes), peak, set, lost, grows)
       call check(.not. grows .and. maxval(abs(lost)) <= 0.0_wp, "and that none has")
       call check(set, before, 0.0_wp, "what stays stays to the last bit")
       call check(peak(line) + set(line), 0.0_wp, 0.0_wp, "a line remembers nothing")
       strain(:) = 0.0_wp
       strain(exponential) = 0.03_wp
-      call law%advance(1, strain, peak, set, lost, grows)
+      call law%advance(strain, peak, set, lost, grows)
       call check(lost(exponential) > 0.0_wp, "a lane goes on")
       call check(peak(table), 0.02_wp, 0.0_wp, "where another, held at 0, keeps its history")
    end subroutine test_unloading
@@ -160,7 +191,7 @@ contains
          call rest()
          spent = 0.0_wp
          do i = 1, steps(k)
-            call short%advance(1, spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
+            call short%advance(spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
                & set, lost, grows)
             spent = spent + lost(exponential)
          end do
@@ -177,19 +208,30 @@ contains
    subroutine test_digits()
       integer, parameter :: steps = 2000
       real(wp), parameter :: asymptote = 93.6_wp
-      real(wp) :: exact, none(lanes), strain(lanes), stress(lanes), worst
+      type(shear_curve_type) :: curve
+      type(shear_lanes_type) :: alone
+      real(wp) :: exact, none(lanes), off, stays(lanes), strain(lanes), stress(lanes), worst
       integer :: i
 
       call begin("digits")
       none(:) = 0.0_wp
       worst = 0.0_wp
+      off = 0.0_wp
+      curve%shape = shape_exponential
+      curve%asymptote = asymptote
+      call alone%set_lane(exponential, modulus, curve)
       do i = 1, steps
          ! up to 50 asymptotes, where the curve has long been flat
          strain(:) = asymptote/modulus*(0.5_wp**mod(i, 40))*50.0_wp*real(i, wp)/real(steps, wp)
          call law%curve_stress(1, strain, none, stress)
          exact = rise(modulus*strain(1)/asymptote)
          worst = max(worst, abs(stress(exponential)/asymptote - exact)/exact)
+         none(exponential) = strain(1)
+         call alone%find_set(1, none, stays)
+         none(exponential) = 0.0_wp
+         off = max(off, abs(stays(exponential) - strain(1) + asymptote/modulus*exact)/strain(1))
       end do
+      call check(off < 4.0_wp*epsilon(1.0_wp), "what stays too, as a share of the strain")
       call check(worst < 4.0_wp*epsilon(1.0_wp), "no error beyond four of the last digit")
    end subroutine test_digits
 
@@ -217,7 +259,7 @@ contains
       logical :: grows
 
       size(:) = abs(strain)
-      call law%advance(1, size, peak, set, lost, grows)
+      call law%advance(size, peak, set, lost, grows)
       stress = sign(merge(power_modulus, modulus, lane == power) &
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after

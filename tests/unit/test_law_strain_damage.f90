@@ -200,7 +200,7 @@ contains
       call check(point%stress, [part*ply%young(1)*strain(1), part*ply%young(2)*strain(2), &
          & ply%young(3)*strain(3), part*ply%shear(1)*strain(4), ply%shear(2:)*strain(5:)], &
          & 1.0e-8_wp, "weakens the plane and nothing across it")
-      values(:) = point%law%show(point%history)
+      values(:) = point%law%show(1, spread(point%history, 1, lanes))
       call check(values(shows_fibre_damage:shows_shear_damage), spread(1.0_wp - part, 1, 3), &
          & 1.0e-12_wp, "shows as damage of all")
       call check(values(shows_dissipated), point%history(variables), 0.0_wp, "and its energy")
