@@ -1,6 +1,9 @@
 !> What the threads of a step tell each other: who takes which chunk, what is done, and whether
 !> contact is.
 !>
+!> The first thread does contact, and so takes the last chunks: a chunk adds up the borders to later
+!> ones, and these have the fewest.
+!>
 !> Chunks that contact may reach wait for it; the others need not. A chunk moves its points as soon
 !> as the forces on them are there, whoever makes them: no thread waits while there is such a chunk.
 module plydyn_solver_crew
@@ -69,7 +72,7 @@ contains
       allocate (self%done(line, 0:chunks), source=0)
       allocate (self%waits(chunks), source=.false.)
       call omp_init_lock(self%gate)
-      call self%movers%arrange([(c, c=1, chunks)], self%waits, self%threads)
+      call self%movers%arrange([(c, c=chunks, 1, -1)], self%waits, self%threads)
       call arrange(self, domain)
       call self%begin(.false.)
       self%is_open = .true.
@@ -94,7 +97,8 @@ contains
       type(crew_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      associate (first => domain%order(:domain%outer), rest => domain%order(domain%outer + 1:))
+      associate (first => domain%order(domain%outer:1:-1), &
+         & rest => domain%order(size(domain%order):domain%outer + 1:-1))
          call self%makers(outer)%arrange(first, self%waits, self%threads)
          call self%makers(inner)%arrange(rest, self%waits, self%threads)
       end associate

@@ -46,7 +46,7 @@ contains
       end do
       call await_forces(domain, crew, force)
       !$omp do schedule(static)
-      do c = 1, size(domain%chunks)
+      do c = size(domain%chunks), 1, -1
          call add_borders(domain, domain%chunks(c)%borders, force)
       end do
       !$omp end do nowait

@@ -58,7 +58,7 @@ contains
       stride = new_stride(domain%control%damping, state%step_before, state%step)
       ! the thread that accelerates a chunk advances it: it still has its accelerations
       !$omp do schedule(static)
-      do c = 1, size(domain%chunks)
+      do c = size(domain%chunks), 1, -1
          call advance_columns(domain, domain%chunks(c)%own, stride, state)
          call advance_columns(domain, domain%chunks(c)%guests, stride, state)
       end do
@@ -142,7 +142,7 @@ contains
          !$omp end do
       end if
       !$omp do schedule(static)
-      do c = 1, size(domain%chunks)
+      do c = size(domain%chunks), 1, -1
          call accelerate_chunk(domain, c, step, state)
       end do
       !$omp end do nowait

@@ -40,7 +40,7 @@ contains
       integer :: c, first, m
 
       !$omp do schedule(static)
-      do c = 1, size(domain%chunks)
+      do c = size(domain%chunks), 1, -1
          call hold_points(domain, domain%chunks(c)%held, force, support_force)
       end do
       !$omp end do nowait
