@@ -5,6 +5,9 @@
 !> nodes, or, where an earlier chunk has the node, columns of its own behind them. Then every node
 !> of a border adds what lies in the columns of the later chunks to its own, in the order of the
 !> chunks: the same bits in any run.
+!>
+!> Columns of nodes are numbered chunk by chunk: what a thread moves lies side by side, and no core
+!> fetches the columns of another ahead of those that it goes through.
 module plydyn_domain_division
    use plydyn_base_precision, only : lanes
    use plydyn_base_sort, only : sorted_order
@@ -36,6 +39,8 @@ module plydyn_domain_division
       type(chunk_type), allocatable :: chunks(:)
       !> Columns of nodes, and these with those behind them
       integer :: nodes = 0, columns = 0
+      !> Column of each node, or of each so many as are abreast, and that of each column
+      integer, allocatable :: column(:), node(:)
       !> Columns where chunks meet, as in `domain_type`
       integer, allocatable :: borders(:, :)
    end type division_type
@@ -69,6 +74,7 @@ contains
             end associate
          end associate
       end do
+      call number_columns(self)
       call set_columns(self)
    end function divide_plane
 
@@ -98,6 +104,8 @@ contains
             end associate
          end associate
       end do
+      self%column = [(c, c=1, self%nodes)]
+      self%node = self%column
       call set_columns(self)
    end function divide_bricks
 
@@ -119,6 +127,40 @@ contains
          end do
       end do
    end subroutine list_chunks
+
+   !> Number the columns of nodes chunk by chunk; at last those of nodes without elements
+   pure subroutine number_columns(self)
+      !> Its chunks have their nodes in, and the columns of these out
+      type(division_type), intent(inout) :: self
+
+      integer :: c, i, last
+
+      allocate (self%column(self%nodes), self%node(self%nodes))
+      self%column(:) = 0
+      last = 0
+      do c = 1, size(self%chunks)
+         call number_rest(self%chunks(c)%column, self%column, last)
+         self%chunks(c)%column(:) = self%column(self%chunks(c)%column)
+      end do
+      call number_rest([(i, i=1, self%nodes)], self%column, last)
+      self%node(self%column) = [(i, i=1, self%nodes)]
+   end subroutine number_columns
+
+   !> Number those of some nodes that have no number
+   pure subroutine number_rest(nodes, number, last)
+      integer, intent(in) :: nodes(:)
+      integer, intent(inout) :: number(:)
+      !> The last number so far
+      integer, intent(inout) :: last
+
+      integer :: i
+
+      do i = 1, size(nodes)
+         if (number(nodes(i)) > 0) cycle
+         last = last + 1
+         number(nodes(i)) = last
+      end do
+   end subroutine number_rest
 
    !> Give every node of every chunk a column: its own, or the next behind that it has
    pure subroutine set_columns(self)

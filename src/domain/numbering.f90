@@ -15,9 +15,12 @@ module plydyn_domain_numbering
       logical, allocatable :: own(:)
       !> The columns of forces, those behind too
       integer :: columns = 0
-      !> Nodes in a column
+      !> Nodes in a column; column of each node of the whole model and node of each column, or of
+      !> each so many
       integer, private :: abreast = 1
+      integer, allocatable, private :: whole_column(:), whole_node(:)
    contains
+      procedure :: column_of
       procedure :: node
       procedure :: nodes
       procedure :: only
@@ -40,6 +43,8 @@ contains
       integer :: b, c, i
 
       self%abreast = abreast
+      self%whole_column = division%column
+      self%whole_node = division%node
       allocate (self%column(size(owner)))
       self%column(:) = 0
       where (owner == rank) self%column(:) = 1
@@ -64,13 +69,22 @@ contains
       end do
    end function new_numbering
 
+   !> Column of a node, as the whole model numbers both
+   elemental integer function column_of(self, whole_node) result(column)
+      class(numbering_type), intent(in) :: self
+      !> The node
+      integer, intent(in) :: whole_node
+
+      column = self%whole_column(1 + (whole_node - 1)/self%abreast)
+   end function column_of
+
    !> The rank's number of a node, 0 where it does not have it
    elemental integer function node(self, whole_node)
       class(numbering_type), intent(in) :: self
       !> The node in the whole model
       integer, intent(in) :: whole_node
 
-      associate (column => self%column(1 + (whole_node - 1)/self%abreast))
+      associate (column => self%column(self%column_of(whole_node)))
          node = 0
          if (column > 0) node = self%abreast*(column - 1) + 1 + mod(whole_node - 1, self%abreast)
       end associate
@@ -95,8 +109,8 @@ contains
       integer :: list(self%abreast*size(self%here))
       integer :: c, i
 
-      list(:) = [((min(self%abreast*(self%here(c) - 1) + i, whole_nodes), i=1, self%abreast), &
-         & c=1, size(self%here))]
+      list(:) = [((min(self%abreast*(self%whole_node(self%here(c)) - 1) + i, whole_nodes), &
+         & i=1, self%abreast), c=1, size(self%here))]
    end function nodes
 
 end module plydyn_domain_numbering

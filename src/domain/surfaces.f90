@@ -96,7 +96,7 @@ contains
       integer :: c, i, r
       integer, allocatable :: of_point(:)
 
-      of_point = owner(1 + (self%node - 1)/columns%abreast)
+      of_point = owner(numbering%column_of(self%node))
       self%counts = [(count(of_point == r), r=0, ranks - 1)]
       self%of_ranks = sorted_order(of_point)
       self%node(:) = numbering%node(self%node)

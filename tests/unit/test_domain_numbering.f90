@@ -20,6 +20,7 @@ program test_domain_numbering
    ! chunks dealt out in turn, so that ranks meet wherever chunks do
    rank_of_chunk = [(mod(c, ranks), c=1, size(whole%chunks))]
    owner = column_owners(whole, rank_of_chunk)
+   call test_order()
    call test_owners()
    call test_columns()
    call test_borders()
@@ -27,6 +28,22 @@ program test_domain_numbering
    call finish()
 
 contains
+
+   !> Columns of the whole model go chunk by chunk, each node once
+   subroutine test_order()
+      integer :: c, first, i, last
+
+      last = 0
+      do c = 1, size(whole%chunks)
+         associate (own => pack(whole%chunks(c)%column, whole%chunks(c)%column <= whole%nodes))
+            first = last + 1
+            last = last + size(own)
+            call check(all(own == [(i, i=first, last)]), "behind those of the chunk before")
+         end associate
+      end do
+      call check(last, whole%nodes, "all of them")
+      call check(all(whole%column(whole%node) == [(i, i=1, whole%nodes)]), "each its node's")
+   end subroutine test_order
 
    !> A column belongs to the rank of the chunk that adds to it
    subroutine test_owners()
@@ -59,10 +76,10 @@ contains
             end associate
          end do
          call check(size(numbering%here), count(is_touched), "as many as its quads touch")
-         call check(all(is_touched(numbering%here)), "the nodes of its quads")
+         call check(all(is_touched(numbering%nodes(whole%nodes))), "the nodes of its quads")
          call check(all(numbering%column(numbering%here) == [(i, i=1, size(numbering%here))]), &
             & "numbered in the order of the whole model")
-         associate (own => pack(numbering%here, numbering%own))
+         associate (own => pack(numbering%nodes(whole%nodes), numbering%own))
             counted(own) = counted(own) + 1
          end associate
       end do
@@ -101,17 +118,24 @@ contains
       integer, parameter :: nodes = 21, abreast = 8
       type(division_type) :: solid
       type(numbering_type) :: numbering
-      integer :: i, rank
+      integer :: here(whole%nodes), i, rank
 
       do rank = 0, ranks - 1
          numbering = new_numbering(whole, 1, owner, rank)
-         call check(all(numbering%node(numbering%here) == [(i, i=1, size(numbering%here))]), &
-            & "above a plane nodes are numbered as their columns")
-         call check(all(numbering%only([(i, i=1, whole%nodes)]) &
-            & == [(i, i=1, size(numbering%here))]), "nodes elsewhere are left out")
+         associate (nodes => numbering%nodes(whole%nodes))
+            call check(all(numbering%column_of(nodes) == numbering%here), "each has its column")
+            call check(all(numbering%node(nodes) == [(i, i=1, size(nodes))]), &
+               & "above a plane nodes are numbered as their columns")
+            here(:) = 0
+            here(nodes) = [(i, i=1, size(nodes))]
+         end associate
+         call check(all(numbering%only([(i, i=1, whole%nodes)]) == pack(here, here > 0)), &
+            & "nodes elsewhere are left out")
       end do
       solid%nodes = 3
       solid%columns = 3
+      solid%column = [1, 2, 3]
+      solid%node = solid%column
       allocate (solid%borders(3, 0))
       numbering = new_numbering(solid, abreast, [0, 1, 0], 0)
       call check(all(numbering%node([1, 8, 9, 16, 17, 21]) == [1, 8, 0, 0, 9, 13]), &
