@@ -78,7 +78,7 @@ contains
       if (allocated(error)) return
       seconds = seconds_per_step(parts%domain, parts%state)
       if (command%action == "check" .or. parts%model%control%check_only) then
-         if (comm%is_root()) call list(output_unit, command%deck, messages, seconds, parts)
+         if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
          return
       end if
       if (comm%is_root()) call create_text(job%path//".out", job%listing, error)
@@ -121,7 +121,7 @@ contains
       if (allocated(error)) return
       if (parts%model%control%check_only) then
          seconds = seconds_per_step(parts%domain, parts%state)
-         if (comm%is_root()) call list(output_unit, command%deck, messages, seconds, parts)
+         if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
          return
       end if
       job%start_time = parts%state%time

@@ -190,6 +190,7 @@ def test_grading_is_the_ratio_of_the_outermost_to_the_innermost_quad() -> None:
         (OgridSquare, {"side": 10.0, "core": 5.0, "n": 2, "rings": 0}, "rings"),
         (OgridDisc, {"diameter": 10.0, "core": 7.1, "n": 2, "rings": 1}, "core"),
         (OgridDisc, {"diameter": 10.0, "core": 5.0, "n": 0, "rings": 1}, "n"),
+        (OgridDisc, {"diameter": 75.0, "core": 15.0, "n": 2, "rings": 4}, "n"),
     ],
 )
 def test_shapes_that_cannot_be_meshed_are_refused(shape: type, values: dict, key: str) -> None:

@@ -42,9 +42,9 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
     ids=["beside", "away", "no nodes", "no supports", "no impactors", "no folder", "other", "none"],
 )
 def test_warning_with_its_line(cards: str, line: int, fragment: str, tmp_path: Path) -> None:
-    """What can have no effect is told."""
+    """What can have no effect is told, once."""
     said = checked(tmp_path, ["mesh", "ply", "part", "run"], cards)
-    assert f"deck.k:{line}: " in said
+    assert said.count(f"deck.k:{line}: ") == 1
     assert fragment in said
 
 

@@ -16,6 +16,9 @@ from plydyn_pre.mesh.session import collect, generate, session
 
 _CORNERS = ((-1, -1), (1, -1), (1, 1), (-1, 1))
 _EDGES = ("bottom", "right", "top", "left")
+# share of its shortest side by which the middle of a quad may lie off: with more the solver takes
+# its nodes to be in another order
+_MOST_OFF = 0.25
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,8 @@ class OgridDisc:
         require(self.core < limit, "core", rule)
         rule = f"{self.n} must be even: a quarter is cut between quads"
         require(not self.quarter or self.n % 2 == 0, "n", rule)
+        rule = f"{self.n} quads along a side of the core bend too much around it: take more"
+        require(self.order == 1 or _bend(self) <= _MOST_OFF, "n", rule)
 
 
 def mesh_ogrid_square(shape: OgridSquare) -> Mesh:
@@ -82,9 +87,29 @@ def mesh_ogrid_disc(shape: OgridDisc) -> Mesh:
     """
     mesh = _mesh_board(shape)
     sets = {name: nodes for name, nodes in mesh.node_sets.items() if name not in _EDGES}
-    places = _places(mesh.nodes, shape, lambda unit: shape.diameter / 2 * _to_circle(unit))
+    places = _places_of_disc(mesh.nodes, shape)
     whole = renumbered(replace(mesh, node_sets=sets), np.array(shape.centre) + places)
     return with_centre(quarter_of(whole) if shape.quarter else whole)
+
+
+def _bend(shape: OgridDisc) -> float:
+    """How far the middles of the quads in the rings lie off, in shortest sides; the worst."""
+    along, reach = np.meshgrid(
+        np.linspace(-1.0, 1.0, 2 * shape.n + 1),
+        np.linspace(shape.n / 2, shape.n / 2 + shape.rings, 2 * shape.rings + 1),
+    )
+    board = np.stack([along * reach, reach], axis=-1)
+    places = _places_of_disc(board.reshape(-1, 2), shape).reshape(board.shape)
+    left, right = places[:, :-1:2], places[:, 2::2]
+    corners = np.stack([left[:-1:2], right[:-1:2], right[2::2], left[2::2]])
+    sides = np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=-1)
+    off = np.linalg.norm(places[1::2, 1::2] - corners.mean(axis=0), axis=-1)
+    return float((off / sides.min(axis=0)).max())
+
+
+def _places_of_disc(board: Reals, shape: OgridDisc) -> Reals:
+    """Places around the origin of nodes on the board of a disc, (nodes, 2)."""
+    return _places(board, shape, lambda unit: shape.diameter / 2 * _to_circle(unit))
 
 
 def _mesh_board(shape: OgridSquare | OgridDisc) -> Mesh:
