@@ -17,6 +17,8 @@ from elasticity import CARBON
 from meshes import regular
 
 Words = Sequence[str | Path]
+Decks = tuple[Path, Path]
+Loops = tuple[float, float]
 
 ROOT = Path(__file__).resolve().parents[2]
 MEGABYTE = 1.0e6
@@ -136,18 +138,30 @@ def loop(listing: str) -> float:
     return number(listing, r"seconds\s+(\S+) in the loop")
 
 
+def loops(solver: Path, decks: Decks, threads: int, launcher: Words = ()) -> Loops:
+    """Seconds in the loop of a short run and of a long one."""
+    short, long = (loop(run(solver, deck, threads, launcher)[0]) for deck in decks)
+    return short, long
+
+
+def seconds_of_step(times: list[Loops], steps: int) -> tuple[float, float]:
+    """Seconds of a step from runs of some steps and of twice as many: median, and fastest runs.
+
+    A machine that changes its pace between two runs makes their difference too large or too small;
+    the fastest runs are those that others on the machine have held up least.
+    """
+    short, long = (min(column) for column in zip(*times, strict=True))
+    return statistics.median(b - a for a, b in times) / steps, (long - short) / steps
+
+
 def step_time(
     solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3, launcher: Words = ()
 ) -> tuple[float, float]:
-    """Seconds of a step, what twice the steps take more, and most memory of the longer run, MB.
-
-    The median of some pairs of runs: a machine that changes its pace between two runs makes a
-    difference too large or too small.
-    """
+    """Seconds of a step, the median, and most memory of the longer runs, MB."""
     decks = stopped(deck, steps), stopped(deck, 2 * steps)
     pairs = [[run(solver, each, threads, launcher) for each in decks] for _ in range(repeats)]
-    more = [loop(long[0]) - loop(short[0]) for short, long in pairs]
-    return statistics.median(more) / steps, max(long[1] for _, long in pairs)
+    times = [(loop(short[0]), loop(long[0])) for short, long in pairs]
+    return seconds_of_step(times, steps)[0], max(long[1] for _, long in pairs)
 
 
 def measure(solver: Path, deck: Path, steps: int, threads: int, repeats: int = 3) -> Timing:

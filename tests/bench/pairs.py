@@ -13,30 +13,15 @@ import jobs
 RECIPE = "damage_impact/q192_le2"
 STEPS, REPEATS = 2000, 9
 
-Decks = tuple[Path, Path]
-Loops = tuple[float, float]
 
-
-def loops(solver: Path, decks: Decks, threads: int) -> Loops:
-    """Seconds in the loop of a short run and of a long one."""
-    short, long = (jobs.loop(jobs.run(solver, deck, threads)[0]) for deck in decks)
-    return short, long
-
-
-def twins(solver: Path, decks: list[Decks]) -> Loops:
+def twins(solver: Path, decks: list[jobs.Decks]) -> jobs.Loops:
     """The same of two runs at once, each on one thread: their mean."""
     with ThreadPoolExecutor(len(decks)) as pool:
-        each = list(pool.map(lambda pair: loops(solver, pair, 1), decks))
+        each = list(pool.map(lambda pair: jobs.loops(solver, pair, 1), decks))
     return statistics.mean(x[0] for x in each), statistics.mean(x[1] for x in each)
 
 
-def step(times: list[Loops]) -> list[float]:
-    """Seconds of a step: the median, and that of the fastest runs."""
-    short, long = (min(column) for column in zip(*times, strict=True))
-    return [statistics.median(b - a for a, b in times) / STEPS, (long - short) / STEPS]
-
-
-def measure(solver: Path, folder: Path) -> list[tuple[str, list[float], list[float]]]:
+def measure(solver: Path, folder: Path) -> list[tuple[str, tuple[float, float], list[float]]]:
     """What is run; seconds of a step, and the steps of one thread in the same time."""
     deck = jobs.recipe_deck(RECIPE, folder)
     decks = jobs.stopped(deck, STEPS), jobs.stopped(deck, 2 * STEPS)
@@ -45,10 +30,12 @@ def measure(solver: Path, folder: Path) -> list[tuple[str, list[float], list[flo
     copies = shutil.copy(decks[0], second), shutil.copy(decks[1], second)
     pairs = [decks, (Path(copies[0]), Path(copies[1]))]
     times = [
-        (loops(solver, decks, 1), loops(solver, decks, 2), twins(solver, pairs))
+        (jobs.loops(solver, decks, 1), jobs.loops(solver, decks, 2), twins(solver, pairs))
         for _ in range(REPEATS)
     ]
-    one, two, both = (step(list(column)) for column in zip(*times, strict=True))
+    one, two, both = (
+        jobs.seconds_of_step(list(column), STEPS) for column in zip(*times, strict=True)
+    )
     return [
         ("one thread", one, [1.0, 1.0]),
         ("two threads", two, [a / b for a, b in zip(one, two, strict=True)]),
