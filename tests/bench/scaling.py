@@ -39,8 +39,8 @@ RECIPE, RECIPE_STEPS = "damage_impact/q192_le2", 1500
 TIMED, TIMED_STEPS, LARGE = 40, 400, 156
 # how often a step is timed: ranks wait for the slowest, and one that the machine halts is slow
 REPEATS = 9
-# so many that hit a panel that their contact is seen
-SPHERES = 16
+# so many that hit a panel that their contact is seen, and one so small that it is
+SPHERES, STRUCK, STRUCK_STEPS = 16, 16, 1000
 # panels and ranks that the solver divides: about as many chunks for a rank as on paper
 DIVIDED = ((156, 16), (80, 16), (40, 16), (40, 64))
 MANY = (1, 4, 16, 64, 256, 1024)
@@ -109,20 +109,22 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
     ]
 
 
-def fastest_step(deck: Path) -> float:
-    """Seconds of a step on one rank, from the fastest runs: contact is a small difference."""
-    decks = jobs.stopped(deck, TIMED_STEPS), jobs.stopped(deck, 2 * TIMED_STEPS)
-    times = [jobs.loops(SOLVER, decks, 1) for _ in range(REPEATS)]
-    return jobs.seconds_of_step(times, TIMED_STEPS)[1]
+def fastest_steps(decks: list[Path], steps: int) -> list[float]:
+    """Seconds of a step of some decks on one rank, by turns, from the fastest runs."""
+    pairs = [(jobs.stopped(deck, steps), jobs.stopped(deck, 2 * steps)) for deck in decks]
+    times = [[jobs.loops(SOLVER, pair, 1) for pair in pairs] for _ in range(REPEATS)]
+    return [jobs.seconds_of_step(list(own), steps)[1] for own in zip(*times, strict=True)]
 
 
 def costs_of(folder: Path, quads: int, each: paper.Bytes) -> paper.Costs:
     """Times of a chunk and of contact on one rank."""
     chunks = TIMED**2 // quads
-    flies, hit = (fastest_step(jobs.panel_deck(TIMED, folder, spheres)) for spheres in (0, SPHERES))
+    (step,) = fastest_steps([jobs.panel_deck(TIMED, folder)], TIMED_STEPS)
+    struck = [jobs.panel_deck(STRUCK, folder, spheres) for spheres in (0, SPHERES)]
+    flies, hit = fastest_steps(struck, STRUCK_STEPS)
     return paper.Costs(
         quads=quads,
-        chunk=flies / chunks,
+        chunk=step / chunks,
         contact=max(0.0, hit - flies) / SPHERES,
         freedoms=freedoms_of(TIMED, folder) / chunks,
         memory=each,
