@@ -68,7 +68,7 @@ class OgridDisc:
         require(self.core < limit, "core", rule)
         rule = f"{self.n} must be even: a quarter is cut between quads"
         require(not self.quarter or self.n % 2 == 0, "n", rule)
-        rule = f"{self.n} quads along a side of the core bend too much around it: take more"
+        rule = f"{self.n} quads along the core bend too much around it: more, or a smaller core"
         require(self.order == 1 or _bend(self) <= _MOST_OFF, "n", rule)
 
 
