@@ -2,7 +2,7 @@
 !> their history as that takes.
 module plydyn_law_ply_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : largest_band, matrix_gate, shear_peak, shear_set, &
+   use plydyn_law_ply_history, only : give, largest_band, matrix_gate, shear_peak, shear_set, &
       & shear_spared
    use plydyn_law_ply_lanes, only : ply_lanes_type
    implicit none
@@ -179,14 +179,7 @@ contains
          grown = shear%peak(l, point)
          history(l, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
       end do
-      if (ply%curve%keeps_set) then
-         !$omp simd private(grown, kept)
-         do l = 1, lanes
-            kept = history(l, shear_set)
-            grown = shear%set(l, point)
-            history(l, shear_set) = merge(grown, kept, ply%own(l) > 0.0_wp)
-         end do
-      end if
+      if (ply%curve%keeps_set) call give(ply%own, 1, shear%set(:, point), history(:, shear_set))
       if (.not. shear%begun) return
       !$omp simd private(grown)
       do l = 1, lanes

@@ -161,6 +161,10 @@ contains
          call search_set(self, points, peak, set)
          return
       end if
+      if (.not. self%has(shape_exponential)) then
+         set(:, :) = 0.0_wp
+         return
+      end if
       each(:) = 0.0_wp
       do m = 1, points
          !$omp simd

@@ -2,7 +2,8 @@
 !> contact is.
 !>
 !> The first thread does contact, and so takes the last chunks: a chunk adds up the borders to later
-!> ones, and these have the fewest.
+!> ones, and these have the fewest. Loops in which all threads share the chunks go from the last one
+!> down, too: each thread gets those that it has here.
 !>
 !> Chunks that contact may reach wait for it; the others need not. A chunk moves its points as soon
 !> as the forces on them are there, whoever makes them: no thread waits while there is such a chunk.

@@ -168,10 +168,10 @@ contains
       call check(peak(table), 0.02_wp, 0.0_wp, "where another, held at 0, keeps its history")
    end subroutine test_unloading
 
-   !> In short steps, each from where the last one ended, the way is that in one step
+   !> In short steps the way is that in one step
    subroutine test_short_way()
       real(wp), parameter :: asymptote = 93.6_wp, reached = 0.03_wp
-      !> From steps of which the longest are just short to such as a run takes
+      !> From long steps to such as a run takes
       integer, parameter :: steps(3) = [2000, 20000, 200000]
       type(shear_curve_type) :: curve
       type(shear_lanes_type) :: short
