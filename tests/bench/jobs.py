@@ -149,7 +149,7 @@ def seconds_of_step(times: list[Loops], steps: int) -> tuple[float, float]:
 
     A machine that changes its pace between two runs makes their difference too large or too small;
     the fastest long run is the one that others on the machine have held up least. It counts what
-    begins a loop, too: a hundredth, rather than the difference of two that need not be alike.
+    begins a loop, too, rather than the difference of two runs that need not be alike.
     """
     differences = [long - short for short, long in times]
     return statistics.median(differences) / steps, min(long for _, long in times) / (2 * steps)
