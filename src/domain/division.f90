@@ -6,8 +6,9 @@
 !> of a border adds what lies in the columns of the later chunks to its own, in the order of the
 !> chunks: the same bits in any run.
 !>
-!> Columns of nodes are numbered chunk by chunk: what a thread moves lies side by side, and no core
-!> fetches the columns of another ahead of those that it goes through.
+!> Columns of nodes are numbered chunk by chunk, in each those last that the latest chunks have too:
+!> what a thread moves lies side by side, what two of them look at as well, and no core fetches the
+!> columns of another ahead of those that it goes through.
 module plydyn_domain_division
    use plydyn_base_precision, only : lanes
    use plydyn_base_sort, only : sorted_order
@@ -128,19 +129,25 @@ contains
       end do
    end subroutine list_chunks
 
-   !> Number the columns of nodes chunk by chunk; at last those of nodes without elements
+   !> Number the columns of nodes chunk by chunk, in each by the last chunk that has them; at the end
+   !> those of nodes without elements
    pure subroutine number_columns(self)
       !> Its chunks have their nodes in, and the columns of these out
       type(division_type), intent(inout) :: self
 
-      integer :: c, i, last
+      integer :: c, i, last, last_chunk(self%nodes)
 
       allocate (self%column(self%nodes), self%node(self%nodes))
+      do c = 1, size(self%chunks)
+         last_chunk(self%chunks(c)%column) = c
+      end do
       self%column(:) = 0
       last = 0
       do c = 1, size(self%chunks)
-         call number_rest(self%chunks(c)%column, self%column, last)
-         self%chunks(c)%column(:) = self%column(self%chunks(c)%column)
+         associate (node => self%chunks(c)%column)
+            call number_rest(node(sorted_order(last_chunk(node))), self%column, last)
+            node(:) = self%column(node)
+         end associate
       end do
       call number_rest([(i, i=1, self%nodes)], self%column, last)
       self%node(self%column) = [(i, i=1, self%nodes)]

@@ -1,6 +1,7 @@
 !> Columns as one rank of several numbers them.
 program test_domain_numbering
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_domain_division, only : column_owners, divide_plane, division_type
    use plydyn_domain_numbering, only : new_numbering, numbering_type
    use plydyn_model_mesh, only : mesh_type
@@ -29,17 +30,28 @@ program test_domain_numbering
 
 contains
 
-   !> Columns of the whole model go chunk by chunk, each node once
+   !> Columns of the whole model go chunk by chunk, each node once; at last in a chunk those at which
+   !> later ones meet it
    subroutine test_order()
-      integer :: c, first, i, last
+      integer :: c, first, i, last, meets(whole%nodes)
+      integer, allocatable :: own(:)
 
+      do c = 1, size(whole%chunks)
+         associate (quads => whole%chunks(c)%quads)
+            do i = quads(1), quads(2)
+               meets(whole%column(mesh%quad_node(:, whole%parts(1)%element(i)))) = c
+            end do
+         end associate
+      end do
       last = 0
       do c = 1, size(whole%chunks)
-         associate (own => pack(whole%chunks(c)%column, whole%chunks(c)%column <= whole%nodes))
-            first = last + 1
-            last = last + size(own)
-            call check(all(own == [(i, i=first, last)]), "behind those of the chunk before")
-         end associate
+         own = pack(whole%chunks(c)%column, whole%chunks(c)%column <= whole%nodes)
+         own = own(sorted_order(own))
+         first = last + 1
+         last = last + size(own)
+         call check(all(own == [(i, i=first, last)]), "behind those of the chunk before")
+         call check(meets(first), c, "first what no other chunk has")
+         call check(all(meets(first + 1:last) >= meets(first:last - 1)), "then what the next ones have")
       end do
       call check(last, whole%nodes, "all of them")
       call check(all(whole%column(whole%node) == [(i, i=1, whole%nodes)]), "each its node's")
