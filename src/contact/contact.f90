@@ -96,7 +96,7 @@ contains
       self%setup = setup
       self%impactor_inverse(:) = 1.0_wp/setup%mass
       if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
-      call new_surface(self%surface, facet, position, setup%side)
+      call new_surface(self%surface, facet, size(position, 2), setup%side)
       call new_near(self%near, self%surface, setup%radius)
       call new_ground(self%ground, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))

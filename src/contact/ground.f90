@@ -1,7 +1,7 @@
 !> The ground of contact: facets whose points it may push in a step, known before the step is made.
 !>
-!> They are the facets under those contact nodes that may touch, were sphere and surface to come
-!> nearer by twice as much as in the step before, and those around them. A node that finds itself
+!> They are the facets under those contact nodes that may touch, or beside them, were sphere and
+!> surface to come nearer by twice as much as in the step before, and those around them. A node that finds itself
 !> on another one all the same, where crushed matter lets it jump, enters in the next step. So
 !> forces on the rest of the plate need not wait for contact.
 module plydyn_contact_ground
@@ -98,7 +98,7 @@ contains
 
       call nodes%sleepers%find_awake(travel)
       do i = 1, nodes%sleepers%count
-         f = nodes%facet(nodes%sleepers%awake(i))
+         f = abs(nodes%facet(nodes%sleepers%awake(i)))
          ! it may come from anywhere
          self%is_all = f == 0
          if (self%is_all) return

@@ -8,6 +8,7 @@
 !> need not be looked at again before the travel has grown by g.
 module plydyn_contact_near
    use plydyn_base_precision, only : wp
+   use plydyn_contact_hull, only : distance_bound
    use plydyn_contact_surface, only : surface_type
    implicit none
    private
@@ -16,9 +17,6 @@ module plydyn_contact_near
 
    !> Reach as a share of the sphere's radius
    real(wp), parameter :: reach_share = 0.03125_wp
-
-   !> A facet is never larger than this many times its size at the start
-   real(wp), parameter :: largest_stretch = 1.5_wp
 
    !> A point of a facet moves at most this much more than the farthest moving of its nodes: sum of
    !> the magnitudes of the biquadratic shape functions, 1.25 along either direction
@@ -47,8 +45,6 @@ module plydyn_contact_near
       real(wp), private :: radius = 0.0_wp
       !> Which facets are listed
       logical, allocatable, private :: listed(:)
-      !> Distance from centre to facet within which a facet must be listed
-      real(wp), allocatable, private :: bound(:)
       !> What facets that are not listed, and the sphere, can approach each other before one of them
       !> must be: less than nothing where that is not known, length
       real(wp), private :: slack = -1.0_wp
@@ -82,8 +78,6 @@ contains
       self%reach = reach_share*radius
       allocate (self%facet(0), self%point(0), self%seen(3, 0))
       allocate (self%listed(facets), source=.false.)
-      allocate (self%bound(facets))
-      self%bound(:) = radius + largest_stretch*surface%radius + self%reach
       self%patch = surface
    end subroutine new_near
 
@@ -96,7 +90,7 @@ contains
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
-      self%slack = self%slack - (move + norm2(centre - self%centre))
+      self%slack = self%slack - (largest_share*move + norm2(centre - self%centre))
       self%centre(:) = centre
       self%needs_all = self%slack < round_off*self%radius
    end subroutine approach
@@ -134,7 +128,7 @@ contains
       !> At most so far, length
       real(wp), intent(in) :: farthest
 
-      self%slack = self%slack - farthest
+      self%slack = self%slack - largest_share*farthest
    end subroutine shift
 
    !> How far the nearest facet that is not listed is from having to be
@@ -149,13 +143,12 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: f
-      real(wp) :: arm(3)
 
       self%slack = huge(1.0_wp)
-      do f = 1, size(self%bound)
+      do f = 1, size(self%listed)
          if (self%listed(f)) cycle
-         arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
-         self%slack = min(self%slack, norm2(arm) - self%bound(f))
+         self%slack = min(self%slack, distance_bound(position(:, surface%facet(:, f)), centre) &
+            & - self%radius - self%reach)
       end do
    end subroutine find_slack
 
@@ -171,11 +164,10 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: f, i
-      real(wp) :: arm(3)
 
-      do f = 1, size(self%bound)
-         arm(:) = position(:, surface%facet(surface%nodes, f)) - centre
-         self%listed(f) = norm2(arm) < self%bound(f) + self%reach
+      do f = 1, size(self%listed)
+         self%listed(f) = distance_bound(position(:, surface%facet(:, f)), centre) &
+            & < self%radius + 2.0_wp*self%reach
       end do
       call list_points(self, surface)
       do i = 1, size(self%point)
@@ -194,7 +186,7 @@ contains
       logical, allocatable :: used(:)
 
       self%rebuilds = self%rebuilds + 1
-      self%facet = pack([(f, f=1, size(self%bound))], self%listed)
+      self%facet = pack([(f, f=1, size(self%listed))], self%listed)
       allocate (used(maxval(surface%facet)), source=.false.)
       do f = 1, size(self%facet)
          used(surface%facet(:, self%facet(f))) = .true.
@@ -203,7 +195,7 @@ contains
       deallocate (self%seen)
       allocate (self%seen(3, size(self%point)))
       self%patch%neighbour(:, :) = surface%neighbour
-      do f = 1, size(self%bound)
+      do f = 1, size(self%listed)
          do i = 1, size(surface%neighbour, 1)
             if (surface%neighbour(i, f) == 0) cycle
             if (.not. self%listed(surface%neighbour(i, f))) self%patch%neighbour(i, f) = 0
@@ -242,7 +234,7 @@ contains
       if (size(places) == 0) return
       count = places(1)
       if (count < 0 .or. count > size(places) - 1) return
-      if (any(places(2:count + 1) < 1 .or. places(2:count + 1) > size(self%bound))) return
+      if (any(places(2:count + 1) < 1 .or. places(2:count + 1) > size(self%listed))) return
       self%listed(:) = .false.
       self%listed(places(2:count + 1)) = .true.
       call list_points(self, surface)

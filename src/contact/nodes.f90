@@ -42,7 +42,8 @@ module plydyn_contact_nodes
       real(wp), allocatable :: position(:, :)
       !> Multiplier times the step squared, mass times length
       real(wp), allocatable :: push(:)
-      !> Facet under each node, 0 when unknown
+      !> Facet under each node; less than 0 where the node is beside it, beyond the border or what is
+      !> listed; 0 when unknown
       integer, allocatable :: facet(:)
       !> Place in that facet, (2, nodes)
       real(wp), allocatable, private :: place(:, :)
@@ -268,7 +269,7 @@ contains
 
       do i = 1, size(node)
          point(:, i) = centre + self%position(:, node(i))
-         if (self%facet(node(i)) == 0) then
+         if (self%facet(node(i)) <= 0) then
             foot(i) = surface%start_near(position, point(:, i), near%facet)
          else
             foot(i)%facet = self%facet(node(i))
@@ -311,7 +312,7 @@ contains
       !> Its foot on the surface
       type(foot_type), intent(in) :: foot
 
-      self%facet(node) = merge(0, foot%facet, foot%beside)
+      self%facet(node) = merge(-foot%facet, foot%facet, foot%beside)
       self%place(:, node) = foot%place
       if (foot%gap >= 0.0_wp) then
          self%sleepers%wake(node) = travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))

@@ -34,8 +34,6 @@ module plydyn_contact_surface
       integer, allocatable :: facet(:, :)
       !> Facet beyond each side, (4, facets), 0 at the border
       integer, allocatable :: neighbour(:, :)
-      !> Distance from the last point of each facet to the others at the start, length
-      real(wp), allocatable :: radius(:)
       !> 1 when the outward normal of the plate is that of the facets (top), -1 when opposite
       real(wp) :: side = 1.0_wp
    contains
@@ -66,30 +64,20 @@ module plydyn_contact_surface
 contains
 
    !> Build the surface from its facets
-   subroutine new_surface(self, facet, position, side)
+   subroutine new_surface(self, facet, points, side)
       !> The surface
       type(surface_type), intent(out) :: self
       !> Points of each facet, (4 or 9, facets)
       integer, intent(in) :: facet(:, :)
-      !> Surface points at the start, (3, points), length
-      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Number of surface points
+      integer, intent(in) :: points
       !> 1 for the top face of the plate, -1 for the bottom face
       integer, intent(in) :: side
-
-      integer :: f, i
-      real(wp) :: arm(3)
 
       self%nodes = size(facet, 1)
       self%side = real(side, wp)
       self%facet = facet
-      allocate (self%radius(size(facet, 2)), source=0.0_wp)
-      do f = 1, size(facet, 2)
-         do i = 1, self%nodes - 1
-            arm(:) = position(:, facet(i, f)) - position(:, facet(self%nodes, f))
-            self%radius(f) = max(self%radius(f), norm2(arm))
-         end do
-      end do
-      call find_neighbours(facet, size(position, 2), self%neighbour)
+      call find_neighbours(facet, points, self%neighbour)
    end subroutine new_surface
 
    !> Start of a projection: the facet whose last point is nearest

@@ -31,7 +31,7 @@ contains
       type(surface_type), intent(out) :: surface
 
       call flat_surface(squares, flat, facet)
-      call new_surface(surface, facet, flat, 1)
+      call new_surface(surface, facet, size(flat, 2), 1)
    end subroutine new_plate
 
    !> Contact nodes of the ball, what of the plate is near, and room for rows

@@ -55,7 +55,8 @@ contains
       call check(apart <= spacing .and. apart > 0.9_wp*spacing, "distance from the pole")
    end subroutine check_first_ring
 
-   !> No gap shrinks by more than the travel grows, unless the list is new; outside is far away
+   !> No gap within reach shrinks by more than the travel grows, unless the list is new; outside is
+   !> beyond reach
    subroutine check_travel()
       type(constraints_type) :: rows
       type(near_type) :: near
@@ -66,15 +67,15 @@ contains
 
       call begin("update")
       call set_ball(surface, flat, near, nodes, rows)
-      before = huge(1.0_wp)
+      before = near%reach
       rebuilds = 0
       do step = 1, 200
          position(:, :) = flat
          position(3, :) = 0.1_wp*sin(0.3_wp*step - flat(1, :))*cos(flat(2, :) + 0.1_wp*step)
-         centre(:) = [0.01_wp*step - 1.0_wp, 0.0_wp, radius + 0.5_wp + 0.3_wp*cos(0.05_wp*step)]
+         centre(:) = [0.01_wp*step - 1.0_wp, 0.0_wp, radius + 0.3_wp + 0.3_wp*cos(0.05_wp*step)]
          travel = near%travel
          call near%update(surface, position, centre, rebuilt)
-         after = nodes%least_gap(surface, position, centre)
+         after = min(nodes%least_gap(surface, position, centre), near%reach)
          if (rebuilt) then
             rebuilds = rebuilds + 1
          else

@@ -18,7 +18,7 @@ program test_contact_rim
    type(surface_type) :: surface
 
    call flat_surface(squares, flat, facet)
-   call new_surface(surface, facet, flat, 1)
+   call new_surface(surface, facet, size(flat, 2), 1)
    call check_straight()
    call check_inside()
    call check_corner()

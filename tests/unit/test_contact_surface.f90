@@ -48,7 +48,7 @@ contains
 
       call begin("project, one warped facet")
       call warped_facet(position, facet)
-      call new_surface(surface, facet, position, 1)
+      call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
          foot = surface%start_near(position, point(:, p), [1])
          call surface%project(position, point(:, p), foot)
@@ -92,7 +92,7 @@ contains
 
       call begin("project, flat grid")
       call make_grid(along, nodes, position, facet)
-      call new_surface(surface, facet, position, 1)
+      call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
          do start = 1, along**2
             foot = surface%start_near(position, point(:, p), [start])
@@ -117,7 +117,7 @@ contains
       call begin("project, faces")
       call make_grid(2, 4, position, facet)
       do side = -1, 1, 2
-         call new_surface(surface, facet, position, side)
+         call new_surface(surface, facet, size(position, 2), side)
          foot = surface%start_near(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
          call surface%project(position, [0.6_wp, 0.7_wp, 0.25_wp], foot)
          call check(foot%normal, [0.0_wp, 0.0_wp, real(side, wp)], round_off, "outward normal")
@@ -134,7 +134,7 @@ contains
 
       call begin("project, border")
       call make_grid(3, 9, position, facet)
-      call new_surface(surface, facet, position, 1)
+      call new_surface(surface, facet, size(position, 2), 1)
       foot%facet = 5
       call surface%project(position, [3.0_wp, 1.2_wp, 0.1_wp], foot)
       call check(.not. foot%beside, "a point over the border has the surface under it")
@@ -160,7 +160,7 @@ contains
       call begin("project, fold")
       call make_grid(2, 9, position, facet)
       position(3, :) = 0.2_wp*abs(position(1, :) - 1.0_wp)
-      call new_surface(surface, facet, position, 1)
+      call new_surface(surface, facet, size(position, 2), 1)
       foot%facet = 4
       call surface%project(position, [1.01_wp, 0.5_wp, -0.1_wp], foot)
       call check(foot%gap_vector, [0.01_wp, 0.0_wp, -0.1_wp], round_off, "from the fold")
@@ -178,7 +178,7 @@ contains
       call begin("is_missed")
       call make_grid(2, 9, position, facet)
       position(3, :) = 0.2_wp*position(1, :)
-      call new_surface(surface, facet, position, 1)
+      call new_surface(surface, facet, size(position, 2), 1)
       foot%facet = 1
       call surface%project(position, [0.0_wp, 0.5_wp, -0.1_wp], foot)
       call check(foot%beside, "beside along the normal")

@@ -1,0 +1,60 @@
+!> How near a facet can come to a point, from what surrounds it: its control points.
+!>
+!> Parabolas lie within the hull of their control points (Bernstein's form), and so does a facet
+!> within that of its own. The box around these and the ball around them both bound the distance
+!> from below; the better of the two is told.
+module plydyn_contact_hull
+   use plydyn_base_precision, only : wp
+   use plydyn_fem_shape, only : bilinear_nodes
+   implicit none
+   private
+
+   public :: distance_bound
+
+contains
+
+   !> What the distance from a point to a facet is at least, length
+   pure real(wp) function distance_bound(node, point) result(distance)
+      !> Points of the facet, (3, 4 or 9), length
+      real(wp), intent(in) :: node(:, :)
+      !> Any point, length
+      real(wp), intent(in) :: point(3)
+
+      real(wp) :: control(3, size(node, 2)), from_middle, middle(3), outside(3), reach
+      integer :: i
+
+      control(:, :) = control_points(node)
+      outside(:) = max(minval(control, 2) - point, point - maxval(control, 2), 0.0_wp)
+      middle(:) = node(:, size(node, 2))
+      reach = 0.0_wp
+      do i = 1, size(node, 2)
+         reach = max(reach, norm2(control(:, i) - middle))
+      end do
+      from_middle = norm2(point - middle)
+      distance = max(norm2(outside), from_middle - reach)
+   end function distance_bound
+
+   !> Control points of a facet: its corners, and what draws the sides and the middle
+   pure function control_points(node) result(control)
+      real(wp), intent(in) :: node(:, :)
+      real(wp) :: control(3, size(node, 2))
+
+      control(:, :) = node
+      if (size(node, 2) == bilinear_nodes) return
+      control(:, 5) = control_point(node(:, 1), node(:, 5), node(:, 2))
+      control(:, 6) = control_point(node(:, 2), node(:, 6), node(:, 3))
+      control(:, 7) = control_point(node(:, 3), node(:, 7), node(:, 4))
+      control(:, 8) = control_point(node(:, 4), node(:, 8), node(:, 1))
+      control(:, 9) = control_point(control(:, 5), &
+         & control_point(node(:, 8), node(:, 9), node(:, 6)), control(:, 7))
+   end function control_points
+
+   !> What draws a parabola through three points at equal steps of its coordinate
+   pure function control_point(first, middle, last) result(control)
+      real(wp), intent(in), dimension(3) :: first, middle, last
+      real(wp) :: control(3)
+
+      control(:) = 2.0_wp*middle - 0.5_wp*(first + last)
+   end function control_point
+
+end module plydyn_contact_hull
