@@ -1,22 +1,14 @@
-!> Strain and stress of a layer, recovered anywhere in it from the Gauss points.
-!>
-!> In the plane and through the thickness the values at the Gauss points are interpolated, but for
-!> the shear across the plate: along its own direction it is projected onto polynomials of one
-!> degree less, in the axes of the quad. That takes out the ripple that full integration leaves
-!> there between the best points (Barlow, 1976), by the sampling of the MITC elements (Bathe and
-!> Dvorkin, 1986).
+!> Strain and stress of a layer at its Gauss points.
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : layer_scalars, point_history
    use plydyn_element_plate, only : layer_batch_type, plate_type
-   use plydyn_fem_expansion, only : lagrange
-   use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
    use plydyn_law_elastic, only : strain_rotation
    use plydyn_law_law, only : scalars
    implicit none
    private
 
-   public :: layer_values, new_plane_shares, plane_value, thickness_interpolation
+   public :: gauss_metric, layer_values
 
    !> Where each kind of recovered values begins, less one: strain and stress in the axes of the
    !> plate, then of the ply, each xx, yy, zz, xy, xz, yz with engineering shear; the scalars that
@@ -25,17 +17,6 @@ module plydyn_element_recover
       & ply_stress_at = 18, scalars_at = 24
    !> How many there are
    integer, parameter, public :: recovered = scalars_at + scalars
-
-   !> Shares of the Gauss points of the plane in the values at a place
-   type, public :: plane_shares_type
-      !> Interpolation; projected along xi; projected along eta
-      real(wp), allocatable :: full(:), along_xi(:), along_eta(:)
-   end type plane_shares_type
-
-   !> Where the shear across the plate stands in the recovered values, and whether in ply axes
-   integer, parameter :: shear_at(4) = [strain_at + 5, stress_at + 5, ply_strain_at + 5, &
-      & ply_stress_at + 5]
-   logical, parameter :: in_ply_axes(4) = [.false., .false., .true., .true.]
 
 contains
 
@@ -58,12 +39,14 @@ contains
       real(wp) :: values(recovered, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
 
       real(wp) :: h(3, 3, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
-      real(wp) :: rotation(6, 6), stiffness(6, 6), strain(6), stress(6)
+      real(wp) :: rotation(6, 6), stiffness(6, 6), strain(6), stress(6), stress_rotation(6, 6)
       integer :: m, q
 
       associate (batch => plate%batches(b))
          h(:, :, :, :) = gradients(plate, batch, block, lane, quad, displacement)
          rotation(:, :) = strain_rotation(plate%angle(batch%layer(lane, block)))
+         ! stress turns back with the transposed rotation of strain, and forth by the opposite angle
+         stress_rotation(:, :) = transpose(strain_rotation(-plate%angle(batch%layer(lane, block))))
          stiffness(:, :) = full_stiffness(batch, block, lane)
       end associate
       values(scalars_at + 1:, :, :) = layer_scalars(plate, b, block, lane, quad, history)
@@ -79,7 +62,7 @@ contains
             else
                stress(:) = matmul(stiffness, strain)
             end if
-            values(ply_stress_at + 1:scalars_at, q, m) = ply_stress(rotation, stress)
+            values(ply_stress_at + 1:scalars_at, q, m) = matmul(stress_rotation, stress)
             if (large) stress(:) = cauchy(h(:, :, q, m), stress)
             values(stress_at + 1:ply_strain_at, q, m) = stress
          end do
@@ -134,7 +117,9 @@ contains
 
    !> d(xi, eta)/d(x, y) at a Gauss point, (x or y, xi or eta)
    pure function gauss_metric(plate, quad, q) result(metric)
+      !> The plate
       type(plate_type), intent(in) :: plate
+      !> Quad of the plate, and Gauss point of the plane
       integer, intent(in) :: quad, q
       real(wp) :: metric(2, 2)
 
@@ -207,176 +192,5 @@ contains
       s(:, :) = matmul(f, matmul(s, transpose(f)))/volume
       stress(:) = [s(1, 1), s(2, 2), s(3, 3), s(1, 2), s(1, 3), s(2, 3)]
    end function cauchy
-
-   !> Stress in ply axes: stress turns back with the transposed rotation of strain, whose inverse
-   !> is that of the opposite angle
-   pure function ply_stress(rotation, stress) result(turned)
-      real(wp), intent(in) :: rotation(6, 6), stress(6)
-      real(wp) :: turned(6)
-
-      real(wp) :: back(6, 6)
-
-      ! the rotation by the opposite angle changes the sign of what is odd in the sine
-      back(:, :) = rotation
-      back(1:2, 4) = -rotation(1:2, 4)
-      back(4, 1:2) = -rotation(4, 1:2)
-      back(5, 6) = -rotation(5, 6)
-      back(6, 5) = -rotation(6, 5)
-      turned(:) = matmul(transpose(back), stress)
-   end function ply_stress
-
-   !> Shares of the Gauss points of a line in the polynomial of some degree closest to their values
-   pure function line_projection(side, degree, place) result(share)
-      integer, intent(in) :: side, degree
-      real(wp), intent(in) :: place
-      real(wp) :: share(side)
-
-      real(wp) :: gauss(side), here, slope, there, w(side)
-      integer :: k, q
-
-      gauss(:) = gauss_points(side)
-      w(:) = gauss_weights(side)
-      share(:) = 0.0_wp
-      do k = 0, degree
-         call legendre(k, place, here, slope)
-         do q = 1, side
-            call legendre(k, gauss(q), there, slope)
-            share(q) = share(q) + (real(k, wp) + 0.5_wp)*here*there*w(q)
-         end do
-      end do
-   end function line_projection
-
-   !> Shares of the Gauss points of the plane at a place of the quad
-   pure function new_plane_shares(side, xi, eta) result(self)
-      !> Nodes along a side
-      integer, intent(in) :: side
-      !> Place, each from -1 to 1
-      real(wp), intent(in) :: xi, eta
-      type(plane_shares_type) :: self
-
-      associate (full_xi => line_projection(side, side - 1, xi), &
-         & full_eta => line_projection(side, side - 1, eta))
-         self%full = product_shares(full_xi, full_eta)
-         self%along_xi = product_shares(line_projection(side, side - 2, xi), full_eta)
-         self%along_eta = product_shares(full_xi, line_projection(side, side - 2, eta))
-      end associate
-   end function new_plane_shares
-
-   !> Shares of a plane from those of two lines, xi first
-   pure function product_shares(a, b) result(share)
-      real(wp), intent(in) :: a(:), b(:)
-      real(wp) :: share(size(a)*size(b))
-
-      share(:) = reshape(spread(a, 2, size(b))*spread(b, 1, size(a)), [size(share)])
-   end function product_shares
-
-   !> Recovered values at a place of the plane
-   pure function plane_value(plate, quad, layer, shares, at_gauss) result(values)
-      !> The plate
-      type(plate_type), intent(in) :: plate
-      !> Quad of the plate, and layer
-      integer, intent(in) :: quad, layer
-      !> The place
-      type(plane_shares_type), intent(in) :: shares
-      !> Values at the Gauss points of the plane, (recovered, points)
-      real(wp), intent(in) :: at_gauss(:, :)
-      real(wp) :: values(recovered)
-
-      real(wp) :: projection(2, 2, size(at_gauss, 2)), turn(2, 2)
-      integer :: i
-
-      values(:) = matmul(at_gauss, shares%full)
-      projection(:, :, :) = shear_projection(plate, quad, shares)
-      turn(:, :) = plane_turn(plate%angle(layer))
-      do i = 1, size(shear_at)
-         associate (shear => at_gauss(shear_at(i):shear_at(i) + 1, :), first => shear_at(i))
-            if (in_ply_axes(i)) then
-               values(first:first + 1) = matmul(transpose(turn), projected(projection, &
-                  & matmul(turn, shear)))
-            else
-               values(first:first + 1) = projected(projection, shear)
-            end if
-         end associate
-      end do
-   end function plane_value
-
-   !> From ply axes to the axes of the plate
-   pure function plane_turn(angle) result(turn)
-      real(wp), intent(in) :: angle
-      real(wp) :: turn(2, 2)
-
-      real(wp) :: rotation(6, 6)
-
-      rotation(:, :) = strain_rotation(angle)
-      turn(:, :) = transpose(rotation(5:6, 5:6))
-   end function plane_turn
-
-   !> Shares of the shear across the plate at the Gauss points in that at a place, projected along
-   !> xi and along eta each in its own direction: (x or y there, x or y at the point, points)
-   pure function shear_projection(plate, quad, shares) result(projection)
-      type(plate_type), intent(in) :: plate
-      integer, intent(in) :: quad
-      type(plane_shares_type), intent(in) :: shares
-      real(wp) :: projection(2, 2, size(shares%full))
-
-      real(wp) :: back(2, 2), jacobian(2, 2), place(2, 2)
-      integer :: q
-
-      place(:, :) = 0.0_wp
-      do q = 1, size(shares%full)
-         ! d(x, y)/d(xi, eta), (xi or eta, x or y)
-         jacobian(:, :) = inverse(gauss_metric(plate, quad, q))
-         place(:, :) = place + shares%full(q)*jacobian
-         projection(1, :, q) = shares%along_xi(q)*jacobian(1, :)
-         projection(2, :, q) = shares%along_eta(q)*jacobian(2, :)
-      end do
-      back(:, :) = inverse(place)
-      do q = 1, size(shares%full)
-         projection(:, :, q) = matmul(back, projection(:, :, q))
-      end do
-   end function shear_projection
-
-   !> Shear at a place from that at the Gauss points
-   pure function projected(projection, at_gauss) result(shear)
-      !> As from `shear_projection`
-      real(wp), intent(in) :: projection(:, :, :)
-      !> (x or y, points)
-      real(wp), intent(in) :: at_gauss(:, :)
-      real(wp) :: shear(2)
-      integer :: q
-
-      shear(:) = 0.0_wp
-      do q = 1, size(at_gauss, 2)
-         shear(1) = shear(1) + projection(1, 1, q)*at_gauss(1, q) &
-            & + projection(1, 2, q)*at_gauss(2, q)
-         shear(2) = shear(2) + projection(2, 1, q)*at_gauss(1, q) &
-            & + projection(2, 2, q)*at_gauss(2, q)
-      end do
-   end function projected
-
-   !> Inverse of a small matrix
-   pure function inverse(a) result(b)
-      real(wp), intent(in) :: a(2, 2)
-      real(wp) :: b(2, 2)
-
-      b(1, 1) = a(2, 2)
-      b(2, 1) = -a(2, 1)
-      b(1, 2) = -a(1, 2)
-      b(2, 2) = a(1, 1)
-      b(:, :) = b/(a(1, 1)*a(2, 2) - a(1, 2)*a(2, 1))
-   end function inverse
-
-   !> Shares of the Gauss points of the thickness at a height in the layer
-   pure function thickness_interpolation(batch, zeta) result(share)
-      !> Layers
-      type(layer_batch_type), intent(in) :: batch
-      !> Height from -1 to 1
-      real(wp), intent(in) :: zeta
-      real(wp) :: share(batch%expansion%order + 1)
-
-      real(wp) :: slope(size(share))
-
-      call lagrange(batch%expansion%gauss, zeta, share, slope)
-   end function thickness_interpolation
 
 end module plydyn_element_recover

@@ -5,8 +5,9 @@ module plydyn_output_fields
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_layer_scalars, only : layer_scalars
    use plydyn_element_quad, only : quad_node_area
-   use plydyn_element_recover, only : layer_values, new_plane_shares, plane_shares_type, &
-      & plane_value, recovered, scalars_at, thickness_interpolation
+   use plydyn_element_recover, only : layer_values, recovered, scalars_at
+   use plydyn_element_recover_between, only : new_plane_shares, plane_shares_type, plane_values, &
+      & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_model, only : model_type
@@ -27,7 +28,7 @@ module plydyn_output_fields
       !> Node of each slot of the grid
       integer, allocatable :: node(:)
       !> Shares of the Gauss points at the nodes of a quad
-      type(plane_shares_type), allocatable :: at_node(:)
+      type(plane_shares_type) :: at_nodes
       !> Whether strain or stress is asked for; they take longer than the scalars of laws
       logical :: has_tensors = .false.
    contains
@@ -55,7 +56,7 @@ contains
       self%has_tensors = any(self%components == tensor_components)
       call new_grid(model%mesh, domain, self%grid, piece)
       call look_at_nodes(self, domain)
-      self%at_node = node_shares(domain%plates(1)%side)
+      self%at_nodes = node_shares(domain%plates(1)%side)
       call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
 
@@ -115,18 +116,15 @@ contains
    !> Shares of the Gauss points at the nodes of a quad, in tensor order
    pure function node_shares(side) result(shares)
       integer, intent(in) :: side
-      type(plane_shares_type) :: shares(side*side)
+      type(plane_shares_type) :: shares
 
-      integer :: i, j
-      real(wp) :: span
+      integer :: i
+      real(wp) :: line(side), place(2, side, side)
 
-      span = 2.0_wp/real(side - 1, wp)
-      do j = 1, side
-         do i = 1, side
-            shares(i + side*(j - 1)) = new_plane_shares(side, -1.0_wp + span*real(i - 1, wp), &
-               & -1.0_wp + span*real(j - 1, wp))
-         end do
-      end do
+      line(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
+      place(1, :, :) = spread(line, 2, side)
+      place(2, :, :) = spread(line, 1, side)
+      shares = new_plane_shares(side, reshape(place, [2, side*side]))
    end function node_shares
 
    !> Displacement or velocity at the points of this rank, (3, points)
@@ -198,8 +196,8 @@ contains
       type(state_type), intent(in) :: state
       real(wp), intent(inout) :: sums(:, :, :)
 
-      real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :)
-      real(wp) :: height, here(recovered)
+      real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :), here(:, :)
+      real(wp) :: height
       integer :: n, t
 
       associate (plate => domain%plates(self%grid%home(1, i)), e => self%grid%home(2, i), &
@@ -217,15 +215,15 @@ contains
             height = -1.0_wp + 2.0_wp*real(t - 1, wp)/real(size(sums, 2) - 1, wp)
             at_level = level_values(at_gauss, &
                & thickness_interpolation(plate%batches(home(1)), height))
-            do n = 1, size(plate%node, 1)
-               if (self%has_tensors) then
-                  here(:) = plane_value(plate, e, k, self%at_node(n), at_level)
-               else
-                  here(:) = matmul(at_level, self%at_node(n)%full)
-               end if
-               here(:) = within_cell(here, at_gauss)
+            if (self%has_tensors) then
+               here = plane_values(plate, e, k, self%at_nodes, at_level)
+            else
+               here = matmul(at_level, self%at_nodes%full)
+            end if
+            call keep_within_cell(at_gauss, here)
+            do n = 1, size(here, 2)
                associate (total => sums(:, t, self%grid%slots%slot(n, i)), area => self%area(n, i))
-                  total(:recovered) = total(:recovered) + area*here
+                  total(:recovered) = total(:recovered) + area*here(:, n)
                   total(recovered + 1) = total(recovered + 1) + area
                end associate
             end do
@@ -233,18 +231,19 @@ contains
       end associate
    end subroutine add_quad
 
-   !> Values whose scalars do not leave the range of the Gauss points of the cell, as polynomials
-   !> through them may
-   pure function within_cell(values, at_gauss) result(kept)
-      real(wp), intent(in) :: values(:), at_gauss(:, :, :)
-      real(wp) :: kept(size(values))
+   !> Keep scalars within the range of the Gauss points of the cell, which polynomials through them
+   !> may leave
+   pure subroutine keep_within_cell(at_gauss, values)
+      real(wp), intent(in) :: at_gauss(:, :, :)
+      !> (recovered, places)
+      real(wp), intent(inout) :: values(:, :)
       integer :: i
 
-      kept(:) = values
       do i = scalars_at + 1, recovered
-         kept(i) = min(max(values(i), minval(at_gauss(i, :, :))), maxval(at_gauss(i, :, :)))
+         values(i, :) = min(max(values(i, :), minval(at_gauss(i, :, :))), &
+            & maxval(at_gauss(i, :, :)))
       end do
-   end function within_cell
+   end subroutine keep_within_cell
 
    !> Values at the Gauss points of the plane at one height, (recovered, points)
    pure function level_values(at_gauss, share) result(values)

@@ -8,8 +8,9 @@ module plydyn_output_profile
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : plane_table
-   use plydyn_element_recover, only : layer_values, new_plane_shares, plane_value, ply_stress_at, &
-      & recovered, strain_at, stress_at, thickness_interpolation
+   use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
+   use plydyn_element_recover_between, only : new_plane_shares, plane_shares_type, plane_values, &
+      & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type
    use plydyn_output_places, only : places_type
@@ -240,17 +241,16 @@ contains
 
       logical :: is_known(quantities, self%all_quads, self%points, size(values, 4))
       real(wp), allocatable :: flat(:)
-      integer :: i, k, q
+      type(plane_shares_type) :: shares
+      integer :: k, q
 
       values(:, :, :, :) = 0.0_wp
       is_known(:, :, :, :) = .false.
       is_known(:, self%number, :, :) = .true.
-      do k = 1, size(values, 4)
-         do i = 1, self%points
-            do q = 1, size(self%number)
-               values(:, self%number(q), i, k) = values_at(self, domain, state, q, k, &
-                  & 2.0_wp*share_of(self, i) - 1.0_wp)
-            end do
+      do q = 1, size(self%number)
+         shares = new_plane_shares(domain%plates(self%quad(1, q))%side, self%local(:, q:q))
+         do k = 1, size(values, 4)
+            values(:, self%number(q), :, k) = layer_profile(self, domain, state, q, k, shares)
          end do
       end do
       flat = reshape(values, [size(values)])
@@ -258,35 +258,39 @@ contains
       values(:, :, :, :) = reshape(flat, shape(values))
    end subroutine find_values
 
-   !> Displacement, stress, strain and ply stress of a quad at a height of a layer
-   function values_at(self, domain, state, q, layer, height) result(values)
+   !> Displacement, stress, strain and ply stress of a quad at the points of a layer
+   function layer_profile(self, domain, state, q, layer, shares) result(values)
       type(profile_file_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       !> The quad among those of this rank at the place
       integer, intent(in) :: q, layer
-      real(wp), intent(in) :: height
-      real(wp) :: values(quantities)
+      !> Shares of its Gauss points at the place
+      type(plane_shares_type), intent(in) :: shares
+      real(wp) :: values(quantities, self%points)
 
-      real(wp) :: all_values(recovered)
-      real(wp), allocatable :: at_level(:, :)
+      real(wp) :: all_values(recovered, 1), height
+      real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
+      integer :: i
 
       associate (plate => domain%plates(self%quad(1, q)), e => self%quad(2, q), &
          & home => domain%columns%home(:, layer))
-         values(1:3) = displacement_at(domain, state, plate, e, layer, self%local(:, q), height)
-         at_level = reshape(matmul(reshape(layer_values(plate, home(1), home(2), home(3), e, &
+         at_gauss = reshape(layer_values(plate, home(1), home(2), home(3), e, &
             & domain%control%kinematics == total_lagrangian, state%displacement, &
-            & state%history), &
-            & [recovered*size(plate%node, 1), domain%columns%levels(layer)]), &
-            & thickness_interpolation(plate%batches(home(1)), height)), &
-            & [recovered, size(plate%node, 1)])
-         all_values(:) = plane_value(plate, e, layer, &
-            & new_plane_shares(plate%side, self%local(1, q), self%local(2, q)), at_level)
+            & state%history), [recovered*size(plate%node, 1), domain%columns%levels(layer)])
+         do i = 1, self%points
+            height = 2.0_wp*share_of(self, i) - 1.0_wp
+            at_level = reshape(matmul(at_gauss, thickness_interpolation( &
+               & plate%batches(home(1)), height)), [recovered, size(plate%node, 1)])
+            all_values(:, :) = plane_values(plate, e, layer, shares, at_level)
+            values(1:3, i) = displacement_at(domain, state, plate, e, layer, self%local(:, q), &
+               & height)
+            values(4:9, i) = all_values(stress_at + 1:stress_at + 6, 1)
+            values(10:15, i) = all_values(strain_at + 1:strain_at + 6, 1)
+            values(16:21, i) = all_values(ply_stress_at + 1:ply_stress_at + 6, 1)
+         end do
       end associate
-      values(4:9) = all_values(stress_at + 1:stress_at + 6)
-      values(10:15) = all_values(strain_at + 1:strain_at + 6)
-      values(16:21) = all_values(ply_stress_at + 1:ply_stress_at + 6)
-   end function values_at
+   end function layer_profile
 
    !> Displacement at a place of a quad and a height of a layer
    function displacement_at(domain, state, plate, e, layer, local, height) result(u)
