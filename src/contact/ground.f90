@@ -1,9 +1,9 @@
 !> The ground of contact: facets whose points it may push in a step, known before the step is made.
 !>
 !> They are the facets under those contact nodes that may touch, or beside them, were sphere and
-!> surface to come nearer by twice as much as in the step before, and those around them. A node that finds itself
-!> on another one all the same, where crushed matter lets it jump, enters in the next step. So
-!> forces on the rest of the plate need not wait for contact.
+!> surface to come nearer by twice as much as in the step before, and those around them. A node
+!> that finds itself on another one all the same, where crushed matter lets it jump, enters in the
+!> next step. So forces on the rest of the plate need not wait for contact.
 module plydyn_contact_ground
    use plydyn_base_precision, only : wp
    use plydyn_contact_constraint, only : constraints_type

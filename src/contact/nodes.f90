@@ -42,8 +42,8 @@ module plydyn_contact_nodes
       real(wp), allocatable :: position(:, :)
       !> Multiplier times the step squared, mass times length
       real(wp), allocatable :: push(:)
-      !> Facet under each node; less than 0 where the node is beside it, beyond the border or what is
-      !> listed; 0 when unknown
+      !> Facet under each node; less than 0 where the node is beside it, beyond the border or what
+      !> is listed; 0 when unknown
       integer, allocatable :: facet(:)
       !> Place in that facet, (2, nodes)
       real(wp), allocatable, private :: place(:, :)

@@ -129,8 +129,8 @@ contains
       end do
    end subroutine list_chunks
 
-   !> Number the columns of nodes chunk by chunk, in each by the last chunk that has them; at the end
-   !> those of nodes without elements
+   !> Number the columns of nodes chunk by chunk, in each by the last chunk that has them; at the
+   !> end those of nodes without elements
    pure subroutine number_columns(self)
       !> Its chunks have their nodes in, and the columns of these out
       type(division_type), intent(inout) :: self

@@ -126,14 +126,14 @@ contains
       turn(:, :) = transpose(rotation(5:6, 5:6))
    end function plane_turn
 
-   !> What takes shear across the plate to the axes of the quad at its Gauss points, and back at some
-   !> places
+   !> What takes shear across the plate to the axes of the quad at its Gauss points, and back at
+   !> some places
    pure subroutine find_axes(plate, quad, share, forth, back)
       type(plate_type), intent(in) :: plate
       integer, intent(in) :: quad
       !> Shares of the points at the places, (points, places)
       real(wp), intent(in) :: share(:, :)
-      !> d(x, y)/d(xi, eta) at the points, (xi or eta, x or y, points), and its inverse at the places
+      !> d(x, y)/d(xi, eta) at the points, (xi or eta, x or y, points); its inverse at the places
       real(wp), intent(out) :: forth(:, :, :), back(:, :, :)
 
       real(wp) :: jacobian(2, 2)

@@ -49,7 +49,8 @@ contains
          node(:2, :) = local_nodes(nodes)
          node(3, :) = 0.0_wp
          do i = 1, nodes
-            node(:, i) = node(:, i) + 0.4_wp*[sin(3.0_wp*i + k), cos(5.0_wp*i + k), sin(7.0_wp*i - k)]
+            node(:, i) = node(:, i) + 0.4_wp*[sin(3.0_wp*i + k), cos(5.0_wp*i + k), &
+               & sin(7.0_wp*i - k)]
          end do
          point(:) = 4.0_wp*[sin(0.7_wp*k), cos(1.1_wp*k), sin(1.3_wp*k)]
          bound = distance_bound(node, point)

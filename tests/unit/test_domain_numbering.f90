@@ -30,8 +30,8 @@ program test_domain_numbering
 
 contains
 
-   !> Columns of the whole model go chunk by chunk, each node once; at last in a chunk those at which
-   !> later ones meet it
+   !> Columns of the whole model go chunk by chunk, each node once; at last in a chunk those that
+   !> later ones have too
    subroutine test_order()
       integer :: c, first, i, last, meets(whole%nodes)
       integer, allocatable :: own(:)
@@ -51,7 +51,7 @@ contains
          last = last + size(own)
          call check(all(own == [(i, i=first, last)]), "behind those of the chunk before")
          call check(meets(first), c, "first what no other chunk has")
-         call check(all(meets(first + 1:last) >= meets(first:last - 1)), "then what the next ones have")
+         call check(all(meets(first + 1:last) >= meets(first:last - 1)), "then what later have")
       end do
       call check(last, whole%nodes, "all of them")
       call check(all(whole%column(whole%node) == [(i, i=1, whole%nodes)]), "each its node's")
