@@ -268,13 +268,14 @@ contains
       end do
    end subroutine resist_moved
 
-   !> Most that a point of the plate has moved in the step; not known where points are moved
+   !> Most that a point of the plate has moved in the step; not known where points are moved, and
+   !> then farther than any
    pure real(wp) function largest_move(domain, state) result(move)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
 
-      move = huge(1.0_wp)
-      if (size(domain%motions) > 0 .or. state%fastest > sqrt(huge(1.0_wp))) return
+      move = sqrt(huge(1.0_wp))
+      if (size(domain%motions) > 0 .or. state%fastest > move) return
       move = sqrt(3.0_wp)*state%step*state%fastest
    end function largest_move
 
