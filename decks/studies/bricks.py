@@ -187,7 +187,7 @@ def _claim_text(found: Sequence[Outcome], last: Outcome) -> str:
         f"DOF and {claim.time:g} times less time; here it is "
         f"{last.effort.freedoms / one.effort.freedoms:.0f} and "
         f"{last.processor / one.processor:.0f} times, with a peak force "
-        f"{100.0 * (one.peak / last.peak - 1.0):+.0f} % off.\n"
+        f"{round(100.0 * (one.peak / last.peak - 1.0)):+d} % off.\n"
     )
 
 

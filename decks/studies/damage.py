@@ -116,7 +116,7 @@ def change(value: float, base: float) -> str:
     """A change as a share, with its sign."""
     if base in (value, 0.0):
         return "–"
-    return f"{100.0 * (value / base - 1.0):+.0f} %"
+    return f"{round(100.0 * (value / base - 1.0)):+d} %"
 
 
 def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:

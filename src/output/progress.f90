@@ -126,7 +126,8 @@ contains
       write (time, "(es10.4)") progress%time
       write (done, "(f5.1,a)") 100.0_wp*share_done(progress), "%"
       write (step, "(es10.4)") progress%step
-      write (error, "(f7.2,a)") 100.0_wp*progress%energy_error, "%"
+      ! rounded, and with no sign where nothing is left of it
+      write (error, "(f7.2,a)") 0.01_wp*anint(1.0e4_wp*progress%energy_error) + 0.0_wp, "%"
       write (force, "(es10.3)") progress%force
       line = cycle//gap//time//gap//done//gap//step//gap//progress%cause//gap//error//gap &
          & //force//gap//right(duration_text(seconds), duration_width)//gap &

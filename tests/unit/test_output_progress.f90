@@ -45,6 +45,9 @@ contains
       call check(len(line), len(heads), "heads are as wide as the line")
       call check(index(heads, "force [N]") + len("force [N]"), &
          & index(line, "-3.456E+03") + len("-3.456E+03"), "a head ends where its numbers end")
+      progress%energy_error = -1.0e-17_wp
+      line = progress_line(progress, 60.0_wp)
+      call check(index(line, "  0.00%") > 0, "no sign at zero")
       progress%start_time = 1.0e-3_wp
       progress%time = 2.0e-3_wp
       line = progress_line(progress, 60.0_wp)
