@@ -12,35 +12,40 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-static long writes;
+/* Writes so far, and the first that fails; how the names of their files end, nothing on other ranks */
+static long writes, first;
+static char watched[4096];
 
-static int is_set(const char *name, const char *value)
+/* Before there are threads: one that starts MPI changes the environment while others write */
+__attribute__((constructor)) static void read_environment(void)
 {
-  const char *found = getenv(name);
-  return found && !strcmp(found, value);
+  const char *rank = getenv("OMPI_COMM_WORLD_RANK"), *failing = getenv("FAILING_RANK");
+  const char *name = getenv("FAILING_NAME"), *count = getenv("FAILING_FIRST");
+
+  if (name && failing && !strcmp(failing, rank ? rank : "0")) {
+    snprintf(watched, sizeof watched, "%s", name);
+  }
+  if (count) first = atol(count);
 }
 
 static int is_watched(int descriptor)
 {
-  const char *rank = getenv("OMPI_COMM_WORLD_RANK"), *name = getenv("FAILING_NAME");
   char link[64], path[4096];
   ssize_t length;
 
-  if (!name || !is_set("FAILING_RANK", rank ? rank : "0")) return 0;
+  if (!watched[0]) return 0;
   snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
   length = readlink(link, path, sizeof path - 1);
-  if (length < (ssize_t)strlen(name)) return 0;
+  if (length < (ssize_t)strlen(watched)) return 0;
   path[length] = 0;
-  return !strcmp(path + length - strlen(name), name);
+  return !strcmp(path + length - strlen(watched), watched);
 }
 
 static int fails(int descriptor)
 {
-  const char *first = getenv("FAILING_FIRST");
-
   if (!is_watched(descriptor)) return 0;
   writes++;
-  if (!first || atol(first) == 0 || writes < atol(first)) return 0;
+  if (first == 0 || writes < first) return 0;
   errno = ENOSPC;
   return 1;
 }
