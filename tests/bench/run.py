@@ -2,7 +2,7 @@
 
     .venv/bin/python tests/bench/run.py [--print]
 
-Takes about five minutes on a quiet machine; needs build/release and the preprocessor. `--print`
+Takes five to ten minutes on a quiet machine; needs build/release and the preprocessor. `--print`
 shows the tables and leaves the page alone. No test: nothing is compared with anything.
 """
 
