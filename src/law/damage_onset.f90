@@ -112,30 +112,20 @@ contains
       self%far_matrix(lane, 4) = self%ratio(lane)/toughness
    end subroutine set_far
 
-   !> How far beyond onset the modes of some points are: 0 or more where damage starts
-   pure subroutine find_onset(self, points, columns, stress, strain, shear, length, excess)
+   !> How far beyond onset the modes of a point are: 0 or more where damage starts
+   pure subroutine find_onset(self, stress, strain, shear, length, excess)
       class(onset_type), intent(in) :: self
-      !> Number of points; components of each strain
-      integer, intent(in) :: points, columns
-      !> Trial stresses 11, 22, 33
-      real(wp), intent(in) :: stress(lanes, 3, points)
-      !> Strains 11 and 22 in the first two columns
-      real(wp), intent(in) :: strain(lanes, columns, points)
+      !> Trial stresses and strains 11 and 22
+      real(wp), intent(in) :: stress(lanes, 2), strain(lanes, 2)
       !> Sizes of the shear stress on its curve and of the elastic shear strain
-      real(wp), intent(in) :: shear(lanes, 2, points)
+      real(wp), intent(in) :: shear(lanes, 2)
       !> Widths of the crack band for fibres and for matrix
-      real(wp), intent(in) :: length(lanes, 2, points)
+      real(wp), intent(in) :: length(lanes, 2)
       !> Of fibres and of matrix; only the sign has a meaning
-      real(wp), intent(out) :: excess(lanes, 2, points)
+      real(wp), intent(out) :: excess(lanes, 2)
 
-      integer :: m
-
-      do m = 1, points
-         call find_fibre_onset(self, stress(:, 1, m), strain(:, 1, m), length(:, 1, m), &
-            & excess(:, 1, m))
-         call find_matrix_onset(self, stress(:, 2, m), strain(:, 2, m), shear(:, :, m), &
-            & length(:, 2, m), excess(:, 2, m))
-      end do
+      call find_fibre_onset(self, stress(:, 1), strain(:, 1), length(:, 1), excess(:, 1))
+      call find_matrix_onset(self, stress(:, 2), strain(:, 2), shear, length(:, 2), excess(:, 2))
    end subroutine find_onset
 
    !> How far beyond onset the fibres of a point are

@@ -196,7 +196,7 @@ contains
          call take_mean(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), drive, &
             & drive_shear)
          call advance_damage(self, drive, drive_shear, h, now, s(:, 1:3))
-         call self%ply%secant%damaged_stress(1, 6, e, now%after(:, 1:2), s(:, 1:3))
+         call self%ply%secant%damaged_stress(e, now%after, s)
          call find_share(e, shear(:, 2), h(:, own_strain:mean_strain - 1), now%share)
          call keep_driving(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
       else
@@ -293,12 +293,12 @@ contains
 
       real(wp) :: remains(lanes, 4), stress(lanes, 3)
 
-      call self%ply%secant%intact_stress(1, 3, e, stress)
+      call self%ply%secant%intact_stress(e, stress)
       sense(:, 1) = stress(:, 1)
       sense(:, 2) = stress(:, 2) + idle_push*shear
       call swap_closed(self%ply%closes, sense, h)
       call find_remains(self%ply%residual, self%ply%any_closes, h, sense, remains)
-      call self%ply%secant%damaged_stress(1, 3, e, remains(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e, remains, stress)
       call swap_closed(self%ply%closes, sense, h)
       sense(:, 1) = stress(:, 1)
       sense(:, 2) = stress(:, 2) + idle_push*shear
@@ -337,7 +337,7 @@ contains
             now%after(:, :) = now%before
          end if
       end associate
-      call self%ply%secant%damaged_stress(1, 3, e, now%after(:, 1:2), stress)
+      call self%ply%secant%damaged_stress(e, now%after, stress)
    end subroutine soften
 
    !> Freeze the strains of the modes that begin in this step
@@ -356,11 +356,11 @@ contains
 
       trial(:, :) = stress
       if (self%ply%any_intact) then
-         call self%ply%secant%intact_stress(1, 3, e, intact)
+         call self%ply%secant%intact_stress(e, intact)
          trial(:, :) = merge(intact, trial, spread(self%ply%intact > 0.0_wp, 2, 3))
       end if
-      call self%ply%onset%find_onset(1, 3, trial, e, shear, &
-         & abs(h(:, fibre_gate:matrix_gate)), now%excess)
+      call self%ply%onset%find_onset(trial, e, shear, abs(h(:, fibre_gate:matrix_gate)), &
+         & now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)

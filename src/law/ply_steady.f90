@@ -1,5 +1,8 @@
 !> Points of plies that are damaged, or near to it, through a step in which no damage begins or
-!> grows: the whole law without its growth, for all points at once.
+!> grows: the whole law without its growth.
+!>
+!> One point after the other, all stages of it: what they hand on stays in registers where the
+!> linker makes one routine of them.
 module plydyn_law_ply_steady
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, matrix_damage, matrix_gate
@@ -9,20 +12,6 @@ module plydyn_law_ply_steady
    private
 
    public :: hold
-
-   !> What the stages of a step hand on, of each point
-   type :: stages_type
-      !> What remains of the stiffness along and across the fibres
-      real(wp) :: remains(lanes, 2, most_points)
-      !> Squares of the strains that drive the damage of fibres and of matrix
-      real(wp) :: drive(lanes, 2, most_points)
-      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
-      real(wp) :: shear(lanes, 2, most_points)
-      !> Widths of the crack band
-      real(wp) :: length(lanes, 2, most_points)
-      !> Normal stresses on what remains
-      real(wp) :: normal(lanes, 3, most_points)
-   end type stages_type
 
 contains
 
@@ -43,111 +32,121 @@ contains
       !> Where no damage begins or grows
       logical, intent(out) :: steady(points)
 
-      type(stages_type) :: now
+      real(wp) :: busy(lanes, most_points), each(lanes), remains(lanes, 2, most_points)
+      integer :: m
 
-      call prepare(ply, points, histories, strain, history, shear%set, now)
-      call ply%secant%damaged_stress(points, 6, strain, now%remains, now%normal)
-      call judge(ply, points, histories, strain, history, now, steady)
-      call give_stress(ply, points, strain, now, stress)
+      each(:) = 0.0_wp
+      do m = 1, points
+         call hold_point(ply, strain(:, :, m), history(:, :, m), shear%set(:, m), &
+            & remains(:, :, m), stress(:, :, m), busy(:, m))
+         each(:) = max(each, busy(:, m))
+      end do
+      steady(:) = .not. highest(each) > 0.0_wp
+      if (.not. steady(1)) then
+         do m = 1, points
+            steady(m) = .not. highest(busy(:, m)) > 0.0_wp
+         end do
+      end if
       if (shear%grows .and. shear%begun) then
-         call spare_work(ply, points, histories, history, now%remains, shear)
+         call spare_work(ply, points, histories, history, remains, shear)
       end if
    end subroutine hold
 
-   !> What remains, and the strains of the modes
-   pure subroutine prepare(ply, points, histories, strain, history, set, now)
+   !> Stress of a point, and in which lanes damage begins or grows
+   pure subroutine hold_point(ply, e, h, set, remains, s, busy)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
-      !> Shear strain that stays
-      real(wp), intent(in) :: set(lanes, most_points)
-      type(stages_type), intent(inout) :: now
+      !> Total strain, history, and shear strain that stays
+      real(wp), intent(in) :: e(lanes, 6), h(lanes, *), set(lanes)
+      !> What remains of the stiffness along and across the fibres
+      real(wp), intent(out) :: remains(lanes, 2)
+      !> Stress
+      real(wp), intent(out) :: s(lanes, 6)
+      !> More than 0 where damage begins or grows
+      real(wp), intent(out) :: busy(lanes)
+
+      real(wp) :: drive(lanes, 2), excess(lanes, 2), length(lanes, 2), normal(lanes, 3)
+      real(wp) :: shear(lanes, 2), trial(lanes, 3)
+
+      call prepare(ply, e, h, set, remains, shear, drive, length)
+      call ply%secant%damaged_stress(e, remains, normal)
+      trial(:, :) = normal
+      if (ply%any_intact) call take_intact(ply, e, trial)
+      call ply%onset%find_onset(trial, e, shear, length, excess)
+      call judge(ply, h, drive, excess, busy)
+      call give_stress(ply, e, remains, shear(:, 1), normal, s)
+   end subroutine hold_point
+
+   !> What remains, and the strains of the modes
+   pure subroutine prepare(ply, e, h, set, remains, shear, drive, length)
+      type(ply_lanes_type), intent(in) :: ply
+      real(wp), intent(in) :: e(lanes, 6), h(lanes, *), set(lanes)
+      real(wp), intent(out) :: remains(lanes, 2)
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp), intent(out) :: shear(lanes, 2)
+      !> Squares of the strains that drive the damage of fibres and of matrix
+      real(wp), intent(out) :: drive(lanes, 2)
+      !> Widths of the crack band
+      real(wp), intent(out) :: length(lanes, 2)
 
       real(wp) :: elastic
-      integer :: l, m
+      integer :: l
 
-      do m = 1, points
-         associate (own => ply%own, h => history(:, :, m), e => strain(:, :, m))
-            !$omp simd private(elastic)
-            do l = 1, lanes
-               now%remains(l, 1, m) = max(1.0_wp - own(l)*h(l, fibre_damage), ply%residual(l))
-               now%remains(l, 2, m) = max(1.0_wp - own(l)*h(l, matrix_damage), ply%residual(l))
-               elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
-               now%shear(l, 2, m) = elastic
-               now%shear(l, 1, m) = ply%secant%shear(l, 1)*elastic
-               now%drive(l, 1, m) = e(l, 1)**2
-               now%drive(l, 2, m) = e(l, 2)**2 + elastic**2
-               now%length(l, 1, m) = abs(h(l, fibre_gate))
-               now%length(l, 2, m) = abs(h(l, matrix_gate))
-            end do
-         end associate
+      !$omp simd private(elastic)
+      do l = 1, lanes
+         remains(l, 1) = max(1.0_wp - ply%own(l)*h(l, fibre_damage), ply%residual(l))
+         remains(l, 2) = max(1.0_wp - ply%own(l)*h(l, matrix_damage), ply%residual(l))
+         elastic = max(abs(e(l, 4)) - set(l), 0.0_wp)
+         shear(l, 2) = elastic
+         shear(l, 1) = ply%secant%shear(l, 1)*elastic
+         drive(l, 1) = e(l, 1)**2
+         drive(l, 2) = e(l, 2)**2 + elastic**2
+         length(l, 1) = abs(h(l, fibre_gate))
+         length(l, 2) = abs(h(l, matrix_gate))
       end do
    end subroutine prepare
 
-   !> Find the points at which damage neither begins nor grows
-   pure subroutine judge(ply, points, histories, strain, history, now, steady)
+   !> Take the stresses of an intact ply where onset is by them
+   pure subroutine take_intact(ply, e, trial)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
-      type(stages_type), intent(in) :: now
-      logical, intent(out) :: steady(points)
+      real(wp), intent(in) :: e(lanes, 6)
+      !> Normal stresses
+      real(wp), intent(inout) :: trial(lanes, 3)
 
-      real(wp) :: across, along, excess(lanes, 2, most_points), fibre, matrix, most
-      real(wp) :: busy(lanes, most_points), each(lanes), trial(lanes, 3, most_points)
-      integer :: l, m
+      real(wp) :: intact(lanes, 3), kept, other
+      integer :: k, l
 
-      if (ply%any_intact) then
-         call find_trial(ply, points, strain, now%normal, trial)
-         call ply%onset%find_onset(points, 6, trial, strain, now%shear, now%length, excess)
-      else
-         call ply%onset%find_onset(points, 6, now%normal, strain, now%shear, now%length, excess)
-      end if
-      each(:) = 0.0_wp
-      do m = 1, points
-         associate (own => ply%own, closes => ply%closes, h => history(:, :, m))
-            !$omp simd private(along, across, fibre, matrix)
-            do l = 1, lanes
-               fibre = h(l, fibre_gate)
-               matrix = h(l, matrix_gate)
-               ! what has begun grows beyond its strain, what has not begins from 0 on
-               along = excess(l, 1, m) + tiny(along)
-               along = merge(now%drive(l, 1, m) + fibre, along, fibre < 0.0_wp)
-               across = excess(l, 2, m) + tiny(across)
-               across = merge(now%drive(l, 2, m) + matrix, across, matrix < 0.0_wp)
-               busy(l, m) = own(l)*max(along, across, -closes(l)*min(fibre, matrix))
-               each(l) = max(each(l), busy(l, m))
-            end do
-         end associate
-      end do
-      most = highest(each)
-      steady(:) = .not. most > 0.0_wp
-      if (steady(1)) return
-      do m = 1, points
-         steady(m) = .not. highest(busy(:, m)) > 0.0_wp
-      end do
-   end subroutine judge
-
-   !> Stresses that onset is by: of what remains, or of the intact ply
-   pure subroutine find_trial(ply, points, strain, normal, trial)
-      type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points
-      real(wp), intent(in) :: strain(lanes, 6, points), normal(lanes, 3, points)
-      real(wp), intent(out) :: trial(lanes, 3, points)
-
-      real(wp) :: damaged
-      integer :: k, l, m
-
-      call ply%secant%intact_stress(points, 6, strain, trial)
-      do m = 1, points
-         do k = 1, 2
-            !$omp simd private(damaged)
-            do l = 1, lanes
-               damaged = normal(l, k, m)
-               trial(l, k, m) = merge(trial(l, k, m), damaged, ply%intact(l) > 0.0_wp)
-            end do
+      call ply%secant%intact_stress(e, intact)
+      do k = 1, 3
+         !$omp simd private(kept, other)
+         do l = 1, lanes
+            kept = trial(l, k)
+            other = intact(l, k)
+            trial(l, k) = merge(other, kept, ply%intact(l) > 0.0_wp)
          end do
       end do
-   end subroutine find_trial
+   end subroutine take_intact
+
+   !> Where damage begins or grows: what has begun grows beyond its strain, what has not begins from
+   !> an excess of 0 on; where cracks close, what has begun may
+   pure subroutine judge(ply, h, drive, excess, busy)
+      type(ply_lanes_type), intent(in) :: ply
+      real(wp), intent(in) :: h(lanes, *), drive(lanes, 2), excess(lanes, 2)
+      real(wp), intent(out) :: busy(lanes)
+
+      real(wp) :: across, along, fibre, matrix
+      integer :: l
+
+      !$omp simd private(along, across, fibre, matrix)
+      do l = 1, lanes
+         fibre = h(l, fibre_gate)
+         matrix = h(l, matrix_gate)
+         along = excess(l, 1) + tiny(along)
+         along = merge(drive(l, 1) + fibre, along, fibre < 0.0_wp)
+         across = excess(l, 2) + tiny(across)
+         across = merge(drive(l, 2) + matrix, across, matrix < 0.0_wp)
+         busy(l) = ply%own(l)*max(along, across, -ply%closes(l)*min(fibre, matrix))
+      end do
+   end subroutine judge
 
    !> The largest of the lanes
    pure real(wp) function highest(each)
@@ -163,32 +162,28 @@ contains
    end function highest
 
    !> Stress of what remains
-   pure subroutine give_stress(ply, points, strain, now, stress)
+   pure subroutine give_stress(ply, e, remains, shear, normal, s)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points
-      real(wp), intent(in) :: strain(lanes, 6, points)
-      type(stages_type), intent(in) :: now
-      real(wp), intent(out) :: stress(lanes, 6, points)
+      !> Size of the shear stress 12 before damage
+      real(wp), intent(in) :: e(lanes, 6), remains(lanes, 2), shear(lanes), normal(lanes, 3)
+      real(wp), intent(out) :: s(lanes, 6)
 
       real(wp) :: r1, r2
-      integer :: l, m
+      integer :: l
 
-      do m = 1, points
-         associate (g => ply%secant%shear, across => ply%across, e => strain(:, :, m), &
-            & n => now%normal(:, :, m), s => stress(:, :, m))
-            !$omp simd private(r1, r2)
-            do l = 1, lanes
-               r1 = now%remains(l, 1, m)
-               r2 = now%remains(l, 2, m)
-               s(l, 1) = r1*n(l, 1)
-               s(l, 2) = r2*n(l, 2)
-               s(l, 3) = n(l, 3)
-               s(l, 4) = r1*r2*sign(now%shear(l, 1, m), e(l, 4))
-               s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
-               s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
-            end do
-         end associate
-      end do
+      associate (g => ply%secant%shear, across => ply%across)
+         !$omp simd private(r1, r2)
+         do l = 1, lanes
+            r1 = remains(l, 1)
+            r2 = remains(l, 2)
+            s(l, 1) = r1*normal(l, 1)
+            s(l, 2) = r2*normal(l, 2)
+            s(l, 3) = normal(l, 3)
+            s(l, 4) = r1*r2*sign(shear(l), e(l, 4))
+            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
+            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
+         end do
+      end associate
    end subroutine give_stress
 
 end module plydyn_law_ply_steady

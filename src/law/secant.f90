@@ -56,67 +56,59 @@ contains
       self%triple(lane) = 2.0_wp*nu21*nu32*poisson(2)
    end subroutine set_lane
 
-   !> Normal stresses of some points without damage
-   pure subroutine intact_stress(self, points, columns, strain, stress)
+   !> Normal stresses of a point without damage
+   pure subroutine intact_stress(self, strain, stress)
       class(secant_type), intent(in) :: self
-      !> Number of points; components of each strain
-      integer, intent(in) :: points, columns
-      !> Strains 11, 22, 33 in the first three columns
-      real(wp), intent(in) :: strain(lanes, columns, points)
+      !> Strains 11, 22, 33
+      real(wp), intent(in) :: strain(lanes, 3)
       !> Stresses 11, 22, 33
-      real(wp), intent(out) :: stress(lanes, 3, points)
+      real(wp), intent(out) :: stress(lanes, 3)
 
-      integer :: l, m
+      integer :: l
 
-      do m = 1, points
-         associate (c => self%intact, e => strain(:, :, m))
-            !$omp simd
-            do l = 1, lanes
-               stress(l, 1, m) = c(l, 1)*e(l, 1) + c(l, 2)*e(l, 2) + c(l, 3)*e(l, 3)
-               stress(l, 2, m) = c(l, 2)*e(l, 1) + c(l, 4)*e(l, 2) + c(l, 5)*e(l, 3)
-               stress(l, 3, m) = c(l, 3)*e(l, 1) + c(l, 5)*e(l, 2) + c(l, 6)*e(l, 3)
-            end do
-         end associate
-      end do
+      associate (c => self%intact, e => strain)
+         !$omp simd
+         do l = 1, lanes
+            stress(l, 1) = c(l, 1)*e(l, 1) + c(l, 2)*e(l, 2) + c(l, 3)*e(l, 3)
+            stress(l, 2) = c(l, 2)*e(l, 1) + c(l, 4)*e(l, 2) + c(l, 5)*e(l, 3)
+            stress(l, 3) = c(l, 3)*e(l, 1) + c(l, 5)*e(l, 2) + c(l, 6)*e(l, 3)
+         end do
+      end associate
    end subroutine intact_stress
 
-   !> Normal stresses of some points with damage, on the material that remains: multiply the first
-   !> by R1 and the second by R2 to have the stresses of the ply
-   pure subroutine damaged_stress(self, points, columns, strain, remains, stress)
+   !> Normal stresses of a point with damage, on the material that remains: multiply the first by R1
+   !> and the second by R2 to have the stresses of the ply
+   pure subroutine damaged_stress(self, strain, remains, stress)
       class(secant_type), intent(in) :: self
-      !> Number of points; components of each strain
-      integer, intent(in) :: points, columns
-      !> Strains 11, 22, 33 in the first three columns
-      real(wp), intent(in) :: strain(lanes, columns, points)
+      !> Strains 11, 22, 33
+      real(wp), intent(in) :: strain(lanes, 3)
       !> R1 and R2
-      real(wp), intent(in) :: remains(lanes, 2, points)
+      real(wp), intent(in) :: remains(lanes, 2)
       !> Stress 11 over R1, stress 22 over R2, stress 33
-      real(wp), intent(out) :: stress(lanes, 3, points)
+      real(wp), intent(out) :: stress(lanes, 3)
 
       real(wp) :: nu31, nu32, part, r1, r2, r12
-      integer :: l, m
+      integer :: l
 
-      do m = 1, points
-         associate (young => self%young, pair => self%pair, across => self%across, &
-            & plane => self%plane, triple => self%triple, e => strain(:, :, m))
-            !$omp simd private(nu31, nu32, part, r1, r2, r12)
-            do l = 1, lanes
-               r1 = remains(l, 1, m)
-               r2 = remains(l, 2, m)
-               r12 = r1*r2
-               part = 1.0_wp/(1.0_wp - r2*pair(l, 3) - r1*pair(l, 2) &
-                  & - r12*(pair(l, 1) + triple(l)))
-               nu31 = across(l, 1) + r2*across(l, 3)
-               nu32 = across(l, 2) + r1*across(l, 4)
-               stress(l, 1, m) = young(l, 1)*part*((1.0_wp - r2*pair(l, 3))*e(l, 1) &
-                  & + r2*plane(l)*e(l, 2) + nu31*e(l, 3))
-               stress(l, 2, m) = part*(r1*young(l, 1)*plane(l)*e(l, 1) &
-                  & + young(l, 2)*((1.0_wp - r1*pair(l, 2))*e(l, 2) + nu32*e(l, 3)))
-               stress(l, 3, m) = part*(r1*young(l, 1)*nu31*e(l, 1) + r2*young(l, 2)*nu32*e(l, 2) &
-                  & + young(l, 3)*(1.0_wp - r12*pair(l, 1))*e(l, 3))
-            end do
-         end associate
-      end do
+      associate (young => self%young, pair => self%pair, across => self%across, &
+         & plane => self%plane, triple => self%triple, e => strain)
+         !$omp simd private(nu31, nu32, part, r1, r2, r12)
+         do l = 1, lanes
+            r1 = remains(l, 1)
+            r2 = remains(l, 2)
+            r12 = r1*r2
+            part = 1.0_wp/(1.0_wp - r2*pair(l, 3) - r1*pair(l, 2) &
+               & - r12*(pair(l, 1) + triple(l)))
+            nu31 = across(l, 1) + r2*across(l, 3)
+            nu32 = across(l, 2) + r1*across(l, 4)
+            stress(l, 1) = young(l, 1)*part*((1.0_wp - r2*pair(l, 3))*e(l, 1) &
+               & + r2*plane(l)*e(l, 2) + nu31*e(l, 3))
+            stress(l, 2) = part*(r1*young(l, 1)*plane(l)*e(l, 1) &
+               & + young(l, 2)*((1.0_wp - r1*pair(l, 2))*e(l, 2) + nu32*e(l, 3)))
+            stress(l, 3) = part*(r1*young(l, 1)*nu31*e(l, 1) + r2*young(l, 2)*nu32*e(l, 2) &
+               & + young(l, 3)*(1.0_wp - r12*pair(l, 1))*e(l, 3))
+         end do
+      end associate
    end subroutine damaged_stress
 
 end module plydyn_law_secant

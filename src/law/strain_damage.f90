@@ -137,7 +137,7 @@ contains
       after(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
       remains(:, 1) = after(:, by_fibres)*after(:, by_locking)
       remains(:, 2) = after(:, by_matrix)*after(:, by_locking)
-      call self%secant%damaged_stress(1, 6, strain, remains, normal)
+      call self%secant%damaged_stress(strain, remains, normal)
       call add_energies(self, strain(:, 4), normal, before, after, share, history)
       call give_stress(self, strain, normal, remains, stress)
    end subroutine update

@@ -119,10 +119,10 @@ contains
          history(:, [largest_band, fibre_gate, matrix_gate], :) = 2.0_wp**mod(i, 8) &
             & *history(:, [largest_band, fibre_gate, matrix_gate], :)
          wide(:, :) = history(:, fibre_gate:matrix_gate, 1)
-         call lane%secant%intact_stress(1, 3, spread(strain(1:3), 1, lanes), normal)
+         call lane%secant%intact_stress(spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
          shear(:, 1) = lane%secant%shear(:, 1)*shear(:, 2)
-         call lane%onset%find_onset(1, 2, normal, spread(strain(1:2), 1, lanes), shear, wide, &
+         call lane%onset%find_onset(normal, spread(strain(1:2), 1, lanes), shear, wide, &
             & excess)
          call move(strain)
          if (any(excess >= 0.0_wp)) loud = loud + 1

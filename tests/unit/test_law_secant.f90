@@ -73,7 +73,7 @@ contains
 
       do j = 1, 3
          strain(:, :) = spread(one(:, j), 1, lanes)
-         call law%damaged_stress(1, 3, strain, spread(remains, 1, lanes), stress)
+         call law%damaged_stress(strain, spread(remains, 1, lanes), stress)
          c(:, j) = stress(lane, :)*[remains, 1.0_wp]
       end do
    end function stiffness
@@ -88,7 +88,7 @@ contains
 
       real(wp) :: all(lanes, 3)
 
-      call law%intact_stress(1, 3, spread(strain, 1, lanes), all)
+      call law%intact_stress(spread(strain, 1, lanes), all)
       stress(:) = all(lane, :)
    end function intact
 
