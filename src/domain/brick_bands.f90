@@ -40,13 +40,17 @@ contains
       real(wp), intent(inout) :: history(lanes, bricks%histories, bricks%points, &
          & size(bricks%shape))
 
+      real(wp) :: length(lanes, 2, bricks%points), widest(lanes)
       integer :: b, m
 
       associate (law => bricks%laws(1)%law)
          do b = 1, size(bricks%shape)
             do m = 1, bricks%points
-               call law%start_history(brick_band_lengths(bricks, bricks%shapes(bricks%shape(b)), &
-                  & law, m), history(:, :, m, b))
+               length(:, :, m) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(b)), law, m)
+            end do
+            widest(:) = maxval(maxval(length, 3), 2)
+            do m = 1, bricks%points
+               call law%start_history(length(:, :, m), widest, history(:, :, m, b))
             end do
          end do
       end associate

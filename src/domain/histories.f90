@@ -46,16 +46,19 @@ contains
       real(wp), intent(inout) :: history(lanes, batch%histories, size(batch%expansion%weight), &
          & size(plate%node, 1), batch%blocks, size(plate%node, 2))
 
-      real(wp) :: length(lanes, 2)
+      real(wp) :: length(lanes, 2, size(plate%node, 1)), widest(lanes)
       integer :: e, k, m, q
 
       do k = 1, size(batch%laws)
          associate (block => batch%laws(k)%block, law => batch%laws(k)%law)
             do e = 1, size(plate%node, 2)
                do q = 1, size(plate%node, 1)
-                  length(:, :) = band_lengths(plate, batch%turn(:, :, block), law, q, e)
+                  length(:, :, q) = band_lengths(plate, batch%turn(:, :, block), law, q, e)
+               end do
+               widest(:) = maxval(maxval(length, 3), 2)
+               do q = 1, size(plate%node, 1)
                   do m = 1, size(batch%expansion%weight)
-                     call law%start_history(length, history(:, :, m, q, block, e))
+                     call law%start_history(length(:, :, q), widest, history(:, :, m, q, block, e))
                   end do
                end do
             end do

@@ -82,8 +82,8 @@ module plydyn_law_law
 
 contains
 
-   !> `update` for some points of a layer, one after the other; a law that takes less time over all
-   !> of them at once overrides this
+   !> `update` for some points of an element, one after the other; a law that takes less time over
+   !> all of them at once overrides this
    pure subroutine update_points(self, points, histories, step, strain, history, stress)
       class(law_type), intent(in) :: self
       !> Number of points; history variables of each, at least those of the law
@@ -121,10 +121,12 @@ contains
    end subroutine recall
 
    !> History of a point at time zero, which is all zero; a law that needs more overrides this
-   pure subroutine start_history(self, length, history)
+   pure subroutine start_history(self, length, widest, history)
       class(law_type), intent(in) :: self
       !> Widths of the crack band for fibres and for matrix; 0 in lanes without a rule for it
       real(wp), intent(in) :: length(lanes, 2)
+      !> The largest of those of all points of the element
+      real(wp), intent(in) :: widest(lanes)
       !> (lanes, histories), zero in
       real(wp), intent(inout) :: history(lanes, *)
    end subroutine start_history

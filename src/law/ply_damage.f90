@@ -15,8 +15,8 @@ module plydyn_law_ply_damage
       & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
       & histories_closing, histories_most, histories_open, keep_driving, largest_band, &
       & matrix_damage, matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, &
-      & own_strain, shear_peak, shear_set, shear_spared, swap_closed, take_mean, take_own, &
-      & to_compression
+      & no_strain, own_strain, shear_peak, shear_set, shear_spared, swap_closed, take_mean, &
+      & take_own, to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
@@ -82,10 +82,10 @@ contains
    end subroutine set_average
 
    !> History of a point at time zero: all zero but the widths of the crack band
-   pure subroutine start_history(self, length, history)
+   pure subroutine start_history(self, length, widest, history)
       class(ply_damage_type), intent(in) :: self
-      !> Widths for fibres and for matrix
-      real(wp), intent(in) :: length(lanes, 2)
+      !> Widths for fibres and for matrix; the largest of all points of the element
+      real(wp), intent(in) :: length(lanes, 2), widest(lanes)
       !> (lanes, histories)
       real(wp), intent(inout) :: history(lanes, *)
 
@@ -95,7 +95,7 @@ contains
          where (self%owns) history(:, k) = 0.0_wp
       end do
       where (self%owns)
-         history(:, largest_band) = max(length(:, 1), length(:, 2))
+         history(:, largest_band) = widest
          history(:, fibre_gate) = length(:, 1)
          history(:, matrix_gate) = length(:, 2)
       end where
@@ -132,7 +132,7 @@ contains
 
       energy(:) = history(:, self%energy_at(mechanism))
       if (mechanism /= by_ply_plasticity) return
-      associate (curve => self%ply%curve, peak => self%ply%own*history(:, shear_peak))
+      associate (curve => self%ply%curve, peak => self%ply%own*abs(history(:, shear_peak)))
          set(:) = self%ply%own*history(:, shear_set)
          if (.not. curve%keeps_set) call curve%find_set(1, peak, set)
          energy(:) = curve%lost(peak, set) - energy
@@ -263,12 +263,14 @@ contains
       real(wp), intent(out) :: shear(lanes, 2)
       type(step_type), intent(inout) :: now
 
-      real(wp) :: set(lanes), size(lanes)
+      real(wp) :: peak(lanes), set(lanes), size(lanes)
       integer :: l
 
       size(:) = merge(0.0_wp, abs(strain), h(:, matrix_gate) < 0.0_wp)
       set(:) = h(:, shear_set)
-      call self%ply%curve%advance(size, h(:, shear_peak), set, now%work, now%grows)
+      peak(:) = abs(h(:, shear_peak))
+      call self%ply%curve%advance(size, peak, set, now%work, now%grows)
+      h(:, shear_peak) = sign(peak, h(:, shear_peak))
       if (self%ply%curve%keeps_set) h(:, shear_set) = set
       associate (modulus => self%ply%secant%shear)
          !$omp simd
@@ -375,7 +377,9 @@ contains
 
       ! once in the life of a mode at a point
       do l = 1, lanes
-         if (any(now%excess(l, :) >= 0.0_wp)) h(l, largest_band) = -abs(h(l, largest_band))
+         if (any(now%excess(l, :) >= 0.0_wp)) then
+            h(l, shear_peak) = -max(abs(h(l, shear_peak)), no_strain)
+         end if
          if (now%excess(l, 1) >= 0.0_wp) then
             length = abs(h(l, fibre_gate))
             call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &

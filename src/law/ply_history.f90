@@ -7,11 +7,12 @@ module plydyn_law_ply_history
    public :: find_remains, find_share, give, give_own, keep_driving, swap_closed, take_mean, &
       & take_own
 
-   !> What an intact point looks at in every step stands side by side, in as few lines of the cache
-   !> as can be. The larger width of the two crack bands, less than 0 once a mode has begun
-   integer, parameter, public :: largest_band = 1
-   !> Largest shear strain up to the onset of matrix damage
-   integer, parameter, public :: shear_peak = 2
+   !> All that an intact point looks at in every step: the largest shear strain up to the onset of
+   !> matrix damage, less than 0 once a mode has begun
+   integer, parameter, public :: shear_peak = 1
+   !> Largest width of the crack bands of all points of the element, the same at each: one look
+   !> serves for all of them
+   integer, parameter, public :: largest_band = 2
    !> What the next growth of a mode depends on: before onset the width of its crack band; then, as
    !> less than 0, the square of the equivalent strain beyond which damage grows, or, where cracks
    !> close, the width
@@ -28,6 +29,9 @@ module plydyn_law_ply_history
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
    integer, parameter, public :: to_compression = 10
+
+   !> Largest shear strain that marks a mode that has begun where there has been none
+   real(wp), parameter, public :: no_strain = 1.0e-30_wp
 
    !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
    !> their averages; cracks do not close there

@@ -91,7 +91,7 @@ contains
       do m = 1, points
          associate (c => ply%secant%intact, g => ply%secant%shear, e => strain(:, :, m), &
             & a => ply%onset%far_fibre, b => ply%onset%far_matrix, s => stress(:, :, m), &
-            & h => history(:, largest_band, m))
+            & h => history(:, largest_band, 1))
             !$omp simd private(across, along, elastic, s11, s22, tau)
             do l = 1, lanes
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)

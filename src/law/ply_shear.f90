@@ -2,7 +2,7 @@
 !> their history as that takes.
 module plydyn_law_ply_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : give, largest_band, matrix_gate, shear_peak, shear_set, &
+   use plydyn_law_ply_history, only : give, matrix_gate, shear_peak, shear_set, &
       & shear_spared
    use plydyn_law_ply_lanes, only : ply_lanes_type
    implicit none
@@ -39,17 +39,18 @@ contains
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
-      real(wp) :: ahead(lanes), least(lanes), lowest, most, size(lanes, most_points)
+      real(wp) :: ahead(lanes), kept, least(lanes), lowest, most, size(lanes, most_points)
       integer :: l, m
 
       ahead(:) = 0.0_wp
       least(:) = 0.0_wp
       do m = 1, points
-         !$omp simd
+         !$omp simd private(kept)
          do l = 1, lanes
-            least(l) = min(least(l), ply%own(l)*history(l, largest_band, m))
+            kept = ply%own(l)*history(l, shear_peak, m)
+            least(l) = min(least(l), kept)
             size(l, m) = ply%own(l)*ply%curve%curved(l)*abs(strain(l, 4, m))
-            shear%peak(l, m) = ply%own(l)*history(l, shear_peak, m)
+            shear%peak(l, m) = abs(kept)
             ahead(l) = max(ahead(l), size(l, m) - shear%peak(l, m))
          end do
       end do
@@ -150,7 +151,7 @@ contains
       integer :: m
 
       do m = 1, points
-         before(:, 1) = ply%own*history(:, shear_peak, m)
+         before(:, 1) = ply%own*abs(history(:, shear_peak, m))
          before(:, 2) = ply%own*history(:, shear_set, m)
          if (.not. ply%curve%keeps_set) call ply%curve%find_set(1, before(:, 1), before(:, 2))
          shear%spared(:, m) = (1.0_wp - remains(:, 1, m)*remains(:, 2, m)) &
@@ -176,7 +177,7 @@ contains
       !$omp simd private(grown, kept)
       do l = 1, lanes
          kept = history(l, shear_peak)
-         grown = shear%peak(l, point)
+         grown = sign(shear%peak(l, point), kept)
          history(l, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
       end do
       if (ply%curve%keeps_set) call give(ply%own, 1, shear%set(:, point), history(:, shear_set))

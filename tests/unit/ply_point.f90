@@ -68,7 +68,8 @@ contains
          call self%law%set_lane(l, ply)
       end do
       history(:, :) = 0.0_wp
-      call self%law%start_history(spread(length, 1, lanes), history)
+      call self%law%start_history(spread(length, 1, lanes), spread(maxval(length), 1, lanes), &
+         & history)
       self%history = history(1, :)
    end function new_point
 
@@ -213,7 +214,7 @@ contains
       stays = self%history(shear_set)
       if (self%ply%curve%shape /= shape_exponential) return
       associate (asymptote => self%ply%curve%asymptote, modulus => self%ply%shear(1), &
-         & peak => self%history(shear_peak))
+         & peak => abs(self%history(shear_peak)))
          stays = peak - asymptote/modulus*(1.0_wp - exp(-modulus*peak/asymptote))
       end associate
    end function stays

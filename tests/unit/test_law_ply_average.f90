@@ -216,7 +216,7 @@ contains
       class(law_type), intent(in) :: law
 
       history(:, :) = 0.0_wp
-      call law%start_history(spread(band, 1, lanes), history)
+      call law%start_history(spread(band, 1, lanes), spread(maxval(band), 1, lanes), history)
       history(foreign, :) = 7.0_wp
       stress(:, :) = 7.0_wp
    end subroutine start

@@ -5,7 +5,8 @@ program test_law_ply_quiet
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_damage_growth, only : find_limits
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, largest_band, &
-      & matrix_damage, matrix_finish, matrix_gate, matrix_onset, shear_peak, shear_spared
+      & matrix_damage, matrix_finish, matrix_gate, matrix_onset, no_strain, shear_peak, &
+      & shear_spared
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use ply_point, only : paper_ply
@@ -88,14 +89,14 @@ contains
       call find_limits(lane%plateau, lane%brittle, &
          & history(:, fibre_damage:matrix_finish, points), limit)
       history(5, matrix_gate, points) = -limit(5, 2)**2
-      history(5, largest_band, points) = -1.0_wp
+      history(5, shear_peak, points) = -no_strain
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)
       call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
       call check(history(5, matrix_damage, points), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
-      history(foreign, [largest_band, matrix_gate], :) = -1.0_wp
+      history(foreign, [shear_peak, matrix_gate], :) = -1.0_wp
       call move(small)
       call check(all(stays), "what other laws remember does not count")
    end subroutine test_loud
@@ -170,7 +171,7 @@ contains
 
    !> The largest history since `rest` but that of the widths and the gates
    pure real(wp) function changed()
-      changed = max(maxval(abs(history(:, largest_band + 1:fibre_gate - 1, :))), &
+      changed = max(maxval(abs(history(:, shear_peak, :))), &
          & maxval(abs(history(:, matrix_gate + 1:, :))))
    end function changed
 

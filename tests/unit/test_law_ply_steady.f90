@@ -7,7 +7,7 @@ program test_law_ply_steady
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
       & histories_closing, histories_open, largest_band, matrix_damage, matrix_finish, &
-      & matrix_gate, matrix_onset, shear_peak, shear_set
+      & matrix_gate, matrix_onset, no_strain, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
    use plydyn_law_shear_curve, only : new_power_curve, shape_power
@@ -113,7 +113,7 @@ contains
       call choose(ply, strain, before)
       before(:, modes, :) = 0.0_wp
       before(1, matrix_damage:matrix_finish, :) = spread([1.0_wp, 0.004_wp, 0.02_wp], 2, points)
-      before(1, [largest_band, matrix_gate], :) = -1.0_wp
+      before(1, [shear_peak, matrix_gate], :) = -1.0_wp
       before(foreign, :, :) = 1.0_wp
       strain(:, :, :) = 0.1_wp*strain
       strain(foreign, :, :) = 0.1_wp
@@ -142,7 +142,7 @@ contains
       end do
       history(:, :, :) = 0.0_wp
       history(:, [largest_band, fibre_gate, matrix_gate], :) = 0.1_wp
-      history(2, [largest_band, matrix_gate], 2) = -0.1_wp
+      history(2, [shear_peak, matrix_gate], 2) = -0.1_wp
       strain(:, :, :) = 1.0e-4_wp
       call stay(lane, 2, histories_closing, strain, history, stress, stays)
       call check(stays(1) .and. .not. stays(2), "only what is damaged")
@@ -199,7 +199,7 @@ contains
             history(:, fibre_gate:matrix_gate, m) = -limit**2
          end where
          where (any(history(:, fibre_gate:matrix_gate, m) < 0.0_wp, 2)) &
-            & history(:, largest_band, m) = -1.0_wp
+            & history(:, shear_peak, m) = -max(history(:, shear_peak, m), no_strain)
       end do
    end subroutine choose
 
