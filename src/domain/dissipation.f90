@@ -51,8 +51,8 @@ contains
       !> Geometry of each quad, area of a Gauss point last
       real(wp), intent(in) :: metric(:, :, :)
       !> History of the batch, thickness before plane
-      real(wp), intent(in) :: history(lanes, batch%histories, size(batch%expansion%weight), &
-         & size(metric, 2), batch%blocks, size(metric, 3))
+      real(wp), intent(in) :: history(lanes, size(batch%expansion%weight), size(metric, 2), &
+         & batch%histories, batch%blocks, size(metric, 3))
       type(exact_sums_type), intent(inout) :: sums
 
       real(wp) :: energy
@@ -69,7 +69,7 @@ contains
                      do m = 1, size(weight)
                         energy = energy + metric(size(metric, 1), q, e)*weight(m) &
                            & *sum(batch%half(:, block) &
-                           & *law%spent(i, history(:, :, m, q, block, e)), law%owns)
+                           & *law%spent(i, history(:, m, q, :, block, e)), law%owns)
                      end do
                   end do
                   call sums%add(i, energy)

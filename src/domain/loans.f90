@@ -1,12 +1,12 @@
 !> Strains that ranks lend each other for averages over points on both sides of a border.
 !>
 !> What a rank borrows lies behind its own histories, in rows like those: for each point of another
-!> rank that it averages over, in the order of the whole model, the strains at one height after the
-!> other.
+!> rank that it averages over, in the order of the whole model, one strain after the other, each at
+!> all heights.
 module plydyn_domain_loans
    use plydyn_base_precision, only : lanes
    use plydyn_domain_neighbourhood, only : neighbourhood_type
-   use plydyn_element_average, only : average_type, row_of
+   use plydyn_element_average, only : average_type, row_of, variable_pitch
    implicit none
    private
 
@@ -54,13 +54,13 @@ contains
       do n = 1, size(point)
          own = around%own_point(point(n))
          if (own > 0) then
-            average%row(n) = row_of(average, own) + average%behind_own
+            average%row(n) = row_of(average, own, average%behind_own + 1)
          else
             average%row(n) = guest_row(average, number(point(n)))
          end if
       end do
       loans%borrowed = reshape([loans%borrowed, (strain_places(average, guest_row(average, n), &
-         & average%strains, around%rank_of(guest(n))), n=1, size(guest))], &
+         & average%levels, around%rank_of(guest(n))), n=1, size(guest))], &
          & [2, size(loans%borrowed, 2) + average%strains*average%levels*size(guest)])
       call lend(around, point, guest, average, loans)
       length = length + lanes*average%strains*average%levels*size(guest)
@@ -95,8 +95,8 @@ contains
          lent = pack([(i, i=1, size(average%first) - 1)], [(any(around%rank_of( &
             & point(average%first(i):average%first(i + 1) - 1)) == r), &
             & i=1, size(average%first) - 1)])
-         loans%lent = reshape([loans%lent, (strain_places(average, row_of(average, lent(n)) &
-            & + average%behind_own, average%histories, r), n=1, size(lent))], &
+         loans%lent = reshape([loans%lent, (strain_places(average, row_of(average, lent(n), &
+            & average%behind_own + 1), variable_pitch(average), r), n=1, size(lent))], &
             & [2, size(loans%lent, 2) + average%strains*average%levels*size(lent)])
       end do
    end subroutine lend
@@ -104,14 +104,14 @@ contains
    !> A rank, and the places of the strains of a point less 1, (2, strains at all heights)
    pure function strain_places(average, row, pitch, rank) result(places)
       type(average_type), intent(in) :: average
-      !> Row before them, rows from height to height, and the rank
+      !> Row before the first at the lowest height, rows from strain to strain, and the rank
       integer, intent(in) :: row, pitch, rank
       integer :: places(2, average%strains*average%levels)
       integer :: k, m
 
       places(1, :) = rank
-      places(2, :) = [((average%first_history - 1 + lanes*(row + pitch*(m - 1) + k - 1), &
-         & k=1, average%strains), m=1, average%levels)]
+      places(2, :) = [((average%first_history - 1 + lanes*(row + pitch*(k - 1) + m - 1), &
+         & m=1, average%levels), k=1, average%strains)]
    end function strain_places
 
 end module plydyn_domain_loans

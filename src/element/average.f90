@@ -9,7 +9,7 @@ module plydyn_element_average
    implicit none
    private
 
-   public :: average_points, row_of
+   public :: average_points, row_of, variable_pitch
 
    !> The averages of the layers of a block that have a law
    type, public :: average_type
@@ -26,8 +26,8 @@ module plydyn_element_average
       !> Place in the lists of the first neighbour of each point of the plane, those of a quad one
       !> after the other; one more at the end
       integer, allocatable :: first(:)
-      !> Rows of the history before the own strains of each neighbour, the point itself among them;
-      !> their number is made a multiple of `abreast`
+      !> Rows of the history before the first of the own strains of each neighbour at the lowest
+      !> height, the point itself among them; their number is made a multiple of `abreast`
       integer, allocatable :: row(:)
       !> Rows before those that hold the strains of other ranks' points, and nothing else
       integer :: first_guest = huge(1)
@@ -48,7 +48,8 @@ contains
       type(average_type), intent(in) :: self
       !> First and last quad
       integer, intent(in) :: quads(2)
-      !> History of the batch: a row for each variable of a point, points as in `add_layer_forces`
+      !> History of the batch: a row for each variable of a point, in the order of
+      !> `add_layer_forces`
       real(wp), intent(inout) :: history(lanes, *)
 
       real(wp) :: mean(lanes, most_strains, most_levels)
@@ -60,23 +61,31 @@ contains
             call add_shares(self, self%weight(:, n:n + abreast - 1), &
                & self%row(n:n + abreast - 1), history, mean)
          end do
-         call keep_mean(self, row_of(self, i) + self%behind_mean, mean, history)
+         call keep_mean(self, row_of(self, i, self%behind_mean + 1), mean, history)
       end do
    end subroutine average_points
 
-   !> Row before those of a point of the plane, at the lowest point of the thickness
-   pure integer function row_of(self, point) result(row)
+   !> Row before that of a variable of a point of the plane, at the lowest point of the thickness
+   pure integer function row_of(self, point, variable) result(row)
       !> The averages
       type(average_type), intent(in) :: self
-      !> The point
-      integer, intent(in) :: point
+      !> The point, and the variable
+      integer, intent(in) :: point, variable
 
       integer :: quad
 
       quad = (point - 1)/self%plane
-      row = self%histories*self%levels*(point - 1 + self%plane*(self%block - 1 &
-         & + (self%blocks - 1)*quad))
+      row = self%levels*(point - 1 - self%plane*quad + self%plane*(variable - 1 &
+         & + self%histories*(self%block - 1 + self%blocks*quad)))
    end function row_of
+
+   !> Rows from one variable to the next
+   pure integer function variable_pitch(self) result(pitch)
+      !> The averages
+      type(average_type), intent(in) :: self
+
+      pitch = self%levels*self%plane
+   end function variable_pitch
 
    !> Add the shares of some neighbours at all heights
    pure subroutine add_shares(self, weight, row, history, mean)
@@ -89,11 +98,11 @@ contains
 
       integer :: k, l, m, pitch(abreast), r(abreast)
 
-      ! rows from one height to the next
-      pitch(:) = merge(self%strains, self%histories, row >= self%first_guest)
+      ! rows from one strain to the next
+      pitch(:) = merge(self%levels, variable_pitch(self), row >= self%first_guest)
       do m = 1, self%levels
          do k = 1, self%strains
-            r(:) = row + pitch*(m - 1) + k
+            r(:) = row + pitch*(k - 1) + m
             !$omp simd
             do l = 1, lanes
                mean(l, k, m) = mean(l, k, m) &
@@ -107,7 +116,7 @@ contains
    !> Keep the averages of a point at all heights
    pure subroutine keep_mean(self, row, mean, history)
       type(average_type), intent(in) :: self
-      !> Row before its averages
+      !> Row before the first of its averages at the lowest height
       integer, intent(in) :: row
       real(wp), intent(in) :: mean(lanes, most_strains, most_levels)
       real(wp), intent(inout) :: history(lanes, *)
@@ -116,7 +125,7 @@ contains
 
       do m = 1, self%levels
          do k = 1, self%strains
-            r = row + self%histories*(m - 1) + k
+            r = row + variable_pitch(self)*(k - 1) + m
             where (self%owns) history(:, r) = mean(:, k, m)
          end do
       end do

@@ -52,12 +52,14 @@ contains
       real(wp), intent(in) :: history(:)
       real(wp) :: point(lanes, batch%histories)
 
-      integer :: first, k
+      integer :: first, k, levels, points
 
-      first = batch%first_history + lanes*batch%histories*((m - 1) + (batch%expansion%order + 1) &
-         & *((q - 1) + size(plate%node, 1)*((block - 1) + batch%blocks*(quad - 1))))
+      levels = batch%expansion%order + 1
+      points = levels*size(plate%node, 1)
       do k = 1, batch%histories
-         point(:, k) = history(first + lanes*(k - 1):first + lanes*k - 1)
+         first = batch%first_history + lanes*(m - 1 + levels*(q - 1) + points*(k - 1 &
+            & + batch%histories*(block - 1 + batch%blocks*(quad - 1))))
+         point(:, k) = history(first:first + lanes - 1)
       end do
    end function point_history
 

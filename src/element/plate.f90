@@ -102,7 +102,7 @@ contains
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of all Gauss points; those of a batch are
-      !> (lanes, histories, levels, points of the plane, blocks, quads)
+      !> (lanes, levels, points of the plane, histories, blocks, quads)
       real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)

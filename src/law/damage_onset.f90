@@ -113,19 +113,20 @@ contains
    end subroutine set_far
 
    !> How far beyond onset the modes of a point are: 0 or more where damage starts
-   pure subroutine find_onset(self, stress, strain, shear, length, excess)
+   pure subroutine find_onset(self, stress, strain, shear, fibre_width, matrix_width, excess)
       class(onset_type), intent(in) :: self
       !> Trial stresses and strains 11 and 22
       real(wp), intent(in) :: stress(lanes, 2), strain(lanes, 2)
       !> Sizes of the shear stress on its curve and of the elastic shear strain
       real(wp), intent(in) :: shear(lanes, 2)
-      !> Widths of the crack band for fibres and for matrix
-      real(wp), intent(in) :: length(lanes, 2)
-      !> Of fibres and of matrix; only the sign has a meaning
+      !> Widths of the crack band for fibres and for matrix, where none has begun
+      real(wp), intent(in) :: fibre_width(lanes), matrix_width(lanes)
+      !> Of fibres and of matrix; only the sign has a meaning, and none where damage has begun
       real(wp), intent(out) :: excess(lanes, 2)
 
-      call find_fibre_onset(self, stress(:, 1), strain(:, 1), length(:, 1), excess(:, 1))
-      call find_matrix_onset(self, stress(:, 2), strain(:, 2), shear, length(:, 2), excess(:, 2))
+      call find_fibre_onset(self, stress(:, 1), strain(:, 1), fibre_width, excess(:, 1))
+      call find_matrix_onset(self, stress(:, 2), strain(:, 2), shear, matrix_width, &
+         & excess(:, 2))
    end subroutine find_onset
 
    !> How far beyond onset the fibres of a point are

@@ -84,23 +84,28 @@ contains
 
    !> `update` for some points of an element, one after the other; a law that takes less time over
    !> all of them at once overrides this
-   pure subroutine update_points(self, points, histories, step, strain, history, stress)
+   pure subroutine update_points(self, points, among, step, strain, history, stress)
       class(law_type), intent(in) :: self
-      !> Number of points; history variables of each, at least those of the law
-      integer, intent(in) :: points, histories
+      !> Number of points; those of the element that they are among
+      integer, intent(in) :: points, among
       !> Time step
       real(wp), intent(in) :: step
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History of the points, old in and new out
-      real(wp), intent(inout) :: history(lanes, histories, points)
+      !> History of the element from the first of the points on, old in and new out: one variable of
+      !> all its points after the other, (lanes, points, histories). What a law looks at in every
+      !> step is in few pieces of memory, however much else a point remembers
+      real(wp), intent(inout) :: history(lanes, among, *)
       !> Stress; lanes of other laws keep theirs
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
+      real(wp) :: h(lanes, self%histories)
       integer :: m
 
       do m = 1, points
-         call self%update(step, strain(:, :, m), history(:, :, m), stress(:, :, m))
+         h(:, :) = history(:, m, :self%histories)
+         call self%update(step, strain(:, :, m), h, stress(:, :, m))
+         history(:, m, :self%histories) = h
       end do
    end subroutine update_points
 

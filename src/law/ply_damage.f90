@@ -147,17 +147,17 @@ contains
       real(wp), intent(inout) :: history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
 
-      call self%update_points(1, self%histories, step, strain, history, stress)
+      call self%update_points(1, 1, step, strain, history, stress)
    end subroutine update
 
    !> The same for some points of a layer: at once where no damage begins or grows, the
    !> others one by one
-   pure subroutine update_points(self, points, histories, step, strain, history, stress)
+   pure subroutine update_points(self, points, among, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
-      integer, intent(in) :: points, histories
+      integer, intent(in) :: points, among
       real(wp), intent(in) :: step
       real(wp), intent(in) :: strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, histories, points)
+      real(wp), intent(inout) :: history(lanes, among, *)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
       real(wp) :: e(lanes, 6), h(lanes, histories_most), s(lanes, 6)
@@ -166,17 +166,14 @@ contains
 
       quiet(:) = .false.
       if (.not. self%averages) then
-         call stay(self%ply, points, histories, strain, history, stress, quiet)
+         call stay(self%ply, points, among, strain, history, stress, quiet)
       end if
       do m = 1, points
          if (quiet(m)) cycle
-         if (self%ply%whole) then
-            call self%advance(strain(:, :, m), history(:, :, m), stress(:, :, m))
-         else
-            call take_own(self%ply%own, self%histories, strain(:, :, m), history(:, :, m), e, h)
-            call self%advance(e, h, s)
-            call give_own(self%ply%own, self%histories, h, s, history(:, :, m), stress(:, :, m))
-         end if
+         call take_own(self%ply%own, among, self%histories, strain(:, :, m), history(1, m, 1), e, h)
+         call self%advance(e, h, s)
+         call give_own(self%ply%own, among, self%histories, h, s, history(1, m, 1), &
+            & stress(:, :, m))
       end do
    end subroutine update_points
 
@@ -361,8 +358,8 @@ contains
          call self%ply%secant%intact_stress(e, intact)
          trial(:, :) = merge(intact, trial, spread(self%ply%intact > 0.0_wp, 2, 3))
       end if
-      call self%ply%onset%find_onset(trial, e, shear, abs(h(:, fibre_gate:matrix_gate)), &
-         & now%excess)
+      call self%ply%onset%find_onset(trial, e, shear, abs(h(:, fibre_gate)), &
+         & abs(h(:, matrix_gate)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)

@@ -43,16 +43,16 @@ module plydyn_law_ply_history
 
 contains
 
-   !> Strain and history of some lanes; zero in the others
-   pure subroutine take_own(own, histories, strain, history, e, h)
+   !> Strain and history of some lanes of a point; zero in the others
+   pure subroutine take_own(own, among, histories, strain, history, e, h)
       !> 1 in the lanes to take, else 0
       real(wp), intent(in) :: own(lanes)
-      !> Histories of a point
-      integer, intent(in) :: histories
+      !> Points of the element; histories of each
+      integer, intent(in) :: among, histories
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6)
-      !> (lanes, histories)
-      real(wp), intent(in) :: history(lanes, histories)
+      !> History of the element from the point on
+      real(wp), intent(in) :: history(lanes, among, *)
       !> What is taken
       real(wp), intent(out) :: e(lanes, 6), h(lanes, histories)
 
@@ -69,26 +69,30 @@ contains
       do k = 1, histories
          !$omp simd private(value)
          do l = 1, lanes
-            value = history(l, k)
+            value = history(l, 1, k)
             h(l, k) = merge(value, 0.0_wp, own(l) > 0.0_wp)
          end do
       end do
    end subroutine take_own
 
-   !> Give history and stress back to some lanes
-   pure subroutine give_own(own, histories, h, s, history, stress)
+   !> Give history and stress of a point back to some lanes
+   pure subroutine give_own(own, among, histories, h, s, history, stress)
       !> 1 in the lanes to give, else 0
       real(wp), intent(in) :: own(lanes)
-      !> Histories of a point
-      integer, intent(in) :: histories
+      !> Points of the element; histories of each
+      integer, intent(in) :: among, histories
       !> What is given
       real(wp), intent(in) :: h(lanes, histories), s(lanes, 6)
-      !> (lanes, histories)
-      real(wp), intent(inout) :: history(lanes, histories)
+      !> History of the element from the point on
+      real(wp), intent(inout) :: history(lanes, among, *)
       !> Stress
       real(wp), intent(inout) :: stress(lanes, 6)
 
-      call give(own, histories, h, history)
+      integer :: k
+
+      do k = 1, histories
+         call give(own, 1, h(:, k), history(:, 1, k))
+      end do
       call give(own, 6, s, stress)
    end subroutine give_own
 

@@ -21,15 +21,16 @@ module plydyn_law_ply_quiet
 contains
 
    !> Stress of points at which no lane begins to be damaged in a step, or is more than before
-   pure subroutine stay(ply, points, histories, strain, history, stress, quiet)
+   pure subroutine stay(ply, points, among, strain, history, stress, quiet)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; history variables of each
-      integer, intent(in) :: points, histories
+      !> Number of points, `most_points` at most; those of the element that they are among
+      integer, intent(in) :: points, among
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History; changes only at points that are quiet
-      real(wp), intent(inout) :: history(lanes, histories, points)
+      !> History of the element from the first of the points on; changes only at points that are
+      !> quiet
+      real(wp), intent(inout) :: history(lanes, among, *)
       !> Stress of the lanes that the law owns; means nothing at points that are not quiet
       real(wp), intent(inout) :: stress(lanes, 6, points)
       !> Which points are quiet
@@ -39,26 +40,26 @@ contains
       type(shear_type) :: shear
       integer :: m
 
-      call bend(ply, points, histories, strain, history, shear)
+      call bend(ply, points, among, strain, history, shear)
       if (ply%whole) then
-         call find_stress(ply, points, histories, strain, history, shear, stress, quiet)
+         call find_stress(ply, points, among, strain, history, shear, stress, quiet)
       else
-         call find_stress(ply, points, histories, strain, history, shear, all_lanes, quiet)
+         call find_stress(ply, points, among, strain, history, shear, all_lanes, quiet)
          do m = 1, points
             call give(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
          end do
       end if
       if (.not. shear%grows) return
       do m = 1, points
-         if (quiet(m)) call keep_shear(ply, m, histories, shear, history(:, :, m))
+         if (quiet(m)) call keep_shear(ply, m, among, shear, history)
       end do
    end subroutine stay
 
    !> Stress of all lanes: where nothing is damaged or near to it, or else
-   pure subroutine find_stress(ply, points, histories, strain, history, shear, stress, quiet)
+   pure subroutine find_stress(ply, points, among, strain, history, shear, stress, quiet)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, among, *)
       !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       real(wp), intent(out) :: stress(lanes, 6, points)
@@ -67,17 +68,17 @@ contains
       logical :: far
 
       far = .not. shear%begun
-      if (far) call resist(ply, points, histories, strain, history, shear%set, stress, far)
+      if (far) call resist(ply, points, among, strain, history, shear%set, stress, far)
       quiet(:) = far
-      if (.not. far) call hold(ply, points, histories, strain, history, shear, stress, quiet)
+      if (.not. far) call hold(ply, points, among, strain, history, shear, stress, quiet)
    end subroutine find_stress
 
    !> Stress of intact plies, and whether all points are so far from onset that little is needed to
    !> see it
-   pure subroutine resist(ply, points, histories, strain, history, set, stress, far)
+   pure subroutine resist(ply, points, among, strain, history, set, stress, far)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, histories, points)
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, among, *)
       !> Shear strain that stays
       real(wp), intent(in) :: set(lanes, most_points)
       real(wp), intent(out) :: stress(lanes, 6, points)
@@ -91,7 +92,7 @@ contains
       do m = 1, points
          associate (c => ply%secant%intact, g => ply%secant%shear, e => strain(:, :, m), &
             & a => ply%onset%far_fibre, b => ply%onset%far_matrix, s => stress(:, :, m), &
-            & h => history(:, largest_band, 1))
+            & h => history(:, 1, largest_band))
             !$omp simd private(across, along, elastic, s11, s22, tau)
             do l = 1, lanes
                elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)

@@ -27,15 +27,16 @@ module plydyn_law_ply_shear
 contains
 
    !> Shear along its curve
-   pure subroutine bend(ply, points, histories, strain, history, shear)
+   pure subroutine bend(ply, points, among, strain, history, shear)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; history variables of each
-      integer, intent(in) :: points, histories
+      !> Number of points, `most_points` at most; those of the element that they are among
+      integer, intent(in) :: points, among
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History, where cracks close with the damage that acts in tension first
-      real(wp), intent(in) :: history(lanes, histories, points)
+      !> History of the element from the first of the points on, where cracks close with the damage
+      !> that acts in tension first
+      real(wp), intent(in) :: history(lanes, among, *)
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
@@ -47,7 +48,7 @@ contains
       do m = 1, points
          !$omp simd private(kept)
          do l = 1, lanes
-            kept = ply%own(l)*history(l, shear_peak, m)
+            kept = ply%own(l)*history(l, m, shear_peak)
             least(l) = min(least(l), kept)
             size(l, m) = ply%own(l)*ply%curve%curved(l)*abs(strain(l, 4, m))
             shear%peak(l, m) = abs(kept)
@@ -62,9 +63,9 @@ contains
          most = max(most, ahead(l))
       end do
       shear%begun = lowest < 0.0_wp
-      if (shear%begun) call leave_cracked(points, histories, history, shear%peak, size, most)
+      if (shear%begun) call leave_cracked(points, among, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
-      if (ply%curve%keeps_set) call recall_set(ply%own, points, histories, history, shear%set)
+      if (ply%curve%keeps_set) call recall_set(ply%own, points, among, history, shear%set)
       if (shear%grows) call raise(points, size, shear%peak)
       if (shear%grows .or. .not. ply%curve%keeps_set) then
          call ply%curve%find_set(points, shear%peak, shear%set)
@@ -72,9 +73,9 @@ contains
    end subroutine bend
 
    !> What has cracked is elastic: nothing grows there
-   pure subroutine leave_cracked(points, histories, history, peak, size, most)
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: history(lanes, histories, points)
+   pure subroutine leave_cracked(points, among, history, peak, size, most)
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: history(lanes, among, *)
       !> Largest shear strain
       real(wp), intent(in) :: peak(lanes, most_points)
       !> Shear strain in, 0 out where the matrix has cracked
@@ -89,7 +90,7 @@ contains
       do m = 1, points
          !$omp simd private(gate, here)
          do l = 1, lanes
-            gate = history(l, matrix_gate, m)
+            gate = history(l, m, matrix_gate)
             here = size(l, m)
             size(l, m) = merge(0.0_wp, here, gate < 0.0_wp)
             ahead(l) = max(ahead(l), size(l, m) - peak(l, m))
@@ -103,10 +104,10 @@ contains
    end subroutine leave_cracked
 
    !> Strain that stayed before, where it is kept
-   pure subroutine recall_set(own, points, histories, history, set)
+   pure subroutine recall_set(own, points, among, history, set)
       real(wp), intent(in) :: own(lanes)
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: history(lanes, histories, points)
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: history(lanes, among, *)
       real(wp), intent(inout) :: set(lanes, most_points)
 
       integer :: l, m
@@ -114,7 +115,7 @@ contains
       do m = 1, points
          !$omp simd
          do l = 1, lanes
-            set(l, m) = own(l)*history(l, shear_set, m)
+            set(l, m) = own(l)*history(l, m, shear_set)
          end do
       end do
    end subroutine recall_set
@@ -136,12 +137,12 @@ contains
    end subroutine raise
 
    !> Work on what stays that damage spares in a step in which it does not grow
-   pure subroutine spare_work(ply, points, histories, history, remains, shear)
+   pure subroutine spare_work(ply, points, among, history, remains, shear)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
       !> As in `bend`; history as it was before
-      integer, intent(in) :: points, histories
-      real(wp), intent(in) :: history(lanes, histories, points)
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: history(lanes, among, *)
       !> What remains of the stiffness along and across the fibres
       real(wp), intent(in) :: remains(lanes, 2, most_points)
       !> What the step makes of the shear; gets the work
@@ -151,8 +152,8 @@ contains
       integer :: m
 
       do m = 1, points
-         before(:, 1) = ply%own*abs(history(:, shear_peak, m))
-         before(:, 2) = ply%own*history(:, shear_set, m)
+         before(:, 1) = ply%own*abs(history(:, m, shear_peak))
+         before(:, 2) = ply%own*history(:, m, shear_set)
          if (.not. ply%curve%keeps_set) call ply%curve%find_set(1, before(:, 1), before(:, 2))
          shear%spared(:, m) = (1.0_wp - remains(:, 1, m)*remains(:, 2, m)) &
             & *(ply%curve%lost(shear%peak(:, m), shear%set(:, m)) &
@@ -161,31 +162,31 @@ contains
    end subroutine spare_work
 
    !> Keep what the shear of a point has become
-   pure subroutine keep_shear(ply, point, histories, shear, history)
+   pure subroutine keep_shear(ply, m, among, shear, history)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Which of the points; history variables
-      integer, intent(in) :: point, histories
+      !> Which of the points; as in `bend`
+      integer, intent(in) :: m, among
       !> What the step has made of the shear
       type(shear_type), intent(in) :: shear
-      !> History of the point
-      real(wp), intent(inout) :: history(lanes, histories)
+      !> As in `bend`
+      real(wp), intent(inout) :: history(lanes, among, *)
 
       real(wp) :: grown, kept
       integer :: l
 
       !$omp simd private(grown, kept)
       do l = 1, lanes
-         kept = history(l, shear_peak)
-         grown = sign(shear%peak(l, point), kept)
-         history(l, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
+         kept = history(l, m, shear_peak)
+         grown = sign(shear%peak(l, m), kept)
+         history(l, m, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
       end do
-      if (ply%curve%keeps_set) call give(ply%own, 1, shear%set(:, point), history(:, shear_set))
+      if (ply%curve%keeps_set) call give(ply%own, 1, shear%set(:, m), history(:, m, shear_set))
       if (.not. shear%begun) return
       !$omp simd private(grown)
       do l = 1, lanes
-         grown = ply%own(l)*shear%spared(l, point)
-         history(l, shear_spared) = history(l, shear_spared) + grown
+         grown = ply%own(l)*shear%spared(l, m)
+         history(l, m, shear_spared) = history(l, m, shear_spared) + grown
       end do
    end subroutine keep_shear
 

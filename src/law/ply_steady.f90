@@ -16,15 +16,15 @@ module plydyn_law_ply_steady
 contains
 
    !> Stress of the points, and which of them are steady; where cracks close, those without damage
-   pure subroutine hold(ply, points, histories, strain, history, shear, stress, steady)
+   pure subroutine hold(ply, points, among, strain, history, shear, stress, steady)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; history variables of each
-      integer, intent(in) :: points, histories
+      !> Number of points, `most_points` at most; those of the element that they are among
+      integer, intent(in) :: points, among
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History
-      real(wp), intent(in) :: history(lanes, histories, points)
+      !> History of the element from the first of the points on
+      real(wp), intent(in) :: history(lanes, among, *)
       !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       !> Stress; means nothing at points that are not steady, and in lanes of other laws
@@ -37,7 +37,9 @@ contains
 
       each(:) = 0.0_wp
       do m = 1, points
-         call hold_point(ply, strain(:, :, m), history(:, :, m), shear%set(:, m), &
+         call hold_point(ply, strain(:, :, m), shear%set(:, m), &
+            & history(:, m, fibre_damage), history(:, m, matrix_damage), &
+            & history(:, m, fibre_gate), history(:, m, matrix_gate), &
             & remains(:, :, m), stress(:, :, m), busy(:, m))
          each(:) = max(each, busy(:, m))
       end do
@@ -48,15 +50,17 @@ contains
          end do
       end if
       if (shear%grows .and. shear%begun) then
-         call spare_work(ply, points, histories, history, remains, shear)
+         call spare_work(ply, points, among, history, remains, shear)
       end if
    end subroutine hold
 
    !> Stress of a point, and in which lanes damage begins or grows
-   pure subroutine hold_point(ply, e, h, set, remains, s, busy)
+   pure subroutine hold_point(ply, e, set, d1, d2, gate1, gate2, remains, s, busy)
       type(ply_lanes_type), intent(in) :: ply
-      !> Total strain, history, and shear strain that stays
-      real(wp), intent(in) :: e(lanes, 6), h(lanes, *), set(lanes)
+      !> Total strain, and shear strain that stays
+      real(wp), intent(in) :: e(lanes, 6), set(lanes)
+      !> Damage of fibres and of matrix, and what its next growth depends on
+      real(wp), intent(in) :: d1(lanes), d2(lanes), gate1(lanes), gate2(lanes)
       !> What remains of the stiffness along and across the fibres
       real(wp), intent(out) :: remains(lanes, 2)
       !> Stress
@@ -64,44 +68,40 @@ contains
       !> More than 0 where damage begins or grows
       real(wp), intent(out) :: busy(lanes)
 
-      real(wp) :: drive(lanes, 2), excess(lanes, 2), length(lanes, 2), normal(lanes, 3)
+      real(wp) :: drive(lanes, 2), excess(lanes, 2), normal(lanes, 3)
       real(wp) :: shear(lanes, 2), trial(lanes, 3)
 
-      call prepare(ply, e, h, set, remains, shear, drive, length)
+      call prepare(ply, e, set, d1, d2, remains, shear, drive)
       call ply%secant%damaged_stress(e, remains, normal)
       trial(:, :) = normal
       if (ply%any_intact) call take_intact(ply, e, trial)
-      call ply%onset%find_onset(trial, e, shear, length, excess)
-      call judge(ply, h, drive, excess, busy)
+      call ply%onset%find_onset(trial, e, shear, gate1, gate2, excess)
+      call judge(ply, gate1, gate2, drive, excess, busy)
       call give_stress(ply, e, remains, shear(:, 1), normal, s)
    end subroutine hold_point
 
    !> What remains, and the strains of the modes
-   pure subroutine prepare(ply, e, h, set, remains, shear, drive, length)
+   pure subroutine prepare(ply, e, set, d1, d2, remains, shear, drive)
       type(ply_lanes_type), intent(in) :: ply
-      real(wp), intent(in) :: e(lanes, 6), h(lanes, *), set(lanes)
+      real(wp), intent(in) :: e(lanes, 6), set(lanes), d1(lanes), d2(lanes)
       real(wp), intent(out) :: remains(lanes, 2)
       !> Sizes of the shear stress 12 before damage and of the elastic shear strain
       real(wp), intent(out) :: shear(lanes, 2)
       !> Squares of the strains that drive the damage of fibres and of matrix
       real(wp), intent(out) :: drive(lanes, 2)
-      !> Widths of the crack band
-      real(wp), intent(out) :: length(lanes, 2)
 
       real(wp) :: elastic
       integer :: l
 
       !$omp simd private(elastic)
       do l = 1, lanes
-         remains(l, 1) = max(1.0_wp - ply%own(l)*h(l, fibre_damage), ply%residual(l))
-         remains(l, 2) = max(1.0_wp - ply%own(l)*h(l, matrix_damage), ply%residual(l))
+         remains(l, 1) = max(1.0_wp - ply%own(l)*d1(l), ply%residual(l))
+         remains(l, 2) = max(1.0_wp - ply%own(l)*d2(l), ply%residual(l))
          elastic = max(abs(e(l, 4)) - set(l), 0.0_wp)
          shear(l, 2) = elastic
          shear(l, 1) = ply%secant%shear(l, 1)*elastic
          drive(l, 1) = e(l, 1)**2
          drive(l, 2) = e(l, 2)**2 + elastic**2
-         length(l, 1) = abs(h(l, fibre_gate))
-         length(l, 2) = abs(h(l, matrix_gate))
       end do
    end subroutine prepare
 
@@ -128,9 +128,9 @@ contains
 
    !> Where damage begins or grows: what has begun grows beyond its strain, what has not begins from
    !> an excess of 0 on; where cracks close, what has begun may
-   pure subroutine judge(ply, h, drive, excess, busy)
+   pure subroutine judge(ply, gate1, gate2, drive, excess, busy)
       type(ply_lanes_type), intent(in) :: ply
-      real(wp), intent(in) :: h(lanes, *), drive(lanes, 2), excess(lanes, 2)
+      real(wp), intent(in) :: gate1(lanes), gate2(lanes), drive(lanes, 2), excess(lanes, 2)
       real(wp), intent(out) :: busy(lanes)
 
       real(wp) :: across, along, fibre, matrix
@@ -138,8 +138,8 @@ contains
 
       !$omp simd private(along, across, fibre, matrix)
       do l = 1, lanes
-         fibre = h(l, fibre_gate)
-         matrix = h(l, matrix_gate)
+         fibre = gate1(l)
+         matrix = gate2(l)
          along = excess(l, 1) + tiny(along)
          along = merge(drive(l, 1) + fibre, along, fibre < 0.0_wp)
          across = excess(l, 2) + tiny(across)

@@ -231,7 +231,7 @@ contains
             average%first_guest = (size(history) - average%first_history + 1)/lanes
             call apply(domain, a, history)
             do i = 2, points, 2
-               where (average%row == row_of(average, i) + average%behind_own) &
+               where (average%row == row_of(average, i, average%behind_own + 1)) &
                   & average%row = average%first_guest + average%strains*average%levels*(i - 1)
                do level = 1, average%levels
                   do k = 1, average%strains
@@ -262,9 +262,9 @@ contains
       integer :: from, to
 
       associate (average => domain%averages(a))
-         from = place_of(domain, a, which(1), which(2)) + lanes*(average%behind_own + which(3) - 1)
-         to = average%first_history + lanes*(average%first_guest + which(3) - 1 &
-            & + average%strains*(which(2) - 1 + average%levels*(which(1) - 1)))
+         from = place_of(domain, a, which(1), which(2), average%behind_own + which(3))
+         to = average%first_history + lanes*(average%first_guest + which(2) - 1 &
+            & + average%levels*(which(3) - 1 + average%strains*(which(1) - 1)))
          history(to:to + lanes - 1) = history(from:from + lanes - 1)
          history(from:from + lanes - 1) = 1.0e3_wp
       end associate
@@ -339,14 +339,14 @@ contains
       end associate
    end subroutine apply
 
-   !> Place in the history of the first of a point's variables
-   pure integer function place_of(domain, a, point, level) result(place)
+   !> Place in the history of a variable of a point
+   pure integer function place_of(domain, a, point, level, variable) result(place)
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: a, point, level
+      integer, intent(in) :: a, point, level, variable
 
       associate (average => domain%averages(a))
-         place = average%first_history + lanes*(row_of(average, point) &
-            & + average%histories*(level - 1))
+         place = average%first_history + lanes*(row_of(average, point, variable) &
+            & + level - 1)
       end associate
    end function place_of
 
@@ -359,7 +359,7 @@ contains
 
       integer :: first
 
-      first = place_of(domain, a, point, level) + lanes*domain%averages(a)%behind_own
+      first = place_of(domain, a, point, level, domain%averages(a)%behind_own + 1)
       history(first:first + lanes - 1) = values
    end subroutine put
 
@@ -369,8 +369,8 @@ contains
       integer, intent(in) :: a, point, level, lane
       real(wp), intent(in) :: history(:)
 
-      mean = history(place_of(domain, a, point, level) &
-         & + lanes*domain%averages(a)%behind_mean + lane - 1)
+      mean = history(place_of(domain, a, point, level, domain%averages(a)%behind_mean + 1) &
+         & + lane - 1)
    end function mean_at
 
    !> First lane of an average

@@ -21,7 +21,7 @@ program test_law_ply_quiet
    type(ply_lanes_type) :: lane
    !> Points above each other
    integer, parameter :: points = 2
-   real(wp) :: history(lanes, histories_open, points), stress(lanes, 6, points)
+   real(wp) :: history(lanes, points, histories_open), stress(lanes, 6, points)
    logical :: stays(points)
 
    call test_intact()
@@ -65,11 +65,11 @@ contains
             & 1.0e-13_wp*tau, "follows the curve")
       end associate
       call check(all(stays), "is quiet")
-      call check(history(1, shear_peak, points), 0.01_wp, 0.0_wp, "largest strain")
-      call check(history(1, shear_spared, points), 0.0_wp, 0.0_wp, "no damage spares work")
-      call check(history(foreign, shear_peak, points), 0.0_wp, 0.0_wp, "not in lanes of other laws")
+      call check(history(1, points, shear_peak), 0.01_wp, 0.0_wp, "largest strain")
+      call check(history(1, points, shear_spared), 0.0_wp, 0.0_wp, "no damage spares work")
+      call check(history(foreign, points, shear_peak), 0.0_wp, 0.0_wp, "not in lanes of other laws")
       call move(0.5_wp*sheared)
-      call check(history(1, shear_peak, points), 0.01_wp, 0.0_wp, "unloading changes nothing")
+      call check(history(1, points, shear_peak), 0.01_wp, 0.0_wp, "unloading changes nothing")
    end subroutine test_curve
 
    !> Damage that begins or grows is left to others
@@ -84,19 +84,19 @@ contains
       call check(.not. any(stays), "beyond the strength of fibres")
       call check(changed(), 0.0_wp, 0.0_wp, "history untouched")
       ! damage that has begun at a strain of 0.004, ends at 0.02 and has grown up to 0.0053
-      history(5, [matrix_damage, matrix_onset, matrix_finish], points) = &
+      history(5, points, [matrix_damage, matrix_onset, matrix_finish]) = &
          & [0.3_wp, 0.004_wp, 0.02_wp]
       call find_limits(lane%plateau, lane%brittle, &
-         & history(:, fibre_damage:matrix_finish, points), limit)
-      history(5, matrix_gate, points) = -limit(5, 2)**2
-      history(5, shear_peak, points) = -no_strain
+         & history(:, points, fibre_damage:matrix_finish), limit)
+      history(5, points, matrix_gate) = -limit(5, 2)**2
+      history(5, points, shear_peak) = -no_strain
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)
       call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
-      call check(history(5, matrix_damage, points), 0.3_wp, 0.0_wp, "its damage untouched")
+      call check(history(5, points, matrix_damage), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
-      history(foreign, [shear_peak, matrix_gate], :) = -1.0_wp
+      history(foreign, :, [shear_peak, matrix_gate]) = -1.0_wp
       call move(small)
       call check(all(stays), "what other laws remember does not count")
    end subroutine test_loud
@@ -117,14 +117,14 @@ contains
          call random_number(strain)
          strain(:) = reach*(2.0_wp*strain - 1.0_wp)
          ! bands from narrow to too wide
-         history(:, [largest_band, fibre_gate, matrix_gate], :) = 2.0_wp**mod(i, 8) &
-            & *history(:, [largest_band, fibre_gate, matrix_gate], :)
-         wide(:, :) = history(:, fibre_gate:matrix_gate, 1)
+         history(:, :, [largest_band, fibre_gate, matrix_gate]) = 2.0_wp**mod(i, 8) &
+            & *history(:, :, [largest_band, fibre_gate, matrix_gate])
+         wide(:, :) = history(:, 1, fibre_gate:matrix_gate)
          call lane%secant%intact_stress(spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
          shear(:, 1) = lane%secant%shear(:, 1)*shear(:, 2)
-         call lane%onset%find_onset(normal, spread(strain(1:2), 1, lanes), shear, wide, &
-            & excess)
+         call lane%onset%find_onset(normal, spread(strain(1:2), 1, lanes), shear, wide(:, 1), &
+            & wide(:, 2), excess)
          call move(strain)
          if (any(excess >= 0.0_wp)) loud = loud + 1
          if (any(stays .neqv. all(excess < 0.0_wp))) wrong = wrong + 1
@@ -138,7 +138,7 @@ contains
       real(wp), intent(in) :: strain(6)
 
       stress(:, :, :) = 7.0_wp
-      call stay(lane, points, histories_open, spread(spread(strain, 1, lanes), 3, points), &
+      call stay(lane, points, points, spread(spread(strain, 1, lanes), 3, points), &
          & history, stress, stays)
    end subroutine move
 
@@ -163,16 +163,16 @@ contains
          if (l /= foreign) call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, largest_band, :) = 1.0_wp
-      history(:, fibre_gate, :) = 1.0_wp
-      history(:, matrix_gate, :) = 0.1_wp
+      history(:, :, largest_band) = 1.0_wp
+      history(:, :, fibre_gate) = 1.0_wp
+      history(:, :, matrix_gate) = 0.1_wp
       history(foreign, :, :) = 0.0_wp
    end subroutine rest
 
    !> The largest history since `rest` but that of the widths and the gates
    pure real(wp) function changed()
-      changed = max(maxval(abs(history(:, shear_peak, :))), &
-         & maxval(abs(history(:, matrix_gate + 1:, :))))
+      changed = max(maxval(abs(history(:, :, shear_peak))), &
+         & maxval(abs(history(:, :, matrix_gate + 1:))))
    end function changed
 
 end program test_law_ply_quiet

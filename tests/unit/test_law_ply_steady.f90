@@ -63,7 +63,7 @@ contains
       type(ply_constants_type), intent(in) :: ply
       character(*), intent(in) :: name
 
-      real(wp) :: before(lanes, histories_open, points), history(lanes, histories_open, points)
+      real(wp) :: before(lanes, points, histories_open), history(lanes, points, histories_open)
       real(wp) :: off, strain(lanes, 6, points), stress(lanes, 6, points), whole(lanes, 6)
       integer :: i, m, quiet, wrong
       logical :: grows, stays(points), touched
@@ -78,17 +78,17 @@ contains
       do i = 1, tries
          call choose(ply, strain, before)
          history(:, :, :) = before
-         call stay(lane, points, histories_open, strain, history, stress, stays)
+         call stay(lane, points, points, strain, history, stress, stays)
          do m = 1, points
-            touched = any(abs(history(:, :, m) - before(:, :, m)) > 0.0_wp)
+            touched = any(abs(history(:, m, :) - before(:, m, :)) > 0.0_wp)
             if (touched .and. .not. stays(m)) wrong = wrong + 1
-            call law%advance(strain(:, :, m), before(:, :, m), whole)
-            grows = any(abs(before(:, modes, m) - history(:, modes, m)) > 0.0_wp)
+            call law%advance(strain(:, :, m), before(:, m, :), whole)
+            grows = any(abs(before(:, m, modes) - history(:, m, modes)) > 0.0_wp)
             if (grows .eqv. stays(m)) wrong = wrong + 1
             if (.not. stays(m)) cycle
             quiet = quiet + 1
             off = max(off, maxval(abs(stress(:, :, m) - whole)), &
-               & maxval(abs(history(:, :, m) - before(:, :, m))))
+               & maxval(abs(history(:, m, :) - before(:, m, :))))
          end do
       end do
       call check(wrong == 0, "leaves to the whole law where damage begins or grows, untouched")
@@ -98,7 +98,7 @@ contains
 
    !> Lanes of other laws keep stress and history, and do not count
    subroutine test_foreign()
-      real(wp) :: before(lanes, histories_open, points), history(lanes, histories_open, points)
+      real(wp) :: before(lanes, points, histories_open), history(lanes, points, histories_open)
       real(wp) :: strain(lanes, 6, points), stress(lanes, 6, points)
       integer :: l
       logical :: stays(points)
@@ -111,24 +111,24 @@ contains
          if (l /= foreign) call lane%set_lane(l, ply)
       end do
       call choose(ply, strain, before)
-      before(:, modes, :) = 0.0_wp
-      before(1, matrix_damage:matrix_finish, :) = spread([1.0_wp, 0.004_wp, 0.02_wp], 2, points)
-      before(1, [shear_peak, matrix_gate], :) = -1.0_wp
+      before(:, :, modes) = 0.0_wp
+      before(1, :, matrix_damage:matrix_finish) = spread([1.0_wp, 0.004_wp, 0.02_wp], 1, points)
+      before(1, :, [shear_peak, matrix_gate]) = -1.0_wp
       before(foreign, :, :) = 1.0_wp
       strain(:, :, :) = 0.1_wp*strain
       strain(foreign, :, :) = 0.1_wp
       history(:, :, :) = before
       stress(:, :, :) = 7.0_wp
-      call stay(lane, points, histories_open, strain, history, stress, stays)
+      call stay(lane, points, points, strain, history, stress, stays)
       call check(all(stays), "what they do does not count")
       call check(stress(foreign, :, points), spread(7.0_wp, 1, 6), 0.0_wp, "their stress")
-      call check(history(foreign, :, points), before(foreign, :, points), 0.0_wp, "their history")
+      call check(history(foreign, points, :), before(foreign, points, :), 0.0_wp, "their history")
       call check(abs(stress(1, 2, points)) < 1.0e-3_wp, "no stress across what has failed")
    end subroutine test_foreign
 
    !> Where cracks close, what is damaged is left to the whole law
    subroutine test_closing()
-      real(wp) :: history(lanes, histories_closing, 2), strain(lanes, 6, 2), stress(lanes, 6, 2)
+      real(wp) :: history(lanes, 2, histories_closing), strain(lanes, 6, 2), stress(lanes, 6, 2)
       integer :: l
       logical :: stays(2)
       type(ply_constants_type) :: ply
@@ -141,10 +141,10 @@ contains
          call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, [largest_band, fibre_gate, matrix_gate], :) = 0.1_wp
-      history(2, [shear_peak, matrix_gate], 2) = -0.1_wp
+      history(:, :, [largest_band, fibre_gate, matrix_gate]) = 0.1_wp
+      history(2, 2, [shear_peak, matrix_gate]) = -0.1_wp
       strain(:, :, :) = 1.0e-4_wp
-      call stay(lane, 2, histories_closing, strain, history, stress, stays)
+      call stay(lane, 2, 2, strain, history, stress, stays)
       call check(stays(1) .and. .not. stays(2), "only what is damaged")
    end subroutine test_closing
 
@@ -166,7 +166,7 @@ contains
    !> strains, and a damage between none and all
    subroutine choose(ply, strain, history)
       type(ply_constants_type), intent(in) :: ply
-      real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, histories_open, points)
+      real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, points, histories_open)
 
       real(wp) :: draw(6), limit(lanes, 2)
       integer :: d, k, l, m
@@ -176,30 +176,30 @@ contains
          do l = 1, lanes
             call random_number(draw)
             strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
-            history(l, [largest_band, fibre_gate, matrix_gate], m) = [1.0_wp, 1.0_wp, 0.1_wp]
+            history(l, m, [largest_band, fibre_gate, matrix_gate]) = [1.0_wp, 1.0_wp, 0.1_wp]
             call random_number(draw)
             if (ply%curve%shape > 0) then
-               history(l, shear_peak, m) = 0.012_wp*draw(1)
+               history(l, m, shear_peak) = 0.012_wp*draw(1)
             end if
             if (ply%curve%shape == shape_power) then
-               call bend_power(ply, draw(1), history(l, shear_peak, m), history(l, shear_set, m))
+               call bend_power(ply, draw(1), history(l, m, shear_peak), history(l, m, shear_set))
             end if
             do k = 1, 2
                call random_number(draw)
                if (draw(1) > 0.3_wp) cycle
                d = merge(fibre_damage, matrix_damage, k == 1)
-               history(l, d + 1, m) = sign((0.3_wp + 0.4_wp*draw(2))*reach(k), draw(3) - 0.5_wp)
-               history(l, d + 2, m) = abs(history(l, d + 1, m))*(1.1_wp + 3.0_wp*draw(4))
-               history(l, d, m) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
+               history(l, m, d + 1) = sign((0.3_wp + 0.4_wp*draw(2))*reach(k), draw(3) - 0.5_wp)
+               history(l, m, d + 2) = abs(history(l, m, d + 1))*(1.1_wp + 3.0_wp*draw(4))
+               history(l, m, d) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
             end do
          end do
          call find_limits(spread([ply%plateau, 0.0_wp], 1, lanes), &
-            & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, modes, m), limit)
-         where (history(:, [fibre_finish, matrix_finish], m) > 0.0_wp)
-            history(:, fibre_gate:matrix_gate, m) = -limit**2
+            & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, m, modes), limit)
+         where (history(:, m, [fibre_finish, matrix_finish]) > 0.0_wp)
+            history(:, m, fibre_gate:matrix_gate) = -limit**2
          end where
-         where (any(history(:, fibre_gate:matrix_gate, m) < 0.0_wp, 2)) &
-            & history(:, shear_peak, m) = -max(history(:, shear_peak, m), no_strain)
+         where (any(history(:, m, fibre_gate:matrix_gate) < 0.0_wp, 2)) &
+            & history(:, m, shear_peak) = -max(history(:, m, shear_peak), no_strain)
       end do
    end subroutine choose
 
