@@ -27,7 +27,7 @@ contains
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of these interfaces, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%law%histories, self%side**2, &
+      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories, &
          & size(self%node, 2))
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
@@ -57,7 +57,7 @@ contains
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of the points
-      real(wp), intent(inout) :: history(lanes, self%law%histories, self%side**2)
+      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories)
       !> Opening at the points in; work space out
       real(wp), intent(inout) :: jump(lanes, 3, most)
       !> Force on all points
@@ -98,7 +98,7 @@ contains
       !> Geometry of the points
       real(wp), intent(in) :: metric(5, self%side**2)
       !> History of the points
-      real(wp), intent(inout) :: history(lanes, self%law%histories, self%side**2)
+      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories)
       !> Opening in, force out
       real(wp), intent(inout) :: jump(lanes, 3, most)
 

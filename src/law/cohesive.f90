@@ -137,16 +137,16 @@ contains
       call self%update_points(1, opening, history, traction)
    end subroutine update
 
-   !> The same for some points at once. Intact points below the onset stay as they are: to see that
-   !> all are takes less time than to ask each
+   !> The same for all points of an element at once. Intact points below the onset stay as they are:
+   !> to see that all are takes less time than to ask each
    pure subroutine update_points(self, points, opening, history, traction)
       class(cohesive_type), intent(in) :: self
       !> Number of points
       integer, intent(in) :: points
       !> Openings
       real(wp), intent(in) :: opening(lanes, 3, points)
-      !> Histories, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%histories, points)
+      !> Histories, old in and new out: one variable of all points after the other
+      real(wp), intent(inout) :: history(lanes, points, self%histories)
       !> Tractions
       real(wp), intent(out) :: traction(lanes, 3, points)
 
@@ -170,7 +170,7 @@ contains
       do q = 1, points
          !$omp simd
          do l = 1, lanes
-            beyond(l) = max(beyond(l), history(l, damage_at, q))
+            beyond(l) = max(beyond(l), history(l, q, damage_at))
          end do
       end do
       highest = 0.0_wp
@@ -189,27 +189,33 @@ contains
       integer, intent(in) :: points
       !> Openings
       real(wp), intent(in) :: opening(lanes, 3, points)
-      !> Histories, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%histories, points)
+      !> Histories, old in and new out: one variable of all points after the other
+      real(wp), intent(inout) :: history(lanes, points, self%histories)
       !> Tractions, of the intact interface in
       real(wp), intent(inout) :: traction(lanes, 3, points)
 
-      real(wp) :: before(lanes, points)
+      real(wp) :: before(lanes, points), h(lanes, with_friction)
       integer :: q
       logical :: grows(points)
 
       call look_ahead(self, points, opening, history, traction, before, grows)
       do q = 1, points
          if (.not. grows(q)) cycle
-         call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, :, q))
+         call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, q, damage_at), &
+            & history(:, q, fracture_at))
          if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
-            call let_go(self, before(:, q), opening(:, :, q), history(:, :, q))
+            call let_go(self, before(:, q), history(:, q, damage_at), opening(:, :, q), &
+               & history(:, q, closing_at))
          end if
       end do
       do q = 1, points
-         call weaken(history(:, damage_at, q), self%floor, traction(:, :, q))
-         if (self%friction > 0.0_wp) call rub(self, before(:, q), opening(:, :, q), &
-            & history(:, :, q), traction(:, :, q))
+         call weaken(history(:, q, damage_at), self%floor, traction(:, :, q))
+      end do
+      if (.not. self%friction > 0.0_wp) return
+      do q = 1, points
+         h(:, :) = history(:, q, :with_friction)
+         call rub(self, before(:, q), opening(:, :, q), h, traction(:, :, q))
+         history(:, q, :with_friction) = h
       end do
    end subroutine degrade
 
@@ -219,7 +225,7 @@ contains
       class(cohesive_type), intent(in) :: self
       integer, intent(in) :: points
       real(wp), intent(in) :: opening(lanes, 3, points)
-      real(wp), intent(in) :: history(lanes, self%histories, points)
+      real(wp), intent(in) :: history(lanes, points, self%histories)
       real(wp), intent(in) :: traction(lanes, 3, points)
       !> Damage
       real(wp), intent(out) :: before(lanes, points)
@@ -235,7 +241,7 @@ contains
             load = self%onset(normal)*traction(l, 3, q)*max(opening(l, 3, q), 0.0_wp) &
                & + self%onset(shear)*(traction(l, 1, q)*opening(l, 1, q) &
                & + traction(l, 2, q)*opening(l, 2, q))
-            damage = history(l, damage_at, q)
+            damage = history(l, q, damage_at)
             before(l, q) = damage
             ahead(l) = min(load*(1.0_wp - self%part*damage)**2 - 1.0_wp, 1.0_wp - damage)
          end do
@@ -249,12 +255,12 @@ contains
    end subroutine look_ahead
 
    !> New damage and the energy that it took
-   pure subroutine grow_damage(self, opening, traction, history)
+   pure subroutine grow_damage(self, opening, traction, damage, fracture)
       class(cohesive_type), intent(in) :: self
       !> Opening, and traction of the intact interface
       real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
-      !> Damage and energy of fracture
-      real(wp), intent(inout) :: history(lanes, 2)
+      !> Damage, and energy lost in fracture
+      real(wp), intent(inout) :: damage(lanes), fracture(lanes)
 
       real(wp) :: across, after, along, before, f(lanes), left, mix(lanes), r, toughness(lanes)
       integer :: l
@@ -274,12 +280,12 @@ contains
          ! final over onset opening of a straight path with this mix
          r = 2.0_wp*toughness(l)*(self%onset(normal) + (self%onset(shear) &
             & - self%onset(normal))*mix(l))
-         before = history(l, damage_at)
+         before = damage(l)
          ! r over the load at which the damage so far would grow
          left = r - before*(r - 1.0_wp)
          after = min(max(before, r*(f(l) - 1.0_wp)/(f(l)*(r - 1.0_wp))), 1.0_wp)
-         history(l, damage_at) = after
-         history(l, fracture_at) = history(l, fracture_at) &
+         damage(l) = after
+         fracture(l) = fracture(l) &
             & + toughness(l)*(after - before)*min(f(l), r)/left
       end do
    end subroutine grow_damage
@@ -319,14 +325,14 @@ contains
    end subroutine weaken
 
    !> Energy that closed faces lose when their penalty falls
-   pure subroutine let_go(self, before, opening, history)
+   pure subroutine let_go(self, before, damage, opening, closing)
       class(cohesive_type), intent(in) :: self
-      !> Damage before this step
-      real(wp), intent(in) :: before(lanes)
+      !> Damage before and after this step
+      real(wp), intent(in) :: before(lanes), damage(lanes)
       !> Opening
       real(wp), intent(in) :: opening(lanes, 3)
-      !> Damage and energy
-      real(wp), intent(inout) :: history(lanes, with_closing)
+      !> Energy lost so
+      real(wp), intent(inout) :: closing(lanes)
 
       real(wp) :: lost
       integer :: l
@@ -334,8 +340,8 @@ contains
       !$omp simd private(lost)
       do l = 1, lanes
          lost = max(1.0_wp - before(l), self%floor) &
-            & - max(1.0_wp - history(l, damage_at), self%floor)
-         history(l, closing_at) = history(l, closing_at) &
+            & - max(1.0_wp - damage(l), self%floor)
+         closing(l) = closing(l) &
             & + 0.5_wp*self%stiffness(normal)*lost*min(opening(l, 3), 0.0_wp)**2
       end do
    end subroutine let_go

@@ -46,17 +46,17 @@ contains
       type(interface_type), intent(in) :: batch
       integer, intent(in) :: home(3)
       !> History of the batch
-      real(wp), intent(in) :: history(lanes, batch%law%histories, size(batch%node, 1), &
+      real(wp), intent(in) :: history(lanes, size(batch%node, 1), batch%law%histories, &
          & size(batch%node, 2))
       real(wp), intent(inout) :: values(:, :)
 
       associate (h => history(home(2), :, :, home(3)))
-         values(at_damage, :) = h(damage_at, :)
-         values(at_dissipated, :) = h(fracture_at, :)
-         if (size(h, 1) < closing_at) return
-         values(at_dissipated, :) = values(at_dissipated, :) + h(closing_at, :)
-         if (size(h, 1) < friction_at) return
-         values(at_dissipated, :) = values(at_dissipated, :) + h(friction_at, :)
+         values(at_damage, :) = h(:, damage_at)
+         values(at_dissipated, :) = h(:, fracture_at)
+         if (size(h, 2) < closing_at) return
+         values(at_dissipated, :) = values(at_dissipated, :) + h(:, closing_at)
+         if (size(h, 2) < friction_at) return
+         values(at_dissipated, :) = values(at_dissipated, :) + h(:, friction_at)
       end associate
    end subroutine find_losses
 

@@ -292,7 +292,7 @@ contains
    !> Areas and energies of all points over all quads
    function sums_of(self, history) result(sums)
       type(interface_type), intent(in) :: self
-      real(wp), intent(in) :: history(lanes, self%law%histories, size(self%node, 1), &
+      real(wp), intent(in) :: history(lanes, size(self%node, 1), self%law%histories, &
          & size(self%node, 2))
       type(interface_sums_type) :: sums
 
