@@ -55,24 +55,26 @@ contains
          & batch%histories, batch%blocks, size(metric, 3))
       type(exact_sums_type), intent(inout) :: sums
 
-      real(wp) :: energy
+      real(wp) :: energy(mechanisms), h(lanes, batch%histories)
       integer :: e, i, k, m, q
 
       do k = 1, size(batch%laws)
          associate (block => batch%laws(k)%block, law => batch%laws(k)%law, &
             & weight => batch%expansion%weight)
-            do i = 1, mechanisms
-               if (law%energy_at(i) == 0) cycle
-               do e = 1, size(metric, 3)
-                  energy = 0.0_wp
-                  do q = 1, size(metric, 2)
-                     do m = 1, size(weight)
-                        energy = energy + metric(size(metric, 1), q, e)*weight(m) &
-                           & *sum(batch%half(:, block) &
-                           & *law%spent(i, history(:, m, q, :, block, e)), law%owns)
+            do e = 1, size(metric, 3)
+               energy(:) = 0.0_wp
+               do q = 1, size(metric, 2)
+                  do m = 1, size(weight)
+                     h(:, :) = history(:, m, q, :, block, e)
+                     do i = 1, mechanisms
+                        if (law%energy_at(i) == 0) cycle
+                        energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
+                           & *sum(batch%half(:, block)*law%spent(i, h), law%owns)
                      end do
                   end do
-                  call sums%add(i, energy)
+               end do
+               do i = 1, mechanisms
+                  if (law%energy_at(i) /= 0) call sums%add(i, energy(i))
                end do
             end do
          end associate

@@ -128,14 +128,10 @@ contains
       real(wp), intent(in) :: history(lanes, *)
       real(wp) :: energy(lanes)
 
-      real(wp) :: set(lanes)
-
       energy(:) = history(:, self%energy_at(mechanism))
       if (mechanism /= by_ply_plasticity) return
-      associate (curve => self%ply%curve, peak => self%ply%own*abs(history(:, shear_peak)))
-         set(:) = self%ply%own*history(:, shear_set)
-         if (.not. curve%keeps_set) call curve%find_set(1, peak, set)
-         energy(:) = curve%lost(peak, set) - energy
+      associate (own => self%ply%own, peak => abs(history(:, shear_peak)))
+         energy(:) = self%ply%curve%lost(own*peak, own*history(:, shear_set)) - energy
       end associate
    end function spent
 
@@ -268,7 +264,7 @@ contains
       peak(:) = abs(h(:, shear_peak))
       call self%ply%curve%advance(size, peak, set, now%work, now%grows)
       h(:, shear_peak) = sign(peak, h(:, shear_peak))
-      if (self%ply%curve%keeps_set) h(:, shear_set) = set
+      h(:, shear_set) = set
       associate (modulus => self%ply%secant%shear)
          !$omp simd
          do l = 1, lanes

@@ -7,8 +7,8 @@ module plydyn_law_ply_history
    public :: find_remains, find_share, give, give_own, keep_driving, swap_closed, take_mean, &
       & take_own
 
-   !> All that an intact point looks at in every step: the largest shear strain up to the onset of
-   !> matrix damage, less than 0 once a mode has begun
+   !> What an intact point looks at in every step, with the shear strain that stays: the largest
+   !> shear strain up to the onset of matrix damage, less than 0 once a mode has begun
    integer, parameter, public :: shear_peak = 1
    !> Largest width of the crack bands of all points of the element, the same at each: one look
    !> serves for all of them
@@ -23,8 +23,8 @@ module plydyn_law_ply_history
       & matrix_damage = 8, matrix_onset = 9, matrix_finish = 10
    !> Energies dissipated per volume by fibres and by matrix
    integer, parameter, public :: fibre_energy = 11, matrix_energy = 12
-   !> Shear strain that stays, where it takes long to find from the largest; work per volume that it
-   !> would have cost an intact ply beyond what it has
+   !> Shear strain that stays; work per volume that it would have cost an intact ply beyond what it
+   !> has
    integer, parameter, public :: shear_set = 13, shear_spared = 14
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on

@@ -65,11 +65,10 @@ contains
       shear%begun = lowest < 0.0_wp
       if (shear%begun) call leave_cracked(points, among, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
-      if (ply%curve%keeps_set) call recall_set(ply%own, points, among, history, shear%set)
-      if (shear%grows) call raise(points, size, shear%peak)
-      if (shear%grows .or. .not. ply%curve%keeps_set) then
-         call ply%curve%find_set(points, shear%peak, shear%set)
-      end if
+      call recall_set(ply%own, points, among, history, shear%set)
+      if (.not. shear%grows) return
+      call raise(points, size, shear%peak)
+      call ply%curve%find_set(points, shear%peak, shear%set)
    end subroutine bend
 
    !> What has cracked is elastic: nothing grows there
@@ -103,7 +102,7 @@ contains
       end do
    end subroutine leave_cracked
 
-   !> Strain that stayed before, where it is kept
+   !> Strain that stayed before
    pure subroutine recall_set(own, points, among, history, set)
       real(wp), intent(in) :: own(lanes)
       integer, intent(in) :: points, among
@@ -154,7 +153,6 @@ contains
       do m = 1, points
          before(:, 1) = ply%own*abs(history(:, m, shear_peak))
          before(:, 2) = ply%own*history(:, m, shear_set)
-         if (.not. ply%curve%keeps_set) call ply%curve%find_set(1, before(:, 1), before(:, 2))
          shear%spared(:, m) = (1.0_wp - remains(:, 1, m)*remains(:, 2, m)) &
             & *(ply%curve%lost(shear%peak(:, m), shear%set(:, m)) &
             & - ply%curve%lost(before(:, 1), before(:, 2)))
@@ -181,7 +179,7 @@ contains
          grown = sign(shear%peak(l, m), kept)
          history(l, m, shear_peak) = merge(grown, kept, ply%own(l) > 0.0_wp)
       end do
-      if (ply%curve%keeps_set) call give(ply%own, 1, shear%set(:, m), history(:, m, shear_set))
+      call give(ply%own, 1, shear%set(:, m), history(:, m, shear_set))
       if (.not. shear%begun) return
       !$omp simd private(grown)
       do l = 1, lanes

@@ -5,7 +5,7 @@
 !> there and its mirror image (the paper's eqs 7 and 8, the sign of the strain put in).
 !>
 !> So all that a point must remember is the largest strain: the strain that stays, and the work
-!> lost on it, follow. Along an exponential that takes less time than to keep them.
+!> lost on it, follow. The strain that stays is needed in every step and kept, too; the work is not.
 module plydyn_law_shear_lanes
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
@@ -20,10 +20,8 @@ module plydyn_law_shear_lanes
       integer :: shape(lanes) = shape_line
       !> 1 in lanes with a curve that is no line, else 0
       real(wp), public :: curved(lanes) = 0.0_wp
-      !> Whether any lane has a shape, by shape; whether the strain that stays takes so long to find
-      !> that it must be kept
+      !> Whether any lane has a shape, by shape
       logical :: has(shape_exponential:shape_power) = .false.
-      logical, public :: keeps_set = .false.
       !> Modulus at the origin, and its inverse
       real(wp) :: modulus(lanes) = 1.0_wp, compliance(lanes) = 1.0_wp
       !> Modulus where the curve is a line, 0 elsewhere
@@ -71,7 +69,6 @@ contains
       self%straight(lane) = merge(modulus, 0.0_wp, curve%shape == shape_line)
       if (curve%shape == shape_line) return
       self%has(curve%shape) = .true.
-      self%keeps_set = self%has(shape_table) .or. self%has(shape_power)
       self%curved(lane) = 1.0_wp
       select case (curve%shape)
       case (shape_exponential)
@@ -124,7 +121,7 @@ contains
       real(wp), intent(in) :: strain(lanes)
       !> Largest size of the shear strain so far
       real(wp), intent(inout) :: peak(lanes)
-      !> Shear strain that stays on unloading; out only, unless it is kept
+      !> Shear strain that stays on unloading
       real(wp), intent(inout) :: set(lanes)
       !> Work per volume spent on what stays
       real(wp), intent(out) :: work(lanes)
@@ -133,7 +130,6 @@ contains
 
       real(wp) :: before(lanes)
 
-      if (.not. self%keeps_set) call self%find_set(1, peak, set)
       ! nothing changes along a line
       grows = any(self%curved*strain > peak)
       work(:) = 0.0_wp
@@ -151,13 +147,13 @@ contains
       integer, intent(in) :: points
       !> Largest size of the shear strain; 0 along a line
       real(wp), intent(in) :: peak(lanes, points)
-      !> Strain that stays; where it is kept, in what stayed before
+      !> Strain that stays; in what stayed before, where it is searched for
       real(wp), intent(inout) :: set(lanes, points)
 
       real(wp) :: each(lanes), farthest
       integer :: l, m
 
-      if (self%keeps_set) then
+      if (self%has(shape_table) .or. self%has(shape_power)) then
          call search_set(self, points, peak, set)
          return
       end if

@@ -10,7 +10,8 @@ program test_law_ply_steady
       & matrix_gate, matrix_onset, no_strain, shear_peak, shear_set
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
-   use plydyn_law_shear_curve, only : new_power_curve, shape_power
+   use plydyn_law_shear_curve, only : new_power_curve, shape_exponential, &
+      & shape_power
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none
@@ -178,12 +179,15 @@ contains
             strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
             history(l, m, [largest_band, fibre_gate, matrix_gate]) = [1.0_wp, 1.0_wp, 0.1_wp]
             call random_number(draw)
-            if (ply%curve%shape > 0) then
-               history(l, m, shear_peak) = 0.012_wp*draw(1)
-            end if
-            if (ply%curve%shape == shape_power) then
+            select case (ply%curve%shape)
+            case (shape_exponential)
+               call bend_exponential(ply, 0.012_wp*draw(1), history(l, m, shear_peak), &
+                  & history(l, m, shear_set))
+            case (shape_power)
                call bend_power(ply, draw(1), history(l, m, shear_peak), history(l, m, shear_set))
-            end if
+            case default
+               history(l, m, [shear_peak, shear_set]) = 0.0_wp
+            end select
             do k = 1, 2
                call random_number(draw)
                if (draw(1) > 0.3_wp) cycle
@@ -202,6 +206,18 @@ contains
             & history(:, m, shear_peak) = -max(history(:, m, shear_peak), no_strain)
       end do
    end subroutine choose
+
+   !> Largest shear strain, and what stays of it, on an exponential
+   pure subroutine bend_exponential(ply, strain, peak, stays)
+      type(ply_constants_type), intent(in) :: ply
+      real(wp), intent(in) :: strain
+      real(wp), intent(out) :: peak, stays
+
+      associate (reach => ply%curve%asymptote/ply%shear(1))
+         peak = strain
+         stays = peak - reach*(1.0_wp - exp(-peak/reach))
+      end associate
+   end subroutine bend_exponential
 
    !> Largest shear strain, and what stays of it, at a share of the strength on a power curve
    pure subroutine bend_power(ply, share, peak, stays)
