@@ -135,19 +135,20 @@ contains
       real(wp), intent(in) :: stress(lanes), strain(lanes), length(lanes)
       real(wp), intent(out) :: excess(lanes)
 
-      real(wp) :: criterion, in_c, in_t, pull, push, toughness, work
+      real(wp) :: criterion, in_c, in_t, s, toughness, work
       integer :: l
 
       associate (least => self%least, t => in_tension, c => in_compression)
-         !$omp simd private(pull, push, in_t, in_c, criterion, toughness, work)
+         !$omp simd private(s, in_t, in_c, criterion, toughness, work)
          do l = 1, lanes
-            pull = max(stress(l), 0.0_wp)
-            push = max(-stress(l), 0.0_wp)
-            criterion = self%fibre(l, t)*pull**2 + self%fibre(l, c)*push**2
+            s = stress(l)
+            in_t = self%fibre(l, t)
+            in_c = self%fibre(l, c)
+            criterion = merge(in_t, in_c, s >= 0.0_wp)*s**2
             in_t = self%fibre_toughness(l, t)
             in_c = self%fibre_toughness(l, c)
-            toughness = merge(in_t, in_c, stress(l) >= 0.0_wp)
-            work = abs(stress(l))*max(abs(strain(l)), least(l, 1)*abs(stress(l)))
+            toughness = merge(in_t, in_c, s >= 0.0_wp)
+            work = max(abs(s*strain(l)), least(l, 1)*s**2)
             excess(l) = max(criterion - 1.0_wp, self%ratio(l)*length(l)*work - toughness)
          end do
       end associate
@@ -159,17 +160,18 @@ contains
       real(wp), intent(in) :: stress(lanes), strain(lanes), shear(lanes, 2), length(lanes)
       real(wp), intent(out) :: excess(lanes)
 
-      real(wp) :: by_shear, criterion, in_c, in_t, pull, push, s, toughness, work
+      real(wp) :: by_shear, criterion, in_c, in_t, linear, s, toughness, work
       integer :: l
 
       associate (least => self%least, t => in_tension, c => in_compression)
-         !$omp simd private(s, pull, push, by_shear, in_t, in_c, criterion, toughness, work)
+         !$omp simd private(s, by_shear, in_t, in_c, linear, criterion, toughness, work)
          do l = 1, lanes
             s = stress(l)
-            pull = max(s, 0.0_wp)
-            push = max(-s, 0.0_wp)
-            criterion = self%shear(l)*shear(l, 1)**2 + self%matrix(l, t)*pull**2 &
-               & + (self%matrix(l, c)*push - self%linear(l))*push
+            in_t = self%matrix(l, t)
+            in_c = self%matrix(l, c)
+            linear = self%linear(l)*min(s, 0.0_wp)
+            criterion = self%shear(l)*shear(l, 1)**2 + merge(in_t, in_c, s >= 0.0_wp)*s**2 &
+               & + linear
             work = max(s*strain(l), least(l, 2)*s**2)
             by_shear = shear(l, 1)*shear(l, 2)
             in_t = self%matrix_toughness(l, t)

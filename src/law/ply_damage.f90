@@ -195,9 +195,9 @@ contains
       else
          call advance_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
       end if
-      if (now%grows) call add_energies(self%ply%secant, self%ply%across, e, shear(:, 2), now, &
+      if (now%grows) call add_energies(self%ply%secant, self%ply%weak, e, shear(:, 2), now, &
          & s(:, 1:2), h)
-      call add_damaged(self%ply%secant, self%ply%across, e, shear(:, 1), now, s)
+      call add_damaged(self%ply%firm, self%ply%weak, e, shear(:, 1), now, s)
       if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, h)
    end subroutine advance
 

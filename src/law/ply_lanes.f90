@@ -23,8 +23,8 @@ module plydyn_law_ply_lanes
       real(wp) :: brittle(lanes, 2) = 0.0_wp
       !> Least part of a stiffness that remains
       real(wp) :: residual(lanes) = 1.0_wp
-      !> 1 where damage weakens G13 and G23, else 0
-      real(wp) :: across(lanes) = 0.0_wp
+      !> G13 and G23: what damage leaves alone of them, and what it weakens
+      real(wp) :: firm(lanes, 2) = 0.0_wp, weak(lanes, 2) = 0.0_wp
       !> 1 in lanes where tension and compression have damage of their own; whether in any
       real(wp) :: closes(lanes) = 0.0_wp
       logical :: any_closes = .false.
@@ -53,7 +53,8 @@ contains
       self%plateau(lane, 1) = constants%plateau
       self%brittle(lane, 1) = constants%brittle
       self%residual(lane) = constants%residual
-      self%across(lane) = merge(1.0_wp, 0.0_wp, constants%weakens_across)
+      self%firm(lane, :) = merge(0.0_wp, constants%shear(2:3), constants%weakens_across)
+      self%weak(lane, :) = constants%shear(2:3) - self%firm(lane, :)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)

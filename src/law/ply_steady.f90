@@ -144,7 +144,12 @@ contains
          along = merge(drive(l, 1) + fibre, along, fibre < 0.0_wp)
          across = excess(l, 2) + tiny(across)
          across = merge(drive(l, 2) + matrix, across, matrix < 0.0_wp)
-         busy(l) = ply%own(l)*max(along, across, -ply%closes(l)*min(fibre, matrix))
+         busy(l) = ply%own(l)*max(along, across)
+      end do
+      if (.not. ply%any_closes) return
+      !$omp simd
+      do l = 1, lanes
+         busy(l) = max(busy(l), -ply%own(l)*ply%closes(l)*min(gate1(l), gate2(l)))
       end do
    end subroutine judge
 
@@ -171,7 +176,7 @@ contains
       real(wp) :: r1, r2
       integer :: l
 
-      associate (g => ply%secant%shear, across => ply%across)
+      associate (firm => ply%firm, weak => ply%weak)
          !$omp simd private(r1, r2)
          do l = 1, lanes
             r1 = remains(l, 1)
@@ -180,8 +185,8 @@ contains
             s(l, 2) = r2*normal(l, 2)
             s(l, 3) = normal(l, 3)
             s(l, 4) = r1*r2*sign(shear(l), e(l, 4))
-            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r1))*g(l, 2)*e(l, 5)
-            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r2))*g(l, 3)*e(l, 6)
+            s(l, 5) = (firm(l, 1) + r1*weak(l, 1))*e(l, 5)
+            s(l, 6) = (firm(l, 2) + r2*weak(l, 2))*e(l, 6)
          end do
       end associate
    end subroutine give_stress

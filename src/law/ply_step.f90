@@ -27,10 +27,9 @@ module plydyn_law_ply_step
 contains
 
    !> Stress of damaged lanes, from the normal stresses on what remains
-   pure subroutine add_damaged(secant, across, e, shear, now, s)
-      !> Stiffness; 1 where damage weakens G13 and G23, else 0
-      type(secant_type), intent(in) :: secant
-      real(wp), intent(in) :: across(lanes)
+   pure subroutine add_damaged(firm, weak, e, shear, now, s)
+      !> G13 and G23: what damage leaves alone of them, and what it weakens
+      real(wp), intent(in) :: firm(lanes, 2), weak(lanes, 2)
       !> Strain, size of the shear stress 12 before damage
       real(wp), intent(in) :: e(lanes, 6), shear(lanes)
       !> What remains
@@ -40,24 +39,24 @@ contains
 
       integer :: l
 
-      associate (modulus => secant%shear, r => now%after)
+      associate (r => now%after)
          !$omp simd
          do l = 1, lanes
             s(l, 1) = r(l, 1)*s(l, 1)
             s(l, 2) = r(l, 2)*s(l, 2)
             s(l, 4) = r(l, 3)*r(l, 4)*sign(shear(l), e(l, 4))
-            s(l, 5) = (1.0_wp - across(l)*(1.0_wp - r(l, 3)))*modulus(l, 2)*e(l, 5)
-            s(l, 6) = (1.0_wp - across(l)*(1.0_wp - r(l, 4)))*modulus(l, 3)*e(l, 6)
+            s(l, 5) = (firm(l, 1) + r(l, 3)*weak(l, 1))*e(l, 5)
+            s(l, 6) = (firm(l, 2) + r(l, 4)*weak(l, 2))*e(l, 6)
          end do
       end associate
    end subroutine add_damaged
 
    !> Energy that the loss of stiffness sets free at the strain of the step, and what it spares of
    !> plastic work
-   pure subroutine add_energies(secant, across, e, elastic, now, s, h)
-      !> Stiffness; 1 where damage weakens G13 and G23, else 0
+   pure subroutine add_energies(secant, weak, e, elastic, now, s, h)
+      !> Stiffness; what damage weakens of G13 and G23
       type(secant_type), intent(in) :: secant
-      real(wp), intent(in) :: across(lanes)
+      real(wp), intent(in) :: weak(lanes, 2)
       !> Strain, size of the elastic shear strain
       real(wp), intent(in) :: e(lanes, 6), elastic(lanes)
       !> What remained and remains
@@ -79,10 +78,10 @@ contains
             plane = g(l, 1)*elastic(l)**2
             h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
                & loss(1)*compliance(l, 1)*s(l, 1)**2 &
-               & + loss(3)*(mean(2)*plane + across(l)*g(l, 2)*e(l, 5)**2))
+               & + loss(3)*(mean(2)*plane + weak(l, 1)*e(l, 5)**2))
             h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
                & loss(2)*compliance(l, 2)*s(l, 2)**2 &
-               & + loss(4)*(mean(1)*plane + across(l)*g(l, 3)*e(l, 6)**2))
+               & + loss(4)*(mean(1)*plane + weak(l, 2)*e(l, 6)**2))
             h(l, shear_spared) = h(l, shear_spared) &
                & + now%work(l)*(1.0_wp - after(l, 3)*after(l, 4))
          end do

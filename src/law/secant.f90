@@ -6,20 +6,23 @@ module plydyn_law_secant
    implicit none
    private
 
-   !> Elastic constants of the lanes, and products of them
+   !> Elastic constants of the lanes. With the parts that remain the stiffness of normal stress is,
+   !> times D = 1 - R1*pair1 - R2*pair2 - R1*R2*pair3:
+   !> R1*(c11(1) - R2*c11(2)), R2*(c22(1) - R1*c22(2)), c33(1) - R1*R2*c33(2) on the diagonal and
+   !> R1*R2*c12, R1*(c13(1) + R2*c13(2)), R2*(c23(1) + R1*c23(2)) beside it
    type, public :: secant_type
-      !> E1, E2, E3 and G12, G13, G23
-      real(wp) :: young(lanes, 3) = 1.0_wp, shear(lanes, 3) = 1.0_wp
+      !> G12, G13, G23
+      real(wp) :: shear(lanes, 3) = 1.0_wp
       !> 1/E1, 1/E2 without damage
       real(wp) :: compliance(lanes, 2) = 1.0_wp
       !> C11, C12, C13, C22, C23, C33 without damage
       real(wp) :: intact(lanes, 6) = 0.0_wp
-      !> nu12*nu21, nu13*nu31, nu23*nu32
-      real(wp) :: pair(lanes, 3) = 0.0_wp
-      !> nu31, nu32, and what the other part adds to them: nu21*nu32, nu12*nu31
-      real(wp) :: across(lanes, 4) = 0.0_wp
-      !> nu21 + nu31*nu23, and 2*nu21*nu32*nu13
-      real(wp) :: plane(lanes) = 0.0_wp, triple(lanes) = 0.0_wp
+      !> nu13*nu31, nu23*nu32, nu12*nu21 + 2*nu21*nu32*nu13
+      real(wp), dimension(lanes, 3), private :: pair = 0.0_wp
+      !> As said above
+      real(wp), dimension(lanes, 2), private :: c11 = 0.0_wp, c22 = 0.0_wp, c33 = 0.0_wp
+      real(wp), dimension(lanes, 2), private :: c13 = 0.0_wp, c23 = 0.0_wp
+      real(wp), dimension(lanes), private :: c12 = 0.0_wp
    contains
       procedure :: set_lane
       procedure :: intact_stress
@@ -46,14 +49,18 @@ contains
       nu31 = poisson(2)*young(3)/young(1)
       nu32 = poisson(3)*young(3)/young(2)
       c(:, :) = ply_stiffness(young, poisson, shear)
-      self%young(lane, :) = young
       self%shear(lane, :) = shear
       self%compliance(lane, :) = 1.0_wp/young(1:2)
       self%intact(lane, :) = [c(1, 1), c(1, 2), c(1, 3), c(2, 2), c(2, 3), c(3, 3)]
-      self%pair(lane, :) = poisson*[nu21, nu31, nu32]
-      self%across(lane, :) = [nu31, nu32, nu21*nu32, poisson(1)*nu31]
-      self%plane(lane) = nu21 + nu31*poisson(3)
-      self%triple(lane) = 2.0_wp*nu21*nu32*poisson(2)
+      associate (nu12 => poisson(1), nu13 => poisson(2), nu23 => poisson(3))
+         self%pair(lane, :) = [nu13*nu31, nu23*nu32, nu12*nu21 + 2.0_wp*nu21*nu32*nu13]
+         self%c11(lane, :) = young(1)*[1.0_wp, nu23*nu32]
+         self%c22(lane, :) = young(2)*[1.0_wp, nu13*nu31]
+         self%c33(lane, :) = young(3)*[1.0_wp, nu12*nu21]
+         self%c12(lane) = young(1)*(nu21 + nu31*nu23)
+         self%c13(lane, :) = young(1)*[nu31, nu21*nu32]
+         self%c23(lane, :) = young(2)*[nu32, nu12*nu31]
+      end associate
    end subroutine set_lane
 
    !> Normal stresses of a point without damage
@@ -87,26 +94,25 @@ contains
       !> Stress 11 over R1, stress 22 over R2, stress 33
       real(wp), intent(out) :: stress(lanes, 3)
 
-      real(wp) :: nu31, nu32, part, r1, r2, r12
+      real(wp) :: k13, k23, part, r1, r2, r12
       integer :: l
 
-      associate (young => self%young, pair => self%pair, across => self%across, &
-         & plane => self%plane, triple => self%triple, e => strain)
-         !$omp simd private(nu31, nu32, part, r1, r2, r12)
+      associate (pair => self%pair, c11 => self%c11, c22 => self%c22, c33 => self%c33, &
+         & c12 => self%c12, c13 => self%c13, c23 => self%c23, e => strain)
+         !$omp simd private(k13, k23, part, r1, r2, r12)
          do l = 1, lanes
             r1 = remains(l, 1)
             r2 = remains(l, 2)
             r12 = r1*r2
-            part = 1.0_wp/(1.0_wp - r2*pair(l, 3) - r1*pair(l, 2) &
-               & - r12*(pair(l, 1) + triple(l)))
-            nu31 = across(l, 1) + r2*across(l, 3)
-            nu32 = across(l, 2) + r1*across(l, 4)
-            stress(l, 1) = young(l, 1)*part*((1.0_wp - r2*pair(l, 3))*e(l, 1) &
-               & + r2*plane(l)*e(l, 2) + nu31*e(l, 3))
-            stress(l, 2) = part*(r1*young(l, 1)*plane(l)*e(l, 1) &
-               & + young(l, 2)*((1.0_wp - r1*pair(l, 2))*e(l, 2) + nu32*e(l, 3)))
-            stress(l, 3) = part*(r1*young(l, 1)*nu31*e(l, 1) + r2*young(l, 2)*nu32*e(l, 2) &
-               & + young(l, 3)*(1.0_wp - r12*pair(l, 1))*e(l, 3))
+            part = 1.0_wp/(1.0_wp - r1*pair(l, 1) - r2*pair(l, 2) - r12*pair(l, 3))
+            k13 = c13(l, 1) + r2*c13(l, 2)
+            k23 = c23(l, 1) + r1*c23(l, 2)
+            stress(l, 1) = part*((c11(l, 1) - r2*c11(l, 2))*e(l, 1) + r2*c12(l)*e(l, 2) &
+               & + k13*e(l, 3))
+            stress(l, 2) = part*(r1*c12(l)*e(l, 1) + (c22(l, 1) - r1*c22(l, 2))*e(l, 2) &
+               & + k23*e(l, 3))
+            stress(l, 3) = part*(r1*k13*e(l, 1) + r2*k23*e(l, 2) &
+               & + (c33(l, 1) - r12*c33(l, 2))*e(l, 3))
          end do
       end associate
    end subroutine damaged_stress
