@@ -51,6 +51,7 @@ module plydyn_law_plastic
       real(wp) :: onset(lanes) = huge(1.0_wp)
    contains
       procedure :: update
+      procedure :: update_points
       procedure :: recall
       procedure :: show
       procedure :: stored_energy
@@ -117,22 +118,54 @@ contains
    !> Stress and history at the end of a step
    pure subroutine update(self, step, strain, history, stress)
       class(plastic_type), intent(in) :: self
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(in) :: step, strain(lanes, 6)
       real(wp), intent(inout) :: history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
+
+      logical :: flows
+
+      call update_point(self, step, strain, history, stress, flows)
+   end subroutine update
+
+   !> The same for some points of an element, of which few may flow
+   pure subroutine update_points(self, points, among, step, strain, history, stress)
+      class(plastic_type), intent(in) :: self
+      integer, intent(in) :: points, among
+      real(wp), intent(in) :: step, strain(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, among, *)
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+
+      real(wp) :: h(lanes, histories)
+      integer :: m
+      logical :: flows
+
+      do m = 1, points
+         h(:, :) = history(:, m, :histories)
+         call update_point(self, step, strain(:, :, m), h, stress(:, :, m), flows)
+         if (flows) history(:, m, :histories) = h
+      end do
+   end subroutine update_points
+
+   !> Stress and history of a point, and whether it flows in any lane
+   pure subroutine update_point(self, step, strain, history, stress, flows)
+      class(plastic_type), intent(in) :: self
+      real(wp), intent(in) :: step, strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, histories)
+      real(wp), intent(inout) :: stress(lanes, 6)
+      logical, intent(out) :: flows
 
       real(wp) :: before(lanes), effective(lanes), increment(lanes), relative(lanes, 6)
       real(wp) :: resistance(lanes)
 
       call try(self%shear, self%kinematic, strain, history, relative, effective)
-      if (any(effective > self%onset)) then
+      flows = any(effective > self%onset)
+      if (flows) then
          before(:) = merge(history(:, effective_plastic_strain), 0.0_wp, self%mine > half)
          call self%flow(step, effective, before, increment, resistance)
          call advance(relative, effective, increment, resistance, history)
       end if
       call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
-   end subroutine update
+   end subroutine update_point
 
    !> Stress that belongs to a strain and its history, also where a rate has raised it
    pure subroutine recall(self, strain, history, stress)
