@@ -75,8 +75,8 @@ contains
       integer :: quad
 
       quad = (point - 1)/self%plane
-      row = self%levels*(point - 1 - self%plane*quad + self%plane*(variable - 1 &
-         & + self%histories*(self%block - 1 + self%blocks*quad)))
+      row = self%levels*mod(point - 1, self%plane) + variable_pitch(self)*(variable - 1 &
+         & + self%histories*(self%block - 1 + self%blocks*quad))
    end function row_of
 
    !> Rows from one variable to the next

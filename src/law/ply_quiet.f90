@@ -1,9 +1,9 @@
 !> Points of plies at which no damage begins or grows: most points, most of the time.
 !>
 !> Where none is damaged and all are far from onset, a few columns of their history tell so. Where
-!> some are, all points are taken through the law as it is without growth, stage by stage. Neither
-!> changes the history, but for that of shear while it grows. Everything else is left to the whole
-!> law, which finds the history as it was.
+!> some are, all points are taken through the law as it is without growth. Neither changes the
+!> history, but for that of shear while it grows. Everything else is left to the whole law, which
+!> finds the history as it was.
 module plydyn_law_ply_quiet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : give, largest_band

@@ -1,8 +1,8 @@
 !> Points of plies that are damaged, or near to it, through a step in which no damage begins or
 !> grows: the whole law without its growth.
 !>
-!> One point after the other, all stages of it: what they hand on stays in registers where the
-!> linker makes one routine of them.
+!> One point after the other, all stages of it: the linker can make one routine of them, which keeps
+!> most of what they hand on in registers.
 module plydyn_law_ply_steady
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, matrix_damage, matrix_gate
