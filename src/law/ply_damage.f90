@@ -19,6 +19,7 @@ module plydyn_law_ply_damage
       & take_own, to_compression
    use plydyn_law_ply_lanes, only : ply_lanes_type
    use plydyn_law_ply_quiet, only : stay
+   use plydyn_law_ply_steady, only : take_intact
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
    implicit none
    private
@@ -346,14 +347,11 @@ contains
       !> A mode begins in some lane
       logical, intent(out) :: begins
 
-      real(wp) :: in_plane(2), intact(lanes, 3), length, most, trial(lanes, 3)
+      real(wp) :: in_plane(2), length, most, trial(lanes, 3)
       integer :: l
 
       trial(:, :) = stress
-      if (self%ply%any_intact) then
-         call self%ply%secant%intact_stress(e, intact)
-         trial(:, :) = merge(intact, trial, spread(self%ply%intact > 0.0_wp, 2, 3))
-      end if
+      if (self%ply%any_intact) call take_intact(self%ply, e, trial)
       call self%ply%onset%find_onset(trial, e, shear, abs(h(:, fibre_gate)), &
          & abs(h(:, matrix_gate)), now%excess)
       most = -1.0_wp

@@ -11,7 +11,7 @@ module plydyn_law_ply_steady
    implicit none
    private
 
-   public :: hold
+   public :: hold, take_intact
 
 contains
 
@@ -107,9 +107,11 @@ contains
 
    !> Take the stresses of an intact ply where onset is by them
    pure subroutine take_intact(ply, e, trial)
+      !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      real(wp), intent(in) :: e(lanes, 6)
-      !> Normal stresses
+      !> Strains 11, 22, 33
+      real(wp), intent(in) :: e(lanes, 3)
+      !> Normal stresses on what remains in, of the intact ply out where they count
       real(wp), intent(inout) :: trial(lanes, 3)
 
       real(wp) :: intact(lanes, 3), kept, other
