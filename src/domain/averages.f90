@@ -14,7 +14,7 @@ module plydyn_domain_averages
    use plydyn_domain_loans, only : add_loans, loans_type, new_loans
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : abreast, average_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate, only : history_pitch, plate_type
    use plydyn_law_law, only : law_type
    use plydyn_model_model, only : model_type
    use plydyn_parallel_halo, only : new_halo
@@ -135,7 +135,7 @@ contains
          self%batch = b
          self%block = plate%batches(b)%laws(k)%block
          self%first_history = batch%first_history
-         self%histories = batch%histories
+         self%pitch = history_pitch(plate, batch)
          self%levels = size(batch%expansion%weight)
          self%plane = size(plate%node, 1)
          self%blocks = batch%blocks

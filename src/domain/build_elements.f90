@@ -11,7 +11,7 @@ module plydyn_domain_build_elements
    use plydyn_domain_plates, only : set_quads
    use plydyn_domain_share, only : share_type
    use plydyn_element_interface, only : set_plane
-   use plydyn_element_plate, only : quad_histories
+   use plydyn_element_plate, only : history_rows
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -56,7 +56,7 @@ contains
                call set_plane(batch, plate%quad, plate%node, domain%position)
             end associate
             call place_histories(places_of(domain%chunks, batch%plate), &
-               & lanes*batch%law%histories*batch%side**2, &
+               & lanes*batch%law%histories*batch%side**2, 1, &
                & size(division%parts(batch%plate)%element), batch%first_history, domain%histories, &
                & share)
          end associate
@@ -111,25 +111,27 @@ contains
 
       if (size(domain%bricks) > 0) then
          associate (bricks => domain%bricks(p))
-            call place_histories(own, lanes*bricks%histories*bricks%points, all, &
+            call place_histories(own, lanes*bricks%histories*bricks%points, 1, all, &
                & bricks%first_history, domain%histories, share)
          end associate
          return
       end if
       do b = 1, size(domain%plates(p)%batches)
          associate (batch => domain%plates(p)%batches(b))
-            call place_histories(own, quad_histories(batch, domain%plates(p)%side), all, &
-               & batch%first_history, domain%histories, share)
+            call place_histories(own, lanes*history_rows(batch, domain%plates(p)%side), &
+               & batch%histories, all, batch%first_history, domain%histories, share)
          end associate
       end do
    end subroutine place_part
 
-   !> Let the histories of some elements follow those before them, here and in the whole model
-   pure subroutine place_histories(own, length, all, first, histories, share)
+   !> Let the histories of some elements follow those before them, here and in the whole model: one
+   !> variable of all of them after the other
+   pure subroutine place_histories(own, length, variables, all, first, histories, share)
       !> Places of the elements among all of their kind
       integer, intent(in) :: own(:)
-      !> Histories of an element, and how many elements the whole model has
-      integer, intent(in) :: length, all
+      !> Length of a variable of an element, how many variables there are, and how many elements the
+      !> whole model has
+      integer, intent(in) :: length, variables, all
       !> Where these begin
       integer, intent(out) :: first
       !> How many histories there are before, and with them
@@ -138,29 +140,30 @@ contains
       type(share_type), intent(inout) :: share
 
       integer, allocatable :: pieces(:, :)
-      integer :: before, e, n, there
+      integer :: before, e, k, n, there
       logical :: follows
 
       first = histories + 1
-      if (length == 0) return
+      if (length*variables == 0) return
       before = size(share%history, 2)
       n = before
-      allocate (pieces(3, n + size(own)))
+      allocate (pieces(3, n + variables*size(own)))
       pieces(:, :n) = share%history
-      do e = 1, size(own)
-         there = share%histories + 1 + length*(own(e) - 1)
-         follows = .false.
-         if (n > before) follows = pieces(2, n) + pieces(3, n) == there
-         if (follows) then
+      do k = 1, variables
+         do e = 1, size(own)
+            there = share%histories + 1 + length*(all*(k - 1) + own(e) - 1)
+            follows = .false.
+            if (n > before) follows = pieces(2, n) + pieces(3, n) == there
+            if (.not. follows) then
+               n = n + 1
+               pieces(:, n) = [histories + 1, there, 0]
+            end if
             pieces(3, n) = pieces(3, n) + length
-         else
-            n = n + 1
-            pieces(:, n) = [histories + 1, there, length]
-         end if
-         histories = histories + length
+            histories = histories + length
+         end do
       end do
       share%history = pieces(:, :n)
-      share%histories = share%histories + length*all
+      share%histories = share%histories + length*variables*all
    end subroutine place_histories
 
    !> Masses of the points that the rank has

@@ -52,7 +52,7 @@ contains
       real(wp), intent(in) :: metric(:, :, :)
       !> History of the batch, thickness before plane
       real(wp), intent(in) :: history(lanes, size(batch%expansion%weight), size(metric, 2), &
-         & batch%histories, batch%blocks, size(metric, 3))
+         & batch%blocks, size(metric, 3), batch%histories)
       type(exact_sums_type), intent(inout) :: sums
 
       real(wp) :: energy(mechanisms), h(lanes, batch%histories)
@@ -65,7 +65,7 @@ contains
                energy(:) = 0.0_wp
                do q = 1, size(metric, 2)
                   do m = 1, size(weight)
-                     h(:, :) = history(:, m, q, :, block, e)
+                     h(:, :) = history(:, m, q, block, e, :)
                      do i = 1, mechanisms
                         if (law%energy_at(i) == 0) cycle
                         energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &

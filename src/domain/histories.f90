@@ -44,7 +44,7 @@ contains
       type(layer_batch_type), intent(in) :: batch
       !> History of the batch, thickness before plane
       real(wp), intent(inout) :: history(lanes, size(batch%expansion%weight), &
-         & size(plate%node, 1), batch%histories, batch%blocks, size(plate%node, 2))
+         & size(plate%node, 1), batch%blocks, size(plate%node, 2), batch%histories)
 
       real(wp) :: length(lanes, 2, size(plate%node, 1)), widest(lanes)
       integer :: e, k, m, q
@@ -58,7 +58,7 @@ contains
                widest(:) = maxval(maxval(length, 3), 2)
                do q = 1, size(plate%node, 1)
                   do m = 1, size(batch%expansion%weight)
-                     call law%start_history(length(:, :, q), widest, history(:, m, q, :, block, e))
+                     call law%start_history(length(:, :, q), widest, history(:, m, q, block, e, :))
                   end do
                end do
             end do

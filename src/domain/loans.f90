@@ -6,7 +6,7 @@
 module plydyn_domain_loans
    use plydyn_base_precision, only : lanes
    use plydyn_domain_neighbourhood, only : neighbourhood_type
-   use plydyn_element_average, only : average_type, row_of, variable_pitch
+   use plydyn_element_average, only : average_type, row_of
    implicit none
    private
 
@@ -96,7 +96,7 @@ contains
             & point(average%first(i):average%first(i + 1) - 1)) == r), &
             & i=1, size(average%first) - 1)])
          loans%lent = reshape([loans%lent, (strain_places(average, row_of(average, lent(n), &
-            & average%behind_own + 1), variable_pitch(average), r), n=1, size(lent))], &
+            & average%behind_own + 1), average%pitch, r), n=1, size(lent))], &
             & [2, size(loans%lent, 2) + average%strains*average%levels*size(lent)])
       end do
    end subroutine lend

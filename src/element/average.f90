@@ -9,15 +9,15 @@ module plydyn_element_average
    implicit none
    private
 
-   public :: average_points, row_of, variable_pitch
+   public :: average_points, row_of
 
    !> The averages of the layers of a block that have a law
    type, public :: average_type
       !> Plate, batch and block of it
       integer :: plate = 0, batch = 0, block = 0
-      !> First history of the batch in the state; history variables of a point, points of the
+      !> First history of the batch in the state; rows from one variable to the next, points of the
       !> thickness, points of the plane of a quad, blocks of the batch
-      integer :: first_history = 0, histories = 0, levels = 0, plane = 0, blocks = 0
+      integer :: first_history = 0, pitch = 0, levels = 0, plane = 0, blocks = 0
       !> Strains that are averaged; the history variables of a point's own and of the averages are
       !> those behind these
       integer :: strains = 0, behind_own = 0, behind_mean = 0
@@ -75,17 +75,9 @@ contains
       integer :: quad
 
       quad = (point - 1)/self%plane
-      row = self%levels*mod(point - 1, self%plane) + variable_pitch(self)*(variable - 1 &
-         & + self%histories*(self%block - 1 + self%blocks*quad))
+      row = self%levels*(mod(point - 1, self%plane) + self%plane*(self%block - 1 &
+         & + self%blocks*quad)) + self%pitch*(variable - 1)
    end function row_of
-
-   !> Rows from one variable to the next
-   pure integer function variable_pitch(self) result(pitch)
-      !> The averages
-      type(average_type), intent(in) :: self
-
-      pitch = self%levels*self%plane
-   end function variable_pitch
 
    !> Add the shares of some neighbours at all heights
    pure subroutine add_shares(self, weight, row, history, mean)
@@ -99,7 +91,7 @@ contains
       integer :: k, l, m, pitch(abreast), r(abreast)
 
       ! rows from one strain to the next
-      pitch(:) = merge(self%levels, variable_pitch(self), row >= self%first_guest)
+      pitch(:) = merge(self%levels, self%pitch, row >= self%first_guest)
       do m = 1, self%levels
          do k = 1, self%strains
             r(:) = row + pitch*(k - 1) + m
@@ -125,7 +117,7 @@ contains
 
       do m = 1, self%levels
          do k = 1, self%strains
-            r = row + variable_pitch(self)*(k - 1) + m
+            r = row + self%pitch*(k - 1) + m
             where (self%owns) history(:, r) = mean(:, k, m)
          end do
       end do

@@ -1,7 +1,7 @@
 !> What the laws of a layer show of their histories, at its Gauss points.
 module plydyn_element_layer_scalars
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_element_plate, only : history_pitch, layer_batch_type, plate_type
    use plydyn_law_law, only : scalars
    implicit none
    private
@@ -52,13 +52,12 @@ contains
       real(wp), intent(in) :: history(:)
       real(wp) :: point(lanes, batch%histories)
 
-      integer :: first, k, levels, points
+      integer :: first, k, row
 
-      levels = batch%expansion%order + 1
-      points = levels*size(plate%node, 1)
+      row = m - 1 + (batch%expansion%order + 1)*(q - 1 + size(plate%node, 1)*(block - 1 &
+         & + batch%blocks*(quad - 1)))
       do k = 1, batch%histories
-         first = batch%first_history + lanes*(m - 1 + levels*(q - 1) + points*(k - 1 &
-            & + batch%histories*(block - 1 + batch%blocks*(quad - 1))))
+         first = batch%first_history + lanes*(row + history_pitch(plate, batch)*(k - 1))
          point(:, k) = history(first:first + lanes - 1)
       end do
    end function point_history

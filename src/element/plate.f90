@@ -22,7 +22,7 @@ module plydyn_element_plate
    implicit none
    private
 
-   public :: add_elastic_forces, add_layer_forces, batch_stiffness, quad_histories
+   public :: add_elastic_forces, add_layer_forces, batch_stiffness, history_pitch, history_rows
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
@@ -102,7 +102,7 @@ contains
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of all Gauss points; those of a batch are
-      !> (lanes, levels, points of the plane, histories, blocks, quads)
+      !> (lanes, levels, points of the plane, blocks, quads, histories)
       real(wp), intent(inout), contiguous :: history(:)
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
@@ -114,9 +114,10 @@ contains
          & metric => plate%metric(:, :, quads(1):quads(2)), &
          & u => displacement(plate%batches(b)%first:), f => force(plate%batches(b)%first:))
          if (size(batch%laws) > 0) then
-            first_history = batch%first_history + (quads(1) - 1)*quad_histories(batch, plate%side)
-            call add_law(batch, plate%side, size(node, 2), node, target, metric, large, step, u, &
-               & history(first_history:), f)
+            first_history = batch%first_history &
+               & + lanes*history_rows(batch, plate%side)*(quads(1) - 1)
+            call add_law(batch, plate%side, size(node, 2), node, target, metric, &
+               & history_pitch(plate, batch), large, step, u, history(first_history:), f)
          else if (large) then
             call add_large(batch, plate%side, size(node, 2), node, target, metric, u, f)
          else
@@ -126,15 +127,25 @@ contains
       end associate
    end subroutine add_layer_forces
 
-   !> Length of the history of a quad
-   pure integer function quad_histories(batch, side) result(length)
+   !> Rows of a variable of the history in a quad: its Gauss points, those of a block together
+   pure integer function history_rows(batch, side) result(rows)
       !> The layers
       type(layer_batch_type), intent(in) :: batch
       !> Nodes along a side
       integer, intent(in) :: side
 
-      length = lanes*batch%histories*(batch%expansion%order + 1)*side**2*batch%blocks
-   end function quad_histories
+      rows = (batch%expansion%order + 1)*side**2*batch%blocks
+   end function history_rows
+
+   !> Rows of the history from one variable of a Gauss point to the next: all points of all quads
+   pure integer function history_pitch(plate, batch) result(pitch)
+      !> The part
+      type(plate_type), intent(in) :: plate
+      !> One of its batches
+      type(layer_batch_type), intent(in) :: batch
+
+      pitch = history_rows(batch, plate%side)*size(plate%node, 2)
+   end function history_pitch
 
    !> Subtract the internal forces of elastic layers alone over one quad, with linear strain
    pure subroutine add_elastic_forces(batch, side, metric, u, f)
@@ -204,16 +215,18 @@ contains
    end subroutine add_large
 
    !> To the kernel of material laws for this side and order
-   pure subroutine add_law(batch, side, quads, node, target, metric, large, step, u, z, f)
+   pure subroutine add_law(batch, side, quads, node, target, metric, pitch, large, step, u, z, f)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: side, quads, node(side*side, quads), target(side*side, quads)
+      !> Rows of the history from one variable to the next
+      integer, intent(in) :: pitch
       logical, intent(in) :: large
       real(wp), intent(in) :: metric(5, side*side, quads), step, u(*)
       !> History and force
       real(wp), intent(inout) :: z(*), f(*)
 
       associate (e => quads, g => node, p => target, r => batch%height/lanes, &
-         & b => batch%blocks, l => batch%laws, n => batch%histories, t => batch%turn, &
+         & b => batch%blocks, l => batch%laws, n => pitch, t => batch%turn, &
          & h => batch%half, s => batch%slant, w => batch%expansion%weight, &
          & to => batch%expansion%to_gauss, d => batch%expansion%gauss_slope, m => metric, &
          & k => step, y => large)

@@ -84,18 +84,18 @@ contains
 
    !> `update` for some points of an element, one after the other; a law that takes less time over
    !> all of them at once overrides this
-   pure subroutine update_points(self, points, among, step, strain, history, stress)
+   pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(law_type), intent(in) :: self
-      !> Number of points; those of the element that they are among
-      integer, intent(in) :: points, among
+      !> Number of points; rows of the history from one of their variables to the next
+      integer, intent(in) :: points, pitch
       !> Time step
       real(wp), intent(in) :: step
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History of the element from the first of the points on, old in and new out: one variable of
-      !> all its points after the other, (lanes, points, histories). What a law looks at in every
-      !> step is in few pieces of memory, however much else a point remembers
-      real(wp), intent(inout) :: history(lanes, among, *)
+      !> History from the first of the points on, old in and new out: one variable of all points of
+      !> all elements after the other, (lanes, points, histories). What a law looks at in every step
+      !> is read in the order of memory, however much else a point remembers
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Stress; lanes of other laws keep theirs
       real(wp), intent(inout) :: stress(lanes, 6, points)
 

@@ -128,11 +128,11 @@ contains
    end subroutine update
 
    !> The same for some points of an element, of which few may flow
-   pure subroutine update_points(self, points, among, step, strain, history, stress)
+   pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(plastic_type), intent(in) :: self
-      integer, intent(in) :: points, among
+      integer, intent(in) :: points, pitch
       real(wp), intent(in) :: step, strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, among, *)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
       real(wp) :: h(lanes, histories)

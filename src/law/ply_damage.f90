@@ -149,12 +149,12 @@ contains
 
    !> The same for some points of a layer: at once where no damage begins or grows, the
    !> others one by one
-   pure subroutine update_points(self, points, among, step, strain, history, stress)
+   pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
-      integer, intent(in) :: points, among
+      integer, intent(in) :: points, pitch
       real(wp), intent(in) :: step
       real(wp), intent(in) :: strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, among, *)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
       real(wp) :: e(lanes, 6), h(lanes, histories_most), s(lanes, 6)
@@ -163,13 +163,13 @@ contains
 
       quiet(:) = .false.
       if (.not. self%averages) then
-         call stay(self%ply, points, among, strain, history, stress, quiet)
+         call stay(self%ply, points, pitch, strain, history, stress, quiet)
       end if
       do m = 1, points
          if (quiet(m)) cycle
-         call take_own(self%ply%own, among, self%histories, strain(:, :, m), history(1, m, 1), e, h)
+         call take_own(self%ply%own, pitch, self%histories, strain(:, :, m), history(1, m, 1), e, h)
          call self%advance(e, h, s)
-         call give_own(self%ply%own, among, self%histories, h, s, history(1, m, 1), &
+         call give_own(self%ply%own, pitch, self%histories, h, s, history(1, m, 1), &
             & stress(:, :, m))
       end do
    end subroutine update_points

@@ -44,15 +44,15 @@ module plydyn_law_ply_history
 contains
 
    !> Strain and history of some lanes of a point; zero in the others
-   pure subroutine take_own(own, among, histories, strain, history, e, h)
+   pure subroutine take_own(own, pitch, histories, strain, history, e, h)
       !> 1 in the lanes to take, else 0
       real(wp), intent(in) :: own(lanes)
-      !> Points of the element; histories of each
-      integer, intent(in) :: among, histories
+      !> As in `update_points` of a law; histories of a point
+      integer, intent(in) :: pitch, histories
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6)
-      !> History of the element from the point on
-      real(wp), intent(in) :: history(lanes, among, *)
+      !> History from the point on
+      real(wp), intent(in) :: history(lanes, pitch, *)
       !> What is taken
       real(wp), intent(out) :: e(lanes, 6), h(lanes, histories)
 
@@ -76,15 +76,15 @@ contains
    end subroutine take_own
 
    !> Give history and stress of a point back to some lanes
-   pure subroutine give_own(own, among, histories, h, s, history, stress)
+   pure subroutine give_own(own, pitch, histories, h, s, history, stress)
       !> 1 in the lanes to give, else 0
       real(wp), intent(in) :: own(lanes)
-      !> Points of the element; histories of each
-      integer, intent(in) :: among, histories
+      !> As in `update_points` of a law; histories of a point
+      integer, intent(in) :: pitch, histories
       !> What is given
       real(wp), intent(in) :: h(lanes, histories), s(lanes, 6)
-      !> History of the element from the point on
-      real(wp), intent(inout) :: history(lanes, among, *)
+      !> History from the point on
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Stress
       real(wp), intent(inout) :: stress(lanes, 6)
 

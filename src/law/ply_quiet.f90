@@ -21,16 +21,17 @@ module plydyn_law_ply_quiet
 contains
 
    !> Stress of points at which no lane begins to be damaged in a step, or is more than before
-   pure subroutine stay(ply, points, among, strain, history, stress, quiet)
+   pure subroutine stay(ply, points, pitch, strain, history, stress, quiet)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; those of the element that they are among
-      integer, intent(in) :: points, among
+      !> Number of points, `most_points` at most; rows of the history from one of their variables to
+      !> the next
+      integer, intent(in) :: points, pitch
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History of the element from the first of the points on; changes only at points that are
+      !> History from the first of the points on; changes only at points that are
       !> quiet
-      real(wp), intent(inout) :: history(lanes, among, *)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Stress of the lanes that the law owns; means nothing at points that are not quiet
       real(wp), intent(inout) :: stress(lanes, 6, points)
       !> Which points are quiet
@@ -40,26 +41,26 @@ contains
       type(shear_type) :: shear
       integer :: m
 
-      call bend(ply, points, among, strain, history, shear)
+      call bend(ply, points, pitch, strain, history, shear)
       if (ply%whole) then
-         call find_stress(ply, points, among, strain, history, shear, stress, quiet)
+         call find_stress(ply, points, pitch, strain, history, shear, stress, quiet)
       else
-         call find_stress(ply, points, among, strain, history, shear, all_lanes, quiet)
+         call find_stress(ply, points, pitch, strain, history, shear, all_lanes, quiet)
          do m = 1, points
             call give(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
          end do
       end if
       if (.not. shear%grows) return
       do m = 1, points
-         if (quiet(m)) call keep_shear(ply, m, among, shear, history)
+         if (quiet(m)) call keep_shear(ply, m, pitch, shear, history)
       end do
    end subroutine stay
 
    !> Stress of all lanes: where nothing is damaged or near to it, or else
-   pure subroutine find_stress(ply, points, among, strain, history, shear, stress, quiet)
+   pure subroutine find_stress(ply, points, pitch, strain, history, shear, stress, quiet)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, among
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, among, *)
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
       !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       real(wp), intent(out) :: stress(lanes, 6, points)
@@ -68,17 +69,17 @@ contains
       logical :: far
 
       far = .not. shear%begun
-      if (far) call resist(ply, points, among, strain, history, shear%set, stress, far)
+      if (far) call resist(ply, points, pitch, strain, history, shear%set, stress, far)
       quiet(:) = far
-      if (.not. far) call hold(ply, points, among, strain, history, shear, stress, quiet)
+      if (.not. far) call hold(ply, points, pitch, strain, history, shear, stress, quiet)
    end subroutine find_stress
 
    !> Stress of intact plies, and whether all points are so far from onset that little is needed to
    !> see it
-   pure subroutine resist(ply, points, among, strain, history, set, stress, far)
+   pure subroutine resist(ply, points, pitch, strain, history, set, stress, far)
       type(ply_lanes_type), intent(in) :: ply
-      integer, intent(in) :: points, among
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, among, *)
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
       !> Shear strain that stays
       real(wp), intent(in) :: set(lanes, most_points)
       real(wp), intent(out) :: stress(lanes, 6, points)

@@ -27,16 +27,17 @@ module plydyn_law_ply_shear
 contains
 
    !> Shear along its curve
-   pure subroutine bend(ply, points, among, strain, history, shear)
+   pure subroutine bend(ply, points, pitch, strain, history, shear)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; those of the element that they are among
-      integer, intent(in) :: points, among
+      !> Number of points, `most_points` at most; rows of the history from one of their variables to
+      !> the next
+      integer, intent(in) :: points, pitch
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History of the element from the first of the points on, where cracks close with the damage
+      !> History from the first of the points on, where cracks close with the damage
       !> that acts in tension first
-      real(wp), intent(in) :: history(lanes, among, *)
+      real(wp), intent(in) :: history(lanes, pitch, *)
       !> What becomes of it
       type(shear_type), intent(out) :: shear
 
@@ -63,18 +64,18 @@ contains
          most = max(most, ahead(l))
       end do
       shear%begun = lowest < 0.0_wp
-      if (shear%begun) call leave_cracked(points, among, history, shear%peak, size, most)
+      if (shear%begun) call leave_cracked(points, pitch, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
-      call recall_set(ply%own, points, among, history, shear%set)
+      call recall_set(ply%own, points, pitch, history, shear%set)
       if (.not. shear%grows) return
       call raise(points, size, shear%peak)
       call ply%curve%find_set(points, shear%peak, shear%set)
    end subroutine bend
 
    !> What has cracked is elastic: nothing grows there
-   pure subroutine leave_cracked(points, among, history, peak, size, most)
-      integer, intent(in) :: points, among
-      real(wp), intent(in) :: history(lanes, among, *)
+   pure subroutine leave_cracked(points, pitch, history, peak, size, most)
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: history(lanes, pitch, *)
       !> Largest shear strain
       real(wp), intent(in) :: peak(lanes, most_points)
       !> Shear strain in, 0 out where the matrix has cracked
@@ -103,10 +104,10 @@ contains
    end subroutine leave_cracked
 
    !> Strain that stayed before
-   pure subroutine recall_set(own, points, among, history, set)
+   pure subroutine recall_set(own, points, pitch, history, set)
       real(wp), intent(in) :: own(lanes)
-      integer, intent(in) :: points, among
-      real(wp), intent(in) :: history(lanes, among, *)
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: history(lanes, pitch, *)
       real(wp), intent(inout) :: set(lanes, most_points)
 
       integer :: l, m
@@ -136,12 +137,12 @@ contains
    end subroutine raise
 
    !> Work on what stays that damage spares in a step in which it does not grow
-   pure subroutine spare_work(ply, points, among, history, remains, shear)
+   pure subroutine spare_work(ply, points, pitch, history, remains, shear)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
       !> As in `bend`; history as it was before
-      integer, intent(in) :: points, among
-      real(wp), intent(in) :: history(lanes, among, *)
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: history(lanes, pitch, *)
       !> What remains of the stiffness along and across the fibres
       real(wp), intent(in) :: remains(lanes, 2, most_points)
       !> What the step makes of the shear; gets the work
@@ -160,15 +161,15 @@ contains
    end subroutine spare_work
 
    !> Keep what the shear of a point has become
-   pure subroutine keep_shear(ply, m, among, shear, history)
+   pure subroutine keep_shear(ply, m, pitch, shear, history)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
       !> Which of the points; as in `bend`
-      integer, intent(in) :: m, among
+      integer, intent(in) :: m, pitch
       !> What the step has made of the shear
       type(shear_type), intent(in) :: shear
       !> As in `bend`
-      real(wp), intent(inout) :: history(lanes, among, *)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
 
       real(wp) :: grown, kept
       integer :: l

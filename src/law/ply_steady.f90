@@ -16,15 +16,16 @@ module plydyn_law_ply_steady
 contains
 
    !> Stress of the points, and which of them are steady; where cracks close, those without damage
-   pure subroutine hold(ply, points, among, strain, history, shear, stress, steady)
+   pure subroutine hold(ply, points, pitch, strain, history, shear, stress, steady)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
-      !> Number of points, `most_points` at most; those of the element that they are among
-      integer, intent(in) :: points, among
+      !> Number of points, `most_points` at most; rows of the history from one of their variables to
+      !> the next
+      integer, intent(in) :: points, pitch
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History of the element from the first of the points on
-      real(wp), intent(in) :: history(lanes, among, *)
+      !> History from the first of the points on
+      real(wp), intent(in) :: history(lanes, pitch, *)
       !> What the step makes of the shear; gets the work that damage spares
       type(shear_type), intent(inout) :: shear
       !> Stress; means nothing at points that are not steady, and in lanes of other laws
@@ -50,7 +51,7 @@ contains
          end do
       end if
       if (shear%grows .and. shear%begun) then
-         call spare_work(ply, points, among, history, remains, shear)
+         call spare_work(ply, points, pitch, history, remains, shear)
       end if
    end subroutine hold
 

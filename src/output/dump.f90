@@ -24,7 +24,7 @@ module plydyn_output_dump
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories or what contact remembers are arranged anew
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 4
+   integer, parameter, public :: dump_format = 5
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
