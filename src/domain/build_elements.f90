@@ -56,7 +56,7 @@ contains
                call set_plane(batch, plate%quad, plate%node, domain%position)
             end associate
             call place_histories(places_of(domain%chunks, batch%plate), &
-               & lanes*batch%law%histories*batch%side**2, 1, &
+               & lanes*batch%side**2, batch%law%histories, &
                & size(division%parts(batch%plate)%element), batch%first_history, domain%histories, &
                & share)
          end associate

@@ -75,15 +75,15 @@ contains
    pure subroutine count_batch(domain, batch, history, sums)
       type(domain_type), intent(in) :: domain
       type(interface_type), intent(in) :: batch
-      real(wp), intent(in) :: history(lanes, size(batch%node, 1), batch%law%histories, &
-         & size(batch%node, 2))
+      real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
+         & batch%law%histories)
       type(exact_sums_type), intent(inout) :: sums
 
       type(interface_sums_type) :: part
       integer :: e, l
 
       do e = 1, size(batch%node, 2)
-         part = sum_lanes(batch, e, history(:, :, :, e))
+         part = sum_lanes(batch, e, history)
          do l = 1, lanes
             if (batch%lower(l) == 0) cycle
             associate (last => losses*interface_ply(domain, batch, l))
@@ -140,8 +140,8 @@ contains
    pure subroutine mark_failed(batch, history, failed)
       type(interface_type), intent(in) :: batch
       !> History of these interfaces
-      real(wp), intent(in) :: history(lanes, size(batch%node, 1), batch%law%histories, &
-         & size(batch%node, 2))
+      real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
+         & batch%law%histories)
       !> Area of the points at which an interface has failed, else 0; (points, quads of the plate)
       real(wp), intent(inout) :: failed(:, :)
 
@@ -149,7 +149,7 @@ contains
 
       do e = 1, size(batch%node, 2)
          do q = 1, size(batch%node, 1)
-            if (any(history(:, q, damage_at, e) >= 1.0_wp .and. batch%lower > 0)) then
+            if (any(history(:, q, e, damage_at) >= 1.0_wp .and. batch%lower > 0)) then
                failed(q, e) = batch%metric(5, q, e)
             end if
          end do

@@ -53,7 +53,7 @@ module plydyn_element_interface
       integer, allocatable :: target(:, :)
       !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
-      !> First of its histories, (lanes, side**2, law%histories, quads), in the history of all
+      !> First of its histories, (lanes, side**2, quads, law%histories), in the history of all
       integer :: first_history = 1
    end type interface_type
 
@@ -114,13 +114,13 @@ contains
       !> Damage from 0 to 1; a point that has more already keeps it
       real(wp), intent(in) :: damage
       !> History of these interfaces
-      real(wp), intent(inout) :: history(lanes, size(self%node, 1), self%law%histories, &
-         & size(self%node, 2))
+      real(wp), intent(inout) :: history(lanes, size(self%node, 1), size(self%node, 2), &
+         & self%law%histories)
       integer :: e
 
       do e = 1, size(self%node, 2)
          where (chosen(:, e))
-            history(lane, :, damage_at, e) = max(history(lane, :, damage_at, e), damage)
+            history(lane, :, e, damage_at) = max(history(lane, :, e, damage_at), damage)
          end where
       end do
    end subroutine set_damage
@@ -131,8 +131,9 @@ contains
       type(interface_type), intent(in) :: self
       !> The quad, counted in these
       integer, intent(in) :: quad
-      !> History over this quad
-      real(wp), intent(in) :: history(lanes, size(self%node, 1), self%law%histories)
+      !> History of these interfaces
+      real(wp), intent(in) :: history(lanes, size(self%node, 1), size(self%node, 2), &
+         & self%law%histories)
       !> Sums; zero in all lanes without an interface
       type(interface_sums_type) :: sums
 
@@ -140,7 +141,7 @@ contains
 
       if (self%law%histories == 0) return
       do q = 1, size(self%node, 1)
-         associate (area => self%metric(5, q, quad)*self%present, h => history(:, q, :))
+         associate (area => self%metric(5, q, quad)*self%present, h => history(:, q, quad, :))
             sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
             sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
             sums%fracture(:) = sums%fracture + area*h(:, fracture_at)

@@ -27,22 +27,22 @@ contains
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> History of these interfaces, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories, &
-         & size(self%node, 2))
+      real(wp), intent(inout) :: history(lanes, size(self%node), *)
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
       real(wp) :: jump(lanes, 3, most)
-      integer :: e
+      integer :: e, row
 
       do e = quads(1), quads(2)
+         row = 1 + self%side**2*(e - 1)
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
          if (.not. self%nodal) call to_points(self%side, self%reach, jump)
          if (large) then
-            call add_turned_forces(self, e, displacement, history(:, :, :, e), jump, force)
+            call add_turned_forces(self, e, displacement, history(1, row, 1), jump, force)
             cycle
          end if
-         call resist(self, self%metric(:, :, e), history(:, :, :, e), jump)
+         call resist(self, self%metric(:, :, e), history(1, row, 1), jump)
          if (.not. self%nodal) call to_nodes(self%side, self%reach, jump)
          call scatter(self, self%target(:, e), jump, jump, force)
       end do
@@ -56,8 +56,8 @@ contains
       integer, intent(in) :: quad
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
-      !> History of the points
-      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories)
+      !> History from the first of the points on
+      real(wp), intent(inout) :: history(lanes, size(self%node), *)
       !> Opening at the points in; work space out
       real(wp), intent(inout) :: jump(lanes, 3, most)
       !> Force on all points
@@ -97,15 +97,15 @@ contains
       type(interface_type), intent(in) :: self
       !> Geometry of the points
       real(wp), intent(in) :: metric(5, self%side**2)
-      !> History of the points
-      real(wp), intent(inout) :: history(lanes, self%side**2, self%law%histories)
+      !> History from the first of the points on
+      real(wp), intent(inout) :: history(lanes, size(self%node), *)
       !> Opening in, force out
       real(wp), intent(inout) :: jump(lanes, 3, most)
 
       real(wp) :: traction(lanes, 3, most)
       integer :: c, l, q
 
-      call self%law%update_points(self%side**2, jump, history, traction)
+      call self%law%update_points(self%side**2, size(self%node), jump, history, traction)
       do q = 1, self%side**2
          do c = 1, 3
             !$omp simd

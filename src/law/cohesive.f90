@@ -35,6 +35,9 @@ module plydyn_law_cohesive
    !> Share of the stiffness that a falling penalty keeps
    real(wp), parameter, public :: penalty_floor = 0.1_wp
 
+   !> Most points in a call: work space of fixed size can be aligned
+   integer, parameter :: most_points = 9
+
    !> Constants of an interface as an engineer gives them; pairs are normal, shear
    type, public :: cohesive_constants_type
       !> Traction per opening and per sliding
@@ -134,23 +137,24 @@ contains
       !> Traction in the same axes, positive with the opening
       real(wp), intent(out) :: traction(lanes, 3)
 
-      call self%update_points(1, opening, history, traction)
+      call self%update_points(1, 1, opening, history, traction)
    end subroutine update
 
    !> The same for all points of an element at once. Intact points below the onset stay as they are:
    !> to see that all are takes less time than to ask each
-   pure subroutine update_points(self, points, opening, history, traction)
+   pure subroutine update_points(self, points, pitch, opening, history, traction)
       class(cohesive_type), intent(in) :: self
-      !> Number of points
-      integer, intent(in) :: points
+      !> Number of points; rows of the history from one of their variables to the next
+      integer, intent(in) :: points, pitch
       !> Openings
       real(wp), intent(in) :: opening(lanes, 3, points)
-      !> Histories, old in and new out: one variable of all points after the other
-      real(wp), intent(inout) :: history(lanes, points, self%histories)
+      !> History from the first of the points on, old in and new out: one variable of all points of
+      !> all elements after the other
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Tractions
       real(wp), intent(out) :: traction(lanes, 3, points)
 
-      real(wp) :: across, along, beyond(lanes), highest
+      real(wp) :: across, along, beyond(lanes), highest, load(lanes, most_points)
       integer :: l, q
 
       beyond(:) = 0.0_wp
@@ -162,8 +166,8 @@ contains
             traction(l, 3, q) = self%stiffness(normal)*opening(l, 3, q)
             across = traction(l, 3, q)*max(opening(l, 3, q), 0.0_wp)
             along = traction(l, 1, q)*opening(l, 1, q) + traction(l, 2, q)*opening(l, 2, q)
-            beyond(l) = max(beyond(l), &
-               & self%onset(normal)*across + self%onset(shear)*along - 1.0_wp)
+            load(l, q) = self%onset(normal)*across + self%onset(shear)*along
+            beyond(l) = max(beyond(l), load(l, q) - 1.0_wp)
          end do
       end do
       if (self%histories == 0) return
@@ -179,26 +183,26 @@ contains
          highest = max(highest, beyond(l))
       end do
       if (highest <= 0.0_wp) return
-      call degrade(self, points, opening, history, traction)
+      call degrade(self, points, pitch, opening, load, history, traction)
    end subroutine update_points
 
    !> Damage, what it costs and what it leaves of the tractions
-   pure subroutine degrade(self, points, opening, history, traction)
+   pure subroutine degrade(self, points, pitch, opening, load, history, traction)
       class(cohesive_type), intent(in) :: self
-      !> Number of points
-      integer, intent(in) :: points
-      !> Openings
+      !> As in `update_points`
+      integer, intent(in) :: points, pitch
       real(wp), intent(in) :: opening(lanes, 3, points)
-      !> Histories, old in and new out: one variable of all points after the other
-      real(wp), intent(inout) :: history(lanes, points, self%histories)
+      !> Square of the load of the intact interface, 1 at the onset
+      real(wp), intent(in) :: load(lanes, most_points)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Tractions, of the intact interface in
       real(wp), intent(inout) :: traction(lanes, 3, points)
 
-      real(wp) :: before(lanes, points), h(lanes, with_friction)
+      real(wp) :: before(lanes, most_points), h(lanes, with_friction)
       integer :: q
       logical :: grows(points)
 
-      call look_ahead(self, points, opening, history, traction, before, grows)
+      call look_ahead(self%part, points, load, history(1, 1, damage_at), before, grows)
       do q = 1, points
          if (.not. grows(q)) cycle
          call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, q, damage_at), &
@@ -221,29 +225,27 @@ contains
 
    !> Where damage can grow: something is left, and the load is past the least at which what is
    !> there would grow with any mix of modes. That needs no power of the mix
-   pure subroutine look_ahead(self, points, opening, history, traction, before, grows)
-      class(cohesive_type), intent(in) :: self
+   pure subroutine look_ahead(part, points, load, damage, before, grows)
+      !> As in `cohesive_type`
+      real(wp), intent(in) :: part
       integer, intent(in) :: points
-      real(wp), intent(in) :: opening(lanes, 3, points)
-      real(wp), intent(in) :: history(lanes, points, self%histories)
-      real(wp), intent(in) :: traction(lanes, 3, points)
-      !> Damage
-      real(wp), intent(out) :: before(lanes, points)
+      !> As in `degrade`
+      real(wp), intent(in) :: load(lanes, most_points)
+      !> Damage, and the same again
+      real(wp), intent(in) :: damage(lanes, points)
+      real(wp), intent(out) :: before(lanes, most_points)
       !> Whether it can grow in some lane
       logical, intent(out) :: grows(points)
 
-      real(wp) :: ahead(lanes), damage, highest, load
+      real(wp) :: ahead(lanes), highest
       integer :: l, q
 
       do q = 1, points
-         !$omp simd private(damage, load)
+         !$omp simd
          do l = 1, lanes
-            load = self%onset(normal)*traction(l, 3, q)*max(opening(l, 3, q), 0.0_wp) &
-               & + self%onset(shear)*(traction(l, 1, q)*opening(l, 1, q) &
-               & + traction(l, 2, q)*opening(l, 2, q))
-            damage = history(l, q, damage_at)
-            before(l, q) = damage
-            ahead(l) = min(load*(1.0_wp - self%part*damage)**2 - 1.0_wp, 1.0_wp - damage)
+            before(l, q) = damage(l, q)
+            ahead(l) = min(load(l, q)*(1.0_wp - part*damage(l, q))**2 - 1.0_wp, &
+               & 1.0_wp - damage(l, q))
          end do
          highest = 0.0_wp
          !$omp simd reduction(max: highest)

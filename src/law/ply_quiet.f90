@@ -29,8 +29,7 @@ contains
       integer, intent(in) :: points, pitch
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History from the first of the points on; changes only at points that are
-      !> quiet
+      !> History from the first of the points on; changes only at points that are quiet
       real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Stress of the lanes that the law owns; means nothing at points that are not quiet
       real(wp), intent(inout) :: stress(lanes, 6, points)

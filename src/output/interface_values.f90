@@ -46,11 +46,11 @@ contains
       type(interface_type), intent(in) :: batch
       integer, intent(in) :: home(3)
       !> History of the batch
-      real(wp), intent(in) :: history(lanes, size(batch%node, 1), batch%law%histories, &
-         & size(batch%node, 2))
+      real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
+         & batch%law%histories)
       real(wp), intent(inout) :: values(:, :)
 
-      associate (h => history(home(2), :, :, home(3)))
+      associate (h => history(home(2), :, home(3), :))
          values(at_damage, :) = h(:, damage_at)
          values(at_dissipated, :) = h(:, fracture_at)
          if (size(h, 2) < closing_at) return

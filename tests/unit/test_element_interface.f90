@@ -292,15 +292,15 @@ contains
    !> Areas and energies of all points over all quads
    function sums_of(self, history) result(sums)
       type(interface_type), intent(in) :: self
-      real(wp), intent(in) :: history(lanes, size(self%node, 1), self%law%histories, &
-         & size(self%node, 2))
+      real(wp), intent(in) :: history(lanes, size(self%node, 1), size(self%node, 2), &
+         & self%law%histories)
       type(interface_sums_type) :: sums
 
       type(interface_sums_type) :: part
       integer :: e
 
       do e = 1, size(self%node, 2)
-         part = sum_lanes(self, e, history(:, :, :, e))
+         part = sum_lanes(self, e, history)
          sums%begun(:) = sums%begun + part%begun
          sums%failed(:) = sums%failed + part%failed
          sums%fracture(:) = sums%fracture + part%fracture
