@@ -17,6 +17,10 @@ module plydyn_output_life_line
       integer :: screen = no_unit
       type(progress_type) :: progress
       type(pulse_type) :: pulse
+      !> Largest step but for a curve that bounds it; what it comes from; whether there is a curve
+      real(wp) :: largest = 0.0_wp
+      character(:), allocatable :: cause
+      logical :: has_curve = .false.
    contains
       procedure :: begin
       procedure :: show
@@ -41,13 +45,29 @@ contains
 
       self%screen = job%screen
       self%progress%start_time = job%start_time
-      self%progress%cause = "quad "//text(domain%limit%quad)//" ply "//text(domain%limit%ply)
-      if (size(domain%bricks) > 0) self%progress%cause = "brick "//text(domain%limit%quad)
-      if (domain%limit%interface_rest > domain%limit%ply_rate) self%progress%cause = "interfaces"
+      call find_cause(self, domain)
       call self%pulse%start()
       if (self%screen == no_unit) return
       write (self%screen, "(a)") progress_heads(units%time, units%force)
    end subroutine begin
+
+   !> What the step comes from
+   subroutine find_cause(self, domain)
+      class(life_line_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      associate (control => domain%control, limit => domain%limit)
+         self%cause = "quad "//text(limit%quad)//" ply "//text(limit%ply)
+         if (size(domain%bricks) > 0) self%cause = "brick "//text(limit%quad)
+         if (limit%interface_rest > limit%ply_rate) self%cause = "interfaces"
+         self%largest = control%step_factor*limit%step
+         self%has_curve = control%step_curve > 0
+         if (control%largest_step > 0.0_wp .and. control%largest_step < self%largest) then
+            self%largest = control%largest_step
+            self%cause = "DTMAX"
+         end if
+      end associate
+   end subroutine find_cause
 
    !> Write the line when its time has come
    subroutine show(self, state)
@@ -81,6 +101,8 @@ contains
       self%progress%time = state%time
       self%progress%end_time = state%end_time
       self%progress%step = state%step_before
+      self%progress%cause = self%cause
+      if (self%has_curve .and. state%step_before < self%largest) self%progress%cause = "LCTM"
       self%progress%energy_error = state%energies%error()
       self%progress%force = 0.0_wp
       if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))

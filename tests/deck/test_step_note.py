@@ -1,4 +1,4 @@
-"""The listing tells where large displacement leaves waves through the plies little room."""
+"""What is said of the step: how much room it leaves for waves, and what bounds it."""
 
 from __future__ import annotations
 
@@ -51,3 +51,35 @@ def test_room_for_waves(
     notes = [line for line in text.splitlines() if "of the stable step of plies" in line]
     assert len(notes) == int(is_told)
     assert not is_told or notes[0].startswith("note: large displacement, 0.900 of")
+
+
+@pytest.mark.parametrize(
+    ("largest", "curve", "springs", "cause"),
+    [
+        (0.0, 0.0, 0.0, "quad 1 ply 1"),
+        (1.0e-9, 0.0, 0.0, "DTMAX"),
+        (1.0, 0.0, 0.0, "quad 1 ply 1"),
+        (0.0, 1.0e-9, 0.0, "LCTM"),
+        (2.0e-9, 1.0e-9, 0.0, "LCTM"),
+        (1.0e-9, 2.0e-9, 0.0, "DTMAX"),
+        (0.0, 0.0, 1.0e9, "interfaces"),
+    ],
+    ids=["quad", "DTMAX", "far", "LCTM", "LCTM below", "DTMAX below", "interfaces"],
+)
+def test_line_of_life_names_what_bounds_the_step(
+    largest: float, curve: float, springs: float, cause: str, tmp_path: Path
+) -> None:
+    """A quad and a ply, the springs, or the bound of the deck that is least."""
+    deck = Deck("cause", 1.0e-7)
+    deck.add("CONTROL_LAYERWISE", (0, 0.05, EXPLICIT, largest))
+    number = deck.curve([(0.0, curve), (1.0, curve)]) if curve > 0.0 else 0
+    deck.add("CONTROL_TIMESTEP", (0.0, 0.9, 0, 0.0, 0.0, number))
+    deck.mesh(regular(8.0, 8.0, 1, 1, 9))
+    deck.laminate([Ply(CARBON, THIN, angle) for angle in (0.0, 0.0)])
+    if springs > 0.0:
+        deck.interfaces(springs, springs)
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == 0, text
+    heads, *lines = text[text.index("    cycle") :].splitlines()
+    first = heads.index("controlled by")
+    assert lines[0][first : heads.index("  error")].strip() == cause, text
