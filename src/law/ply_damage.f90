@@ -161,8 +161,9 @@ contains
       integer :: m
       logical :: quiet(points)
 
-      quiet(:) = .false.
-      if (.not. self%averages) then
+      if (self%averages) then
+         quiet(:) = .false.
+      else
          call stay(self%ply, points, pitch, strain, history, stress, quiet)
       end if
       do m = 1, points
