@@ -24,9 +24,9 @@ module plydyn_law_ply_damage
    implicit none
    private
 
-   !> Least strain at onset over that after the step that led there. With less the point was beyond
-   !> it before, by a criterion that has changed: compression that ends changes the toughness of
-   !> shear
+   !> Least strain at which damage begins or goes on over that after the step that led there. With
+   !> less the point was beyond it before, by a criterion that has changed: compression that ends
+   !> changes the toughness of shear, or closes a crack whose damage was all that acted
    real(wp), parameter :: least_led = 0.9_wp
 
    !> A law with the constants of the lanes
@@ -114,6 +114,7 @@ contains
       damage(:) = history(lane, [fibre_damage, matrix_damage])
       if (self%ply%any_closes) damage(:) = max(damage, &
          & history(lane, [fibre_damage, matrix_damage] + to_compression))
+      damage(:) = min(damage, 1.0_wp - self%ply%residual(lane))
       plastic(:) = self%spent(by_ply_plasticity, history)
       values(:) = 0.0_wp
       values(shows_fibre_damage:shows_matrix_damage) = damage
@@ -219,6 +220,7 @@ contains
 
       if (self%ply%any_closes) call put_acting_first(self, e, shear(:, 1), h, now%sense)
       call find_remains(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
+      now%after(:, :) = now%before
       call soften(self, e, shear(:, 2), h, now, now%share, s)
       call begin_damage(self, e, shear, s, h, now, begins)
       if (begins) then
@@ -326,12 +328,11 @@ contains
             now%grows = .true.
             call grow(ply%plateau, ply%brittle, size, modes, share)
             ! where cracks close, another damage may meet the strain of the step at once
-            if (ply%any_closes) share(:, :) = merge(1.0_wp, share, &
-               & spread(ply%closes > 0.0_wp, 2, 2))
+            if (ply%any_closes) share(:, :) = merge(1.0_wp, share, share < least_led &
+               & .and. spread(ply%closes > 0.0_wp, 2, 2))
             call find_remains(ply%residual, ply%any_closes, h, now%sense, now%after)
          else
             share(:, :) = 1.0_wp
-            now%after(:, :) = now%before
          end if
       end associate
       call self%ply%secant%damaged_stress(e, now%after, stress)

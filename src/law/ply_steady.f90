@@ -106,7 +106,8 @@ contains
       end do
    end subroutine prepare
 
-   !> Take the stresses of an intact ply where onset is by them
+   !> Take the stresses of an intact ply where onset is by them. Where tension and compression have
+   !> damage of their own, those of the sign of the stress that acts: another one's would begin
    pure subroutine take_intact(ply, e, trial)
       !> Constants
       type(ply_lanes_type), intent(in) :: ply
@@ -124,7 +125,8 @@ contains
          do l = 1, lanes
             kept = trial(l, k)
             other = intact(l, k)
-            trial(l, k) = merge(other, kept, ply%intact(l) > 0.0_wp)
+            trial(l, k) = merge(other, kept, ply%intact(l) > 0.0_wp &
+               & .and. (ply%closes(l) <= 0.0_wp .or. other*kept > 0.0_wp))
          end do
       end do
    end subroutine take_intact

@@ -8,6 +8,10 @@ module plydyn_law_ply_step
 
    public :: add_damaged, add_energies
 
+   !> Damage that grows by more than so many times the growth of the strain over the strain falls at
+   !> the strain of the step: it drops
+   real(wp), parameter, public :: steep = 100.0_wp
+
    !> What happens to a point in a step
    type, public :: step_type
       !> Work per volume of a ply without damage on the shear that stays
@@ -52,7 +56,9 @@ contains
    end subroutine add_damaged
 
    !> Energy that the loss of stiffness sets free at the strain of the step, and what it spares of
-   !> plastic work
+   !> plastic work. What a drop of the stiffness sets free at a strain is half the change of the
+   !> compliance times the stress before and that after; where stress follows a line, as Poisson's
+   !> effect lets it in uniaxial stress, both are the stress after
    pure subroutine add_energies(secant, weak, e, elastic, now, s, h)
       !> Stiffness; what damage weakens of G13 and G23
       type(secant_type), intent(in) :: secant
@@ -61,26 +67,29 @@ contains
       real(wp), intent(in) :: e(lanes, 6), elastic(lanes)
       !> What remained and remains
       type(step_type), intent(in) :: now
-      !> Normal stresses 11 and 22 on what remains
+      !> Normal stresses 11 and 22 on what remains after the step
       real(wp), intent(in) :: s(lanes, 2)
       !> History, of which the energies grow
       real(wp), intent(inout) :: h(lanes, *)
 
-      real(wp) :: loss(4), mean(2), plane
+      real(wp) :: along, across, first(lanes, 3), loss(4), mean(2), plane
       integer :: l
 
+      call secant%damaged_stress(e, now%before, first)
       associate (compliance => secant%compliance, g => secant%shear, before => now%before, &
          & after => now%after, share => now%share)
-         !$omp simd private(loss, mean, plane)
+         !$omp simd private(across, along, loss, mean, plane)
          do l = 1, lanes
             loss(:) = before(l, :) - after(l, :)
             mean(:) = 0.5_wp*(before(l, 3:4) + after(l, 3:4))
             plane = g(l, 1)*elastic(l)**2
+            along = merge(first(l, 1), s(l, 1), loss(1) > steep*(1.0_wp - share(l, 1)))
+            across = merge(first(l, 2), s(l, 2), loss(2) > steep*(1.0_wp - share(l, 2)))
             h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
-               & loss(1)*compliance(l, 1)*s(l, 1)**2 &
+               & loss(1)*compliance(l, 1)*along*s(l, 1) &
                & + loss(3)*(mean(2)*plane + weak(l, 1)*e(l, 5)**2))
             h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
-               & loss(2)*compliance(l, 2)*s(l, 2)**2 &
+               & loss(2)*compliance(l, 2)*across*s(l, 2) &
                & + loss(4)*(mean(1)*plane + weak(l, 2)*e(l, 6)**2))
             h(l, shear_spared) = h(l, shear_spared) &
                & + now%work(l)*(1.0_wp - after(l, 3)*after(l, 4))

@@ -83,14 +83,15 @@ contains
       end select
    end subroutine set_lane
 
-   !> Keep a table as a sum of ramps: where it bends and by how much
+   !> Keep a table as a sum of ramps: where it bends and by how much. It rises by no more than the
+   !> modulus, with which it unloads: what little more it may is left out
    pure subroutine set_table(self, lane, strain, stress)
       class(shear_lanes_type), intent(inout) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: strain(:), stress(:)
 
       real(wp), allocatable :: bend(:, :), change(:, :)
-      real(wp) :: before, slope
+      real(wp) :: before, reached, slope
       integer :: i, known
 
       known = 0
@@ -104,8 +105,12 @@ contains
       bend(lane, :) = 0.0_wp
       change(lane, :) = 0.0_wp
       before = 0.0_wp
+      reached = 0.0_wp
       do i = 1, size(strain) - 1
-         slope = (stress(i + 1) - stress(i))/(strain(i + 1) - strain(i))
+         associate (length => strain(i + 1) - strain(i))
+            slope = min((stress(i + 1) - reached)/length, self%modulus(lane))
+            reached = reached + slope*length
+         end associate
          bend(lane, i) = strain(i)
          change(lane, i) = slope - before
          before = slope

@@ -30,6 +30,10 @@ module plydyn_law_strain_damage
    !> choose between two sets of strains
    real(wp), parameter :: idle_push = 1.0e-3_wp
 
+   !> Least strain at which the damage was reached over that of a step which led from there. With
+   !> less the point was beyond it before: tension that follows compression has strains of its own
+   real(wp), parameter :: least_led = 0.9_wp
+
    !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
    type, public :: strain_constants_type
       !> E1, E2, E3; nu12, nu13, nu23; G12, G13, G23
@@ -120,7 +124,7 @@ contains
       real(wp), intent(inout) :: stress(lanes, 6)
 
       real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
-      real(wp) :: remains(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3)
+      real(wp) :: remains(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3, 2)
       real(wp) :: drive(lanes, driving_strains), before_share(lanes, strain_mechanisms)
 
       before(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
@@ -135,11 +139,14 @@ contains
          call grow(self, drive, history, share)
       end if
       after(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
+      remains(:, 1) = before(:, by_fibres)*before(:, by_locking)
+      remains(:, 2) = before(:, by_matrix)*before(:, by_locking)
+      call self%secant%damaged_stress(strain, remains, normal(:, :, 1))
       remains(:, 1) = after(:, by_fibres)*after(:, by_locking)
       remains(:, 2) = after(:, by_matrix)*after(:, by_locking)
-      call self%secant%damaged_stress(strain, remains, normal)
+      call self%secant%damaged_stress(strain, remains, normal(:, :, 2))
       call add_energies(self, strain(:, 4), normal, before, after, share, history)
-      call give_stress(self, strain, normal, remains, stress)
+      call give_stress(self, strain, normal(:, :, 2), remains, stress)
    end subroutine update
 
    !> Keep the strains of the point for its neighbours, and take the averages instead
@@ -174,7 +181,8 @@ contains
       !> Strains 11, 22 and 12
       real(wp), intent(in) :: strain(lanes, driving_strains)
       real(wp), intent(inout) :: history(lanes, *)
-      !> Mean of the driving force over its value at the end, when all strains grow in proportion
+      !> Mean of the driving force over its value at the end, when all strains grow in proportion; 1
+      !> where the step did not lead from the strain at which the damage was reached
       real(wp), intent(out) :: share(lanes, strain_mechanisms)
 
       real(wp) :: damage, finish, from, last, now, onset, sense(lanes, strain_mechanisms)
@@ -194,6 +202,7 @@ contains
                ! strain at which the old damage was reached
                from = finish*onset/(finish - damage*(finish - onset))
                share(l, k) = min(from*last/now**2, 1.0_wp)
+               share(l, k) = merge(share(l, k), 1.0_wp, from >= least_led*now)
                damage = max(damage, finish*(last - onset)/(last*(finish - onset)))
                history(l, k) = merge(damage, history(l, k), self%owns(l))
             end do
@@ -229,8 +238,8 @@ contains
       type(strain_damage_type), intent(in) :: self
       !> Shear strain 12
       real(wp), intent(in) :: shear(lanes)
-      !> Normal stresses on what remains
-      real(wp), intent(in) :: normal(lanes, 3)
+      !> Normal stresses on what remained and on what remains
+      real(wp), intent(in) :: normal(lanes, 3, 2)
       !> What remained and what remains, by mechanism
       real(wp), intent(in) :: before(lanes, strain_mechanisms), after(lanes, strain_mechanisms)
       real(wp), intent(in) :: share(lanes, strain_mechanisms)
@@ -244,8 +253,8 @@ contains
          loss(:) = share(l, :)*(before(l, :) - after(l, :))
          mean(:) = 0.5_wp*(before(l, :) + after(l, :))
          lost(:) = loss(:by_matrix)*mean(by_locking) + mean(:by_matrix)*loss(by_locking)
-         force(1) = 0.5_wp*self%secant%compliance(l, 1)*normal(l, 1)**2
-         force(2) = 0.5_wp*(self%secant%compliance(l, 2)*normal(l, 2)**2 &
+         force(1) = 0.5_wp*self%secant%compliance(l, 1)*normal(l, 1, 1)*normal(l, 1, 2)
+         force(2) = 0.5_wp*(self%secant%compliance(l, 2)*normal(l, 2, 1)*normal(l, 2, 2) &
             & + self%secant%shear(l, 1)*shear(l)**2)
          own = merge(1.0_wp, 0.0_wp, self%owns(l))
          history(l, along_energy) = history(l, along_energy) + own*lost(1)*force(1)

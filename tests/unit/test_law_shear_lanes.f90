@@ -22,6 +22,7 @@ program test_law_shear_lanes
    call test_shapes()
    call test_energy()
    call test_lost()
+   call test_steep_table()
    call test_unloading()
    call test_short_way()
    call test_digits()
@@ -66,6 +67,41 @@ contains
       call check(stays([3, 10]), [0.01668_wp, 0.02560_wp], 5.0e-6_wp, "and the strains that stay")
       call check(all(loss(4:9) <= 0.0_wp), "loses no energy below the largest strain")
    end subroutine test_cycle
+
+   !> A table a little steeper than the modulus, as it may be, is the modulus there: nothing is lost
+   subroutine test_steep_table()
+      real(wp), parameter :: last(2) = [0.01_wp, 0.03_wp], excess = 1.009_wp, part = 0.6_wp
+      real(wp) :: before(lanes)
+      type(shear_lanes_type) :: own
+      integer :: l
+
+      call begin("a table as steep as it may be")
+      do l = 1, lanes
+         call own%set_lane(l, modulus, new_table_curve([0.0_wp, last], &
+            & [0.0_wp, excess*modulus*last(1), modulus*last(1)]))
+      end do
+      peak(:) = last(1)
+      set(:) = 0.0_wp
+      call own%find_set(1, peak, set)
+      call check(set, spread(0.0_wp, 1, lanes), 1.0e-12_wp*last(1), "leaves nothing")
+      call check(own%lost(peak, set), spread(0.0_wp, 1, lanes), 1.0e-12_wp*modulus*last(1)**2, &
+         & "and loses nothing")
+
+      ! steep where some strain has already stayed
+      do l = 1, lanes
+         call own%set_lane(l, modulus, new_table_curve([0.0_wp, last], &
+            & [0.0_wp, part*modulus*last(1), &
+            & modulus*(part*last(1) + excess*(last(2) - last(1)))]))
+      end do
+      peak(:) = last(1)
+      call own%find_set(1, peak, set)
+      before(:) = own%lost(peak, set)
+      call check(set, spread((1.0_wp - part)*last(1), 1, lanes), 1.0e-12_wp*last(1), "stays")
+      peak(:) = last(2)
+      call own%find_set(1, peak, set)
+      call check(set, spread((1.0_wp - part)*last(1), 1, lanes), 1.0e-12_wp*last(1), "as it is")
+      call check(own%lost(peak, set), before, 1.0e-12_wp*before(1), "at no cost")
+   end subroutine test_steep_table
 
    !> Every shape is the curve it says
    subroutine test_shapes()

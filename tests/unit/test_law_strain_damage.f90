@@ -31,6 +31,7 @@ program test_law_strain_damage
    call test_locking()
    call test_poisson()
    call test_both_senses()
+   call test_jump()
    call test_owned_lanes()
    call finish()
 
@@ -283,6 +284,31 @@ contains
       call check(point%history(by_fibres), 0.09_wp*(1.5_wp*from - 0.011_wp) &
          & /(1.5_wp*from*0.079_wp), 1.0e-12_wp, "goes on by the strains of compression")
    end subroutine test_both_senses
+
+   !> Compression that turns into tension under shear that is held: damage jumps, and all that was
+   !> stored is free
+   subroutine test_jump()
+      type(point_type) :: point
+      type(strain_constants_type) :: ply
+      real(wp) :: strain(6)
+      integer :: i
+
+      call begin("compression that ends under shear")
+      ply = straight_ply()
+      ply%onset(by_matrix, :) = [0.005_wp, 0.03_wp]
+      ply%finish(by_matrix, :) = [0.02_wp, 0.06_wp]
+      point = new_point(ply)
+      strain(:) = 0.0_wp
+      strain(4) = 0.04_wp
+      do i = -steps, steps
+         strain(2) = 2.0e-4_wp*real(i, wp)/real(steps, wp)
+         call move(point, strain)
+         if (i == -steps) call check(point%history(by_matrix), 0.0_wp, 0.0_wp, "is intact before")
+      end do
+      call check(point%history(by_matrix), 1.0_wp, 0.0_wp, "breaks by the strains of tension")
+      call check(point%history(variables)/(0.5_wp*ply%shear(1)*strain(4)**2), 1.0_wp, 1.0e-5_wp, &
+         & "sets all free that was stored")
+   end subroutine test_jump
 
    !> Lanes of other laws keep stress and history
    subroutine test_owned_lanes()
