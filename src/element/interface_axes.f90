@@ -8,9 +8,10 @@ module plydyn_element_interface_axes
 
 contains
 
-   !> Axes of the deformed face at each point: the third is its normal, the first lies along the
-   !> line that was along x
-   pure subroutine find_axes(side, metric, middle, axes, legs)
+   !> Axes of the deformed face at each point: the third is its normal, the others are those along x
+   !> and y turned as the face has turned, without its stretch. No direction of the plane goes
+   !> before another, so that what slips does not depend on how a mesh lies
+   pure subroutine find_axes(side, metric, middle, axes, stretch)
       !> Points along a side
       integer, intent(in) :: side
       !> Geometry of the points; see `quad_metric`
@@ -19,9 +20,9 @@ contains
       real(wp), intent(in) :: middle(lanes, 3, side, side)
       !> Axes, (lanes, components, axes, points)
       real(wp), intent(out) :: axes(lanes, 3, 3, side, side)
-      !> What has become of the unit vector along x: its length; of that along y: its components
+      !> Components 11, 12 and 22 of the stretch: what has become of the unit vectors along x and y,
       !> along the first and the second axis
-      real(wp), intent(out) :: legs(lanes, 3, side, side)
+      real(wp), intent(out) :: stretch(lanes, 3, side, side)
 
       real(wp) :: along(lanes, 3, 2)
       integer :: i, j
@@ -36,25 +37,27 @@ contains
                along(:, :, 2) = along(:, :, 2) + real(2*(j - 2), wp)*(middle(:, :, i, 3) &
                   & + middle(:, :, i, 1) - 2.0_wp*middle(:, :, i, 2))
             end if
-            call point_axes(metric(:, i, j), along, axes(:, :, :, i, j), legs(:, :, i, j))
+            call point_axes(metric(:, i, j), along, axes(:, :, :, i, j), stretch(:, :, i, j))
          end do
       end do
    end subroutine find_axes
 
    !> Axes of the deformed face at a point
-   pure subroutine point_axes(metric, along, axes, legs)
+   pure subroutine point_axes(metric, along, axes, stretch)
       !> Geometry of the point
       real(wp), intent(in) :: metric(5)
       !> Derivatives of twice the displacement along xi and eta
       real(wp), intent(in) :: along(lanes, 3, 2)
-      !> Axes, (lanes, components, axes), and the legs of both vectors
-      real(wp), intent(out) :: axes(lanes, 3, 3), legs(lanes, 3)
+      !> Axes, (lanes, components, axes), and the stretch
+      real(wp), intent(out) :: axes(lanes, 3, 3), stretch(lanes, 3)
 
-      real(wp) :: a1, a2, a3, area, b1, b2, b3, inverse, length, n1, n2, n3
+      real(wp) :: a1, a2, a3, area, b1, b2, b3, c, c1, c2, c3, height, inverse, lean, length
+      real(wp) :: n1, n2, n3, s
       integer :: l
 
       associate (x => 0.5_wp*metric(1:3:2), y => 0.5_wp*metric(2:4:2))
-         !$omp simd private(a1, a2, a3, area, b1, b2, b3, inverse, length, n1, n2, n3)
+         !$omp simd private(a1, a2, a3, area, b1, b2, b3, c, c1, c2, c3, height, inverse, lean, &
+         !$omp& length, n1, n2, n3, s)
          do l = 1, lanes
             ! what has become of the unit vectors along x and y
             a1 = 1.0_wp + along(l, 1, 1)*x(1) + along(l, 1, 2)*x(2)
@@ -76,15 +79,25 @@ contains
             a1 = a1*inverse
             a2 = a2*inverse
             a3 = a3*inverse
-            legs(l, 1) = length
-            legs(l, 2) = a1*b1 + a2*b2 + a3*b3
-            legs(l, 3) = area*inverse
-            axes(l, 1, 1) = a1
-            axes(l, 2, 1) = a2
-            axes(l, 3, 1) = a3
-            axes(l, 1, 2) = n2*a3 - n3*a2
-            axes(l, 2, 2) = n3*a1 - n1*a3
-            axes(l, 3, 2) = n1*a2 - n2*a1
+            c1 = n2*a3 - n3*a2
+            c2 = n3*a1 - n1*a3
+            c3 = n1*a2 - n2*a1
+            ! in these axes along a and across it a is (length, 0) and b is (lean, height); turned by
+            ! the angle of cosine c and sine s both have the same component along the other's axis
+            lean = a1*b1 + a2*b2 + a3*b3
+            height = area*inverse
+            inverse = 1.0_wp/sqrt((length + height)**2 + lean**2)
+            c = (length + height)*inverse
+            s = -lean*inverse
+            stretch(l, 1) = c*length
+            stretch(l, 2) = -s*length
+            stretch(l, 3) = c*height - s*lean
+            axes(l, 1, 1) = c*a1 + s*c1
+            axes(l, 2, 1) = c*a2 + s*c2
+            axes(l, 3, 1) = c*a3 + s*c3
+            axes(l, 1, 2) = c*c1 - s*a1
+            axes(l, 2, 2) = c*c2 - s*a2
+            axes(l, 3, 2) = c*c3 - s*a3
             axes(l, 1, 3) = n1
             axes(l, 2, 3) = n2
             axes(l, 3, 3) = n3

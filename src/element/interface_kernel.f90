@@ -63,18 +63,18 @@ contains
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
-      real(wp) :: axes(lanes, 3, 3, most), legs(lanes, 3, most)
+      real(wp) :: axes(lanes, 3, 3, most), stretch(lanes, 3, most)
       real(wp), dimension(lanes, 3, most) :: middle, pull, turning
       integer :: c, l, q
 
       associate (side => self%side, metric => self%metric(:, :, quad))
          call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
          if (.not. self%nodal) call to_points(side, self%reach, middle)
-         call find_axes(side, metric, middle, axes, legs)
+         call find_axes(side, metric, middle, axes, stretch)
          call turn_in(side**2, axes, jump)
          pull(:, :, :side**2) = jump(:, :, :side**2)
          call resist(self, metric, history, pull)
-         call find_turning(side, metric, axes, legs, jump, pull, turning)
+         call find_turning(side, metric, axes, stretch, jump, pull, turning)
          call turn_back(side**2, axes, pull)
          if (.not. self%nodal) call to_nodes(side, self%reach, pull)
          if (.not. self%nodal) call to_nodes(side, self%reach, turning)

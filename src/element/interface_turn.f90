@@ -15,14 +15,13 @@ contains
 
    !> Forces by which tractions across an opening turn the mid-face, for the displacements of each
    !> of both faces at the points of a quad
-   pure subroutine find_turning(side, metric, axes, legs, opening, traction, turning)
+   pure subroutine find_turning(side, metric, axes, stretch, opening, traction, turning)
       !> Points along a side
       integer, intent(in) :: side
       !> Geometry of the points; see `quad_metric`
       real(wp), intent(in) :: metric(5, side, side)
-      !> Axes of the face, and what has become of the unit vectors along x and y in them; see
-      !> `find_axes`
-      real(wp), intent(in) :: axes(lanes, 3, 3, side, side), legs(lanes, 3, side, side)
+      !> Axes of the face, and the stretch in them; see `find_axes`
+      real(wp), intent(in) :: axes(lanes, 3, 3, side, side), stretch(lanes, 3, side, side)
       !> Opening, and traction times area that resists it, both in these axes
       real(wp), intent(in) :: opening(lanes, 3, side, side), traction(lanes, 3, side, side)
       !> Force along x, y, z that is to be subtracted on both faces
@@ -33,7 +32,7 @@ contains
 
       do j = 1, side
          do i = 1, side
-            call point_turning(metric(:, i, j), axes(:, :, :, i, j), legs(:, :, i, j), &
+            call point_turning(metric(:, i, j), axes(:, :, :, i, j), stretch(:, :, i, j), &
                & opening(:, :, i, j), traction(:, :, i, j), along(:, :, i, j), up(:, :, i, j))
          end do
       end do
@@ -54,31 +53,35 @@ contains
    end subroutine find_turning
 
    !> What the moment at a point does to the slopes of the sum of both displacements
-   pure subroutine point_turning(metric, axes, legs, d, t, along, up)
-      real(wp), intent(in) :: metric(5), axes(lanes, 3, 3), legs(lanes, 3), d(lanes, 3), t(lanes, 3)
+   pure subroutine point_turning(metric, axes, stretch, d, t, along, up)
+      real(wp), intent(in) :: metric(5), axes(lanes, 3, 3), stretch(lanes, 3)
+      real(wp), intent(in) :: d(lanes, 3), t(lanes, 3)
       !> Forces for the derivatives along xi and eta
       real(wp), intent(out) :: along(lanes, 3), up(lanes, 3)
 
-      real(wp) :: first, inverse, normal, second, side, tip
-      integer :: l
+      real(wp) :: about1, about2, about3, area, first, normal, second
+      integer :: c, l
 
-      associate (x => 0.5_wp*metric(1:3:2), y => 0.5_wp*metric(2:4:2))
-         !$omp simd private(first, inverse, normal, second, side, tip)
+      associate (x => 0.5_wp*metric(1:3:2), y => 0.5_wp*metric(2:4:2), u => stretch)
+         !$omp simd private(about1, about2, about3, area, c, first, normal, second)
          do l = 1, lanes
-            ! turns about the first axis tip the second leg, about the others the first leg
-            inverse = 1.0_wp/(legs(l, 1)*legs(l, 3))
-            tip = (t(l, 2)*d(l, 3) - t(l, 3)*d(l, 2))*inverse
-            side = (t(l, 1)*d(l, 2) - t(l, 2)*d(l, 1))*legs(l, 3)*inverse
-            first = -tip*legs(l, 2) - (t(l, 3)*d(l, 1) - t(l, 1)*d(l, 3))*legs(l, 3)*inverse
-            second = tip*legs(l, 1)
+            ! the axes tip with both vectors, and turn about the normal by half the difference of
+            ! what each moves along the other's axis, over the mean stretch
+            area = 1.0_wp/(u(l, 1)*u(l, 3) - u(l, 2)**2)
+            about1 = (t(l, 2)*d(l, 3) - t(l, 3)*d(l, 2))*area
+            about2 = (t(l, 3)*d(l, 1) - t(l, 1)*d(l, 3))*area
+            about3 = (t(l, 1)*d(l, 2) - t(l, 2)*d(l, 1))/(u(l, 1) + u(l, 3))
+            first = -about1*u(l, 2) - about2*u(l, 3)
+            second = about1*u(l, 1) + about2*u(l, 2)
             normal = x(1)*first + y(1)*second
-            along(l, 1) = normal*axes(l, 1, 3) + x(1)*side*axes(l, 1, 2)
-            along(l, 2) = normal*axes(l, 2, 3) + x(1)*side*axes(l, 2, 2)
-            along(l, 3) = normal*axes(l, 3, 3) + x(1)*side*axes(l, 3, 2)
+            do c = 1, 3
+               along(l, c) = normal*axes(l, c, 3) &
+                  & + about3*(x(1)*axes(l, c, 2) - y(1)*axes(l, c, 1))
+            end do
             normal = x(2)*first + y(2)*second
-            up(l, 1) = normal*axes(l, 1, 3) + x(2)*side*axes(l, 1, 2)
-            up(l, 2) = normal*axes(l, 2, 3) + x(2)*side*axes(l, 2, 2)
-            up(l, 3) = normal*axes(l, 3, 3) + x(2)*side*axes(l, 3, 2)
+            do c = 1, 3
+               up(l, c) = normal*axes(l, c, 3) + about3*(x(2)*axes(l, c, 2) - y(2)*axes(l, c, 1))
+            end do
          end do
       end associate
    end subroutine point_turning

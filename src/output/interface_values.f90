@@ -70,7 +70,7 @@ contains
       !> Share at each node, (side**2)
       real(wp), intent(out) :: mixity(:)
 
-      real(wp), dimension(lanes, 3, size(mixity)) :: jump, legs, middle
+      real(wp), dimension(lanes, 3, size(mixity)) :: jump, stretch, middle
       real(wp) :: above, axes(lanes, 3, 3, size(mixity)), below, opening, sliding
       integer :: c, q
 
@@ -86,7 +86,7 @@ contains
          end do
          if (domain%control%kinematics == total_lagrangian) then
             call find_axes(batch%side, quad_node_metric(batch%side, &
-               & domain%position(1:2, node)), middle, axes, legs)
+               & domain%position(1:2, node)), middle, axes, stretch)
             call turn_in(size(node), axes, jump)
          end if
          do q = 1, size(node)

@@ -180,7 +180,8 @@ contains
       real(wp), parameter :: c = cos(2.0_wp), s = sin(2.0_wp)
       real(wp), parameter :: rotation(3, 3) = reshape([c, s, 0.0_wp, -s*c, c*c, s, &
          & s*s, -s*c, c], [3, 3])
-      real(wp), parameter :: stretch(3, 3) = reshape([0.02_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
+      ! symmetric: the face shears, and does not turn
+      real(wp), parameter :: stretch(3, 3) = reshape([0.02_wp, 0.015_wp, 0.0_wp, 0.015_wp, &
          & -0.01_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], [3, 3])
       real(wp), parameter :: jump(3) = [2.0e-3_wp, -1.0e-3_wp, 3.0e-3_wp]
       real(wp), allocatable :: force(:), history(:), straight(:), turned_history(:)
