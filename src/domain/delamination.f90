@@ -142,7 +142,8 @@ contains
       !> History of these interfaces
       real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
          & batch%law%histories)
-      !> Area of the points at which an interface has failed, else 0; (points, quads of the plate)
+      !> Area of the points at which an interface has failed, the largest of several, else 0;
+      !> (points, quads of the plate)
       real(wp), intent(inout) :: failed(:, :)
 
       integer :: e, q
@@ -150,7 +151,7 @@ contains
       do e = 1, size(batch%node, 2)
          do q = 1, size(batch%node, 1)
             if (any(history(:, q, e, damage_at) >= 1.0_wp .and. batch%lower > 0)) then
-               failed(q, e) = batch%metric(5, q, e)
+               failed(q, e) = max(failed(q, e), batch%metric(5, q, e))
             end if
          end do
       end do

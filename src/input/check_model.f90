@@ -145,8 +145,9 @@ contains
          place%line = catalogue%registers(a_part)%line(i)
          call catalogue%report%refuse(place, "part "//text(model%parts(i)%id) &
             & //" has other layers than part "//text(model%parts(1)%id), "plies of the same " &
-            & //"thickness, order, number of layers and joints in all parts; angles and " &
-            & //"materials may differ", catalogue%registers(a_part)%line(1))
+            & //"thickness, order and number of layers in all parts, and the same cards of " &
+            & //"*INTERFACE_COHESIVE; angles and materials of plies may differ", &
+            & catalogue%registers(a_part)%line(1))
       end do
    end subroutine check_parts
 

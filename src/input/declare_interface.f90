@@ -32,7 +32,9 @@ contains
          & //"material that fails. CLOSE 1 is the classical law; faces that fail and close again " &
          & //"then gain energy in steps near the stable one, see the theory. FIT 1 replaces the " &
          & //"shear stiffness by EN GIC/GIIC (S/T)**2, FIT 2 lowers both strengths by one " &
-         & //"factor, FIT 3 does both; the listing prints what came of it."
+         & //"factor, FIT 3 does both; the listing prints what came of it. The constants must be " &
+         & //"sound as the material has them, too. All parts have the same interfaces, materials " &
+         & //"and options."
       call keyword%add_card()
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)

@@ -280,8 +280,8 @@ contains
       !$omp simd private(after, before, left, r)
       do l = 1, lanes
          ! final over onset opening of a straight path with this mix
-         r = 2.0_wp*toughness(l)*(self%onset(normal) + (self%onset(shear) &
-            & - self%onset(normal))*mix(l))
+         r = 2.0_wp*toughness(l)*(self%onset(normal)*(1.0_wp - mix(l)) &
+            & + self%onset(shear)*mix(l))
          before = damage(l)
          ! r over the load at which the damage so far would grow
          left = r - before*(r - 1.0_wp)

@@ -119,8 +119,8 @@ contains
       !> Share of the energy that is of shear, from 0 to 1
       real(wp), intent(in) :: mix
 
-      ratio = 2.0_wp*law%toughness_of(mix)*(law%onset(normal) &
-         & + (law%onset(shear) - law%onset(normal))*mix)
+      ratio = 2.0_wp*law%toughness_of(mix)*(law%onset(normal)*(1.0_wp - mix) &
+         & + law%onset(shear)*mix)
    end function final_over_onset
 
    !> Add a finding

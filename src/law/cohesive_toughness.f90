@@ -36,10 +36,10 @@ contains
       integer :: l
 
       if (criterion == benzeggagh_kenane) then
-         !$omp simd
+         !$omp simd private(sliding)
          do l = 1, lanes
-            toughness(l) = each(1) + (each(2) - each(1)) &
-               & *exp(exponent*log(max(mix(l), smallest)))
+            sliding = exp(exponent*log(max(mix(l), smallest)))
+            toughness(l) = each(1)*(1.0_wp - sliding) + each(2)*sliding
          end do
       else
          !$omp simd private(opening, sliding)
@@ -70,7 +70,7 @@ contains
          mix(1) = ends(1)
          call find_toughness(criterion, exponent, each, mix, toughness)
          least = min(least, sure*2.0_wp*minval(toughness) &
-            & *minval(onset(1) + (onset(2) - onset(1))*ends))
+            & *minval(onset(1)*(1.0_wp - ends) + onset(2)*ends))
       end do
    end function least_ratio
 

@@ -8,7 +8,8 @@ module plydyn_output_listing_interfaces
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, normal, &
       & shear
    use plydyn_law_cohesive_check, only : final_over_onset
-   use plydyn_law_cohesive_length, only : least_points, least_stiffness_ratio, stiffness_ratio
+   use plydyn_law_cohesive_length, only : least_points, least_stiffness_ratio, stiffness_ratio, &
+      & strength_factor
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
    use plydyn_output_delamination, only : failing_interfaces
@@ -18,6 +19,8 @@ module plydyn_output_listing_interfaces
 
    public :: write_interface_laws, write_interface_losses
 
+   !> Strengths that are fitted leave the factor at 1 but for this
+   real(wp), parameter :: rounded = 1.0e-9_wp
    !> Names of the modes
    character(*), parameter :: mode_name(2) = [character(7) :: "opening", "sliding"]
 
@@ -120,15 +123,19 @@ contains
       type(cohesive_constants_type), intent(in) :: constants
       type(zone_type), intent(in) :: zone
 
-      real(wp) :: ratio
+      character(:), allocatable :: remedy
+      real(wp) :: factor, ratio
       integer :: mode
 
+      factor = strength_factor(zone%across, constants%toughness, zone%strength, zone%spacing)
+      remedy = "smaller quads help"
+      if (factor < 1.0_wp - rounded) remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
       do mode = normal, shear
          if (zone%length(mode) >= real(least_points, wp)*zone%spacing) cycle
-         write (unit, "(9a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
+         write (unit, "(10a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
             & text(zone%length(mode), 3), " "//trim(units%length)//", spans ", &
             & text(zone%length(mode)/zone%spacing, 2), " distances between nodes, fewer than ", &
-            & text(least_points), ": cracks may need too much force, see FIT of *INTERFACE_COHESIVE"
+            & text(least_points), ": cracks may need too much force; ", remedy
       end do
       ratio = stiffness_ratio(constants%stiffness(normal), zone%across, zone%thickness)
       if (ratio < least_stiffness_ratio) then

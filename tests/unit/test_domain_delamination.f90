@@ -56,9 +56,33 @@ program test_domain_delamination
    lost(:) = delamination(domain, history)
    ! the Gauss point in the corner, at 0.23 and 0.11 mm, and the next one along y, at 0.5 mm
    call check(lost(1)%failed, 2.0_wp*(25.0_wp + 40.0_wp)/324.0_wp, 1.0e-12_wp, "two points")
+
+   ! the node in the corner has 1/36 of the quad, the Gauss point beside it 25/324
+   call begin("projected_area of points and nodes")
+   call test_quadratures([.false., .true.])
+   call test_quadratures([.true., .false.])
    call finish()
 
 contains
+
+   !> Two interfaces that fail in one corner, with points of their own each
+   subroutine test_quadratures(nodal)
+      !> Points at the nodes, by interface material
+      logical, intent(in) :: nodal(2)
+
+      model%parts(1)%joint(:) = [1, 2, 1]
+      model%interface_materials(2) = model%interface_materials(1)
+      model%interface_materials(:)%nodal = nodal
+      model%initial_damages = [new_damage([1, 2], [1], 1.0_wp)]
+      model%initial_damages(1)%centre(:) = [0.0_wp, 0.0_wp]
+      model%initial_damages(1)%radius = 0.3_wp
+      call build_domain(model, domain, error)
+      deallocate (history)
+      allocate (history(domain%histories), source=0.0_wp)
+      call set_initial_damage(model, domain, history)
+      call check(projected_area(domain, history), 2.0_wp*25.0_wp/324.0_wp, 1.0e-12_wp, &
+         & "the larger of both is seen")
+   end subroutine test_quadratures
 
    !> Damage of some interfaces and quads
    function new_damage(interfaces, quads, damage) result(initial)

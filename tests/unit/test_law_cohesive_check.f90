@@ -22,6 +22,10 @@ program test_law_cohesive_check
    call check(size(findings), 0, "finds nothing in table 6")
 
    constants = table_6()
+   constants%strength(normal) = 1.0e-6_wp
+   call check_cohesive(constants, findings)
+   call check(size(findings), 0, "nor in a strength far below the other")
+   constants = table_6()
    constants%toughness(shear) = -0.79_wp
    call expect(about_toughness, shear, "the shear toughness is -0.79", "a negative toughness")
    constants = table_6()
