@@ -218,7 +218,7 @@ contains
             call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
          else
             call name_job(command%deck, folder, command, error)
-            call check_listing(command, error)
+            call check_results(command, error)
          end if
       case ("restart")
          if (len(command%restart) == 0) then
@@ -263,15 +263,23 @@ contains
       command%job = folder//"/"//command%job
    end subroutine name_job
 
-   !> The listing is not to replace the deck
-   subroutine check_listing(command, error)
+   !> No result is to replace the deck
+   subroutine check_results(command, error)
       type(command_type), intent(in) :: command
       type(error_type), allocatable, intent(inout) :: error
 
+      character(*), parameter :: endings(9) = [character(18) :: ".out", ".energy.csv", &
+         & ".delamination.csv", ".impactor_1.csv", ".nodes.csv", ".profile_1.csv", ".supports.csv", &
+         & ".vtkhdf", ".interfaces.vtkhdf"]
+      integer :: i
+
       if (allocated(error) .or. command%action == "check") return
-      if (.not. is_same_path(command%deck, command%job//".out")) return
-      call fail(error, exit_usage, "the listing of the job would replace its deck "//command%deck &
-         & //": the job needs another name, as in -j JOB")
-   end subroutine check_listing
+      do i = 1, size(endings)
+         if (.not. is_same_path(command%deck, command%job//trim(endings(i)))) cycle
+         call fail(error, exit_usage, "results of the job would replace its deck " &
+            & //command%deck//": the job needs another name, as in -j JOB")
+         return
+      end do
+   end subroutine check_results
 
 end module plydyn_command

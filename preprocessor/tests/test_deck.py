@@ -236,6 +236,16 @@ def test_a_deck_that_fails_leaves_no_file(study: pre.Study, tmp_path: Path) -> N
         pre.write_deck(iter(["*KEYWORD"]), tmp_path / "none" / "x.k")
 
 
+def test_a_deck_replaces_no_recipe_and_no_device(tmp_path: Path) -> None:
+    recipe = tmp_path / "recipe.toml"
+    recipe.write_text("kept")
+    for path, words in ((recipe, "the name of a recipe"), (Path("/dev/null"), "is not a file")):
+        with pytest.raises(pre.PreError, match=words):
+            pre.write_deck(iter(["*KEYWORD"]), path)
+    assert recipe.read_text() == "kept"
+    assert Path("/dev/null").is_char_device()
+
+
 def recipes() -> list[Path]:
     """All recipes that come with plydyn."""
     return sorted((Path(__file__).resolve().parents[2] / "decks").glob("*/*.toml"))

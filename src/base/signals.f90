@@ -12,6 +12,8 @@ module plydyn_base_signals
    !> Numbers of the signals on Linux, and their names
    integer(c_int), parameter :: numbers(3) = [15_c_int, 10_c_int, 12_c_int]
    character(*), parameter :: names(3) = [character(7) :: "SIGTERM", "SIGUSR1", "SIGUSR2"]
+   !> SIGXFSZ: a file has come to the largest size that is allowed, which whoever writes is told
+   integer(c_int), parameter :: file_is_full = 25_c_int
 
    !> The signal caught last; 0 for none
    integer(c_int), volatile :: latest = 0_c_int
@@ -35,7 +37,17 @@ contains
       do i = 1, size(numbers)
          before = c_signal(numbers(i), c_funloc(note_signal))
       end do
+      before = c_signal(file_is_full, c_funloc(do_nothing))
    end subroutine catch_signals
+
+   !> Called by the operating system where somebody else hears of it, too
+   subroutine do_nothing(number) bind(c)
+      !> The signal
+      integer(c_int), value :: number
+
+      associate (unused => number)
+      end associate
+   end subroutine do_nothing
 
    !> Called by the operating system at any moment
    subroutine note_signal(number) bind(c)

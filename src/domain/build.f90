@@ -3,7 +3,9 @@
 !> What grows with the mesh of the plane all ranks know: nodes, quads, chunks and who has them.
 !> What grows with the columns above it, each rank builds for its share alone.
 module plydyn_domain_build
-   use plydyn_base_error, only : error_type
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_bands, only : check_bands, find_bands
    use plydyn_domain_brick_step, only : find_brick_limit
@@ -133,7 +135,8 @@ contains
       call build_masses(model, division, numbering, domain)
       call build_elements(model%mesh, division, numbering, domain, share)
       call build_shapes(model, domain)
-      call limit_step(model, domain)
+      call limit_step(model, domain, error)
+      if (allocated(error)) return
       domain%bands = find_bands(model, domain)
       call build_averages(model, division, rank_of_chunk, domain, error)
       if (allocated(error)) return
@@ -148,9 +151,11 @@ contains
    end subroutine build_share
 
    !> The stable step, to which each rank adds what its own elements ask for
-   subroutine limit_step(model, domain)
+   subroutine limit_step(model, domain, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
+      !> Says that there is none; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
 
       if (size(domain%bricks) > 0) then
          domain%limit = find_brick_limit(model, domain)
@@ -158,6 +163,9 @@ contains
          domain%limit = find_step_limit(model, domain)
       end if
       domain%step = largest_step(domain)
+      if (ieee_is_finite(domain%step) .and. domain%step > 0.0_wp) return
+      call fail(error, exit_input, "no stable step can be found: look for plies, quads, densities " &
+         & //"or stiffnesses out of all proportion")
    end subroutine limit_step
 
 end module plydyn_domain_build

@@ -196,24 +196,33 @@ contains
       case default
          continue
       end select
-      call warn_of_shear(cards, catalogue)
+      call warn_of_idle(cards, catalogue)
    end subroutine read_shear_curve
 
-   !> Constants of a curve of Ramberg and Osgood mean nothing for another
-   subroutine warn_of_shear(cards, catalogue)
+   !> Constants of another curve of shear mean nothing, nor do those of what is not chosen
+   subroutine warn_of_idle(cards, catalogue)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
 
-      character(5), parameter :: names(2) = ["ALPHA", "N    "]
+      character(5), parameter :: names(5) = ["GAMU ", "LCID ", "ALPHA", "N    ", "LRULE"]
+      character(*), parameter :: right(5) = ["SHEAR 1, or 0 here", "SHEAR 2, or 0 here", &
+         & "SHEAR 3, or 0 here", "SHEAR 3, or 0 here", "LSTAR 0, or 0 here"]
+      logical :: is_idle(5)
       integer :: i
 
-      if (choice(cards, "SHEAR") == power) return
+      associate (shear => choice(cards, "SHEAR"))
+         is_idle(:) = [shear /= exponential .and. cards%real("GAMU") > 0.0_wp, &
+            & shear /= table .and. cards%integer("LCID") > 0, &
+            & shear /= power .and. cards%real("ALPHA") > 0.0_wp, &
+            & shear /= power .and. cards%real("N") > 0.0_wp, &
+            & cards%real("LSTAR") > 0.0_wp .and. choice(cards, "LRULE") > 0]
+      end associate
       do i = 1, size(names)
-         if (cards%real(trim(names(i))) <= 0.0_wp) cycle
+         if (.not. is_idle(i)) cycle
          call catalogue%warn(cards, trim(names(i)), trim(names(i))//" is without effect", &
-            & "SHEAR 3, or 0 here")
+            & trim(right(i)))
       end do
-   end subroutine warn_of_shear
+   end subroutine warn_of_idle
 
    !> What the law has to say about a shear curve
    subroutine check_shear(cards, name, ply, right, catalogue)

@@ -63,13 +63,14 @@ contains
          call fail(error, exit_run, "the step of "//text(state%step)//" is below the share of " &
             & //"the first step, "//text(state%first_step)//", at which the run is to stop (" &
             & //"DTMIN of *CONTROL_TERMINATION)"//when(state))
-      else if (mod(state%cycle, steps_per_look) == 0) then
+      else if (mod(state%cycle, steps_per_look) == 0 .or. state%is_finished()) then
          call check_stored(domain, state, error)
       end if
    end subroutine check_health
 
    !> Nothing stores less than no energy. Faces that close again in few steps each may give back
-   !> more than they took, which the balance cannot see: it is work of the internal forces
+   !> more than they took, which the balance cannot see: it is work of the internal forces. Nor does
+   !> it see what is dissipated
    subroutine check_stored(domain, state, error)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
@@ -80,6 +81,11 @@ contains
       if (.not. can_fail(domain)) return
       stored = state%energies%internal - sum(dissipated_energies(domain, state%history, &
          & delamination(domain, state%history)))
+      if (.not. ieee_is_finite(stored)) then
+         call fail(error, exit_run, "what plies and interfaces have dissipated is no longer finite" &
+            & //when(state)//": look for toughnesses and strengths far from any material's")
+         return
+      end if
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
       call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
          & //"took, "//text(-stored)//when(state)//"; interfaces that close again do so near " &

@@ -47,7 +47,7 @@ def said(*words: object) -> tuple[int, str]:
         (["run", DECK, "-p", "sped=1"], INPUT, "has no such parameter"),
         (["check", DECK, "-p", "speed=fast"], INPUT, "as in -p velocity=3.0"),
         (["run", "check", DECK], USAGE, "cannot go together"),
-        (["run", "plate.out"], USAGE, "the listing of the job would replace its deck plate.out"),
+        (["run", "plate.out"], USAGE, "results of the job would replace its deck plate.out"),
         (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
         (["check", Path(__file__).parent], INPUT, "cannot be read"),
         (["run", DECK, "-o", "no/such/folder"], OUTPUT, "there is no folder no/such/folder"),

@@ -13,7 +13,7 @@ GOOD = Path(__file__).parent / "errors" / "good"
 SPHERE = "*IMPACTOR_SPHERE\n1,5.0,1.0e-3,{x},1.0,6.0\n0.0,0.0,{speed}\n*CONTACT_IMPACTOR\n1,1,1,1\n"
 DAMAGED = (
     "*MAT_PLY_CODAM2\n1,1.6e-9,153000.0,10300.0,10300.0,0.3,0.3,0.4\n6000.0,6000.0,3700.0\n"
-    "2537.0,1580.0,82.0,236.0,90.0,40.0\n91.6,79.9,0.22,1.1\n0,0,0.05,1.0e-9,3.0\n"
+    "2537.0,1580.0,82.0,236.0,90.0,40.0\n91.6,79.9,0.22,1.1,0.5\n{shear}\n1\n"
 )
 
 
@@ -54,11 +54,27 @@ def test_good_deck_has_no_warning(tmp_path: Path) -> None:
     assert "warning:" not in checked(tmp_path, ["mesh", "ply", "part", "run"], sphere)
 
 
-def test_constants_of_another_shear_curve(tmp_path: Path) -> None:
-    """ALPHA and N belong to one curve only."""
-    said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED)
-    assert "deck.k:7: *MAT_PLY_CODAM2 card 5 ALPHA: ALPHA is without effect" in said
-    assert "card 5 N: N is without effect" in said
+@pytest.mark.parametrize(
+    ("shear", "names"),
+    [
+        ("0,0,0.05,1.0e-9,3.0", ["GAMU", "ALPHA", "N"]),
+        ("1,7,0.05,0.0,3.0", ["LCID", "N"]),
+        ("3,7,0.05,1.0e-9,3.0", ["LCID", "GAMU"]),
+    ],
+    ids=["line", "exponential", "power"],
+)
+def test_constants_of_another_shear_curve(shear: str, names: list[str], tmp_path: Path) -> None:
+    """Each curve has constants of its own."""
+    said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED.format(shear=shear))
+    for name in names:
+        assert f"deck.k:7: *MAT_PLY_CODAM2 card 5 {name}: {name} is without effect" in said
+    assert said.count("card 5") == len(names)
+
+
+def test_rule_of_a_width_that_is_given(tmp_path: Path) -> None:
+    """LSTAR goes before LRULE."""
+    said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED.format(shear="0"))
+    assert "deck.k:8: *MAT_PLY_CODAM2 card 6 LRULE: LRULE is without effect" in said
 
 
 def test_nodes_at_one_place(tmp_path: Path) -> None:

@@ -108,6 +108,19 @@ def test_disk_is_full(small_disk: Path, tmp_path: Path) -> None:
     assert unlike(whole, small_disk) == []
 
 
+def test_files_may_not_grow(tmp_path: Path) -> None:
+    """A limit of the shell on the size of files is told like a full disk."""
+    deck = long_deck(20, 6.0e-5).write(tmp_path / "job.k")
+    done = subprocess.run(
+        ["bash", "-c", f"ulimit -f 16; exec {SOLVER} run {deck} -o {tmp_path}"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == OUTPUT, done.stdout + done.stderr
+    assert "disk must have room" in done.stdout + done.stderr
+
+
 @pytest.fixture(scope="module")
 def stopped(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Results with a restart file."""

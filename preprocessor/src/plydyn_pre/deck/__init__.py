@@ -42,7 +42,11 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
 
 
 def write_deck(pieces: Iterator[str], path: Path) -> None:
-    """Write a deck; nothing is left of one that fails on the way."""
+    """Write a deck; nothing is left of one that fails on the way, and no recipe is replaced."""
+    if path.suffix == ".toml":
+        raise PreError(f"{path} is the name of a recipe; a deck needs another, as {path.stem}.k")
+    if path.exists() and not path.is_file():
+        raise PreError(f"{path} is not a file that a deck may replace")
     part = path.with_name(f".{path.name}.part")
     try:
         with part.open("w", encoding="utf-8", newline="\n") as stream:
