@@ -269,8 +269,8 @@ contains
       type(error_type), allocatable, intent(inout) :: error
 
       character(*), parameter :: endings(9) = [character(18) :: ".out", ".energy.csv", &
-         & ".delamination.csv", ".impactor_1.csv", ".nodes.csv", ".profile_1.csv", ".supports.csv", &
-         & ".vtkhdf", ".interfaces.vtkhdf"]
+         & ".delamination.csv", ".impactor_1.csv", ".nodes.csv", ".profile_1.csv", &
+         & ".supports.csv", ".vtkhdf", ".interfaces.vtkhdf"]
       integer :: i
 
       if (allocated(error) .or. command%action == "check") return

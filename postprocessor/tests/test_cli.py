@@ -109,3 +109,24 @@ def test_the_package_runs_as_a_module() -> None:
     assert done.returncode == 0, done.stderr
     assert "python -m plydyn_post" in done.stdout
     assert "cscan" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "fragment"),
+    [
+        (["force", "--mean", "-1"], "--mean cannot be -1"),
+        (["force", "--mean", "nan"], "--mean cannot be nan"),
+        (["picture", "--zoom", "0"], "--zoom cannot be 0"),
+        (["picture", "--view", "nan", "0"], "--view cannot be nan"),
+        (["picture", "--thickness", "-5"], "--thickness cannot be -5"),
+        (["picture", "--limits", "1", "0"], "--limits must rise"),
+        (["section", "--angle", "inf"], "--angle cannot be inf"),
+        (["damage", "--show", "displacement"], "'displacement' is no damage"),
+        (["force", "-o", "curve.foo"], "curve.foo: no picture ends so"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else "",
+)
+def test_options_that_cannot_be(words: list[str], fragment: str, job: Path) -> None:
+    result = runner.invoke(app, [words[0], str(job), *words[1:]])
+    assert result.exit_code == 2, result.output
+    assert fragment in result.output

@@ -163,9 +163,9 @@ contains
          domain%limit = find_step_limit(model, domain)
       end if
       domain%step = largest_step(domain)
-      if (ieee_is_finite(domain%step) .and. domain%step > 0.0_wp) return
-      call fail(error, exit_input, "no stable step can be found: look for plies, quads, densities " &
-         & //"or stiffnesses out of all proportion")
+      if (ieee_is_finite(domain%limit%step) .and. domain%step > 0.0_wp) return
+      call fail(error, exit_input, "no stable step can be found: look for plies, quads, " &
+         & //"densities or stiffnesses out of all proportion")
    end subroutine limit_step
 
 end module plydyn_domain_build

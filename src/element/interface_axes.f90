@@ -82,8 +82,8 @@ contains
             c1 = n2*a3 - n3*a2
             c2 = n3*a1 - n1*a3
             c3 = n1*a2 - n2*a1
-            ! in these axes along a and across it a is (length, 0) and b is (lean, height); turned by
-            ! the angle of cosine c and sine s both have the same component along the other's axis
+            ! in these axes along a and across it a is (length, 0) and b is (lean, height); turned
+            ! by the angle of cosine c and sine s both have the same part along the other's axis
             lean = a1*b1 + a2*b2 + a3*b3
             height = area*inverse
             inverse = 1.0_wp/sqrt((length + height)**2 + lean**2)

@@ -104,8 +104,8 @@ contains
       call keyword%add_integer("MCOMP", "onset of matrix damage in compression: 0 quadratic in " &
          & //"stress and shear; 1 of Hashin (1980)", default=0, allowed=[0, 1])
       call keyword%add_integer("TRIAL", "stresses of onset: 0 on what remains in the other " &
-         & //"direction; 1 of an intact ply, with CLOSE 1 only where it has the sign of the other", &
-         & default=0, allowed=[0, 1])
+         & //"direction; 1 of an intact ply, with CLOSE 1 only where it has the sign of the " &
+         & //"other", default=0, allowed=[0, 1])
       call keyword%add_integer("CLOSE", "cracks: 0 never close; 1 close in compression, which " &
          & //"has damage of its own", default=0, allowed=[0, 1])
       call keyword%add_real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to " &

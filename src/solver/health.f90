@@ -82,8 +82,8 @@ contains
       stored = state%energies%internal - sum(dissipated_energies(domain, state%history, &
          & delamination(domain, state%history)))
       if (.not. ieee_is_finite(stored)) then
-         call fail(error, exit_run, "what plies and interfaces have dissipated is no longer finite" &
-            & //when(state)//": look for toughnesses and strengths far from any material's")
+         call fail(error, exit_run, "what plies and interfaces have dissipated is no longer " &
+            & //"finite"//when(state)//": look for toughnesses and strengths far from any material's")
          return
       end if
       if (stored >= -domain%control%energy_limit*state%energies%reference) return

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import wraps
+from math import isfinite
 from pathlib import Path
 from typing import Annotated
 
@@ -15,6 +16,8 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
 
+# Options that must be above 0
+ABOVE_NOTHING = ("zoom", "thickness")
 # Exit codes of the house: input that cannot be used, output that cannot be written
 INPUT, OUTPUT = 2, 5
 
@@ -54,12 +57,30 @@ def tells_errors(command: Callable[..., None]) -> Callable[..., None]:
     @wraps(command)
     def guarded(*arguments: object, **options: object) -> None:
         try:
+            check_numbers(options)
             command(*arguments, **options)
         except (ResultsError, OSError) as error:
             errors.print(f"plydyn-post: {error}", markup=False)
             raise typer.Exit(INPUT if isinstance(error, ResultsError) else OUTPUT) from error
 
     return guarded
+
+
+def check_numbers(options: dict[str, object]) -> None:
+    """Refuse what no option can be: no number, a zoom to nothing, a bar that ends before it begins.
+
+    A thickness is a factor, a mean a span of time.
+    """
+    for name, value in options.items():
+        numbers = value if isinstance(value, tuple | list) else [value]
+        floats = [number for number in numbers if isinstance(number, float)]
+        for number in floats:
+            if not isfinite(number):
+                raise ResultsError(f"--{name} cannot be {number}")
+            if (name in ABOVE_NOTHING and number <= 0.0) or (name == "mean" and number < 0.0):
+                raise ResultsError(f"--{name} cannot be {number:g}")
+        if name == "limits" and floats and floats[0] >= floats[1]:
+            raise ResultsError(f"--limits must rise, from {floats[0]:g} to more than that")
 
 
 @contextmanager

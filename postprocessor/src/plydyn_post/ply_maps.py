@@ -48,6 +48,8 @@ def draw_ply_maps(
     stack, header = read_stack(results, time), read_header(results.fields)
     names = mechanisms or tuple(name for name in MECHANISMS if name in stack.grid.point_data)
     for name in names or ("damage_matrix",):
+        if name not in MECHANISMS:
+            raise ResultsError(f"{name!r} is no damage; right would be {', '.join(MECHANISMS)}")
         if name not in stack.grid.point_data:
             raise ResultsError(
                 f"{results.fields} has no field {name!r}; damage is written where a material of a"

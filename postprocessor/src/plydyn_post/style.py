@@ -16,6 +16,8 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
+from plydyn_post.errors import ResultsError
+
 # Colours that stay apart for colour-blind eyes (Okabe and Ito), and dashes that do so in grey
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 DASHES = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
@@ -84,6 +86,9 @@ def figure(
 
 def save(made: Figure, path: Path) -> Path:
     """Write a figure; the folder is made where it is missing."""
+    known = made.canvas.get_supported_filetypes()
+    if path.suffix[1:].lower() not in known:
+        raise ResultsError(f"{path}: no picture ends so; right would be {', '.join(sorted(known))}")
     path.parent.mkdir(parents=True, exist_ok=True)
     made.savefig(path)
     return path
