@@ -83,7 +83,8 @@ contains
          & delamination(domain, state%history)))
       if (.not. ieee_is_finite(stored)) then
          call fail(error, exit_run, "what plies and interfaces have dissipated is no longer " &
-            & //"finite"//when(state)//": look for toughnesses and strengths far from any material's")
+            & //"finite"//when(state)//": look for toughnesses and strengths far from those of " &
+            & //"any material")
          return
       end if
       if (stored >= -domain%control%energy_limit*state%energies%reference) return
