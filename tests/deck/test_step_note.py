@@ -12,6 +12,7 @@ from elasticity import CARBON
 from meshes import regular
 
 EXPLICIT, INTERFACES, THICKNESS = 0, 1, 2
+INPUT = 2
 THIN, THICK = 0.25, 25.0
 
 
@@ -83,3 +84,14 @@ def test_line_of_life_names_what_bounds_the_step(
     heads, *lines = text[text.index("    cycle") :].splitlines()
     first = heads.index("controlled by")
     assert lines[0][first : heads.index("  error")].strip() == cause, text
+
+
+def test_no_stable_step(tmp_path: Path) -> None:
+    """Plies out of all proportion leave no number: an error, whatever DTMAX says."""
+    deck = Deck("none", 1.0e-6)
+    deck.control(largest=1.0e-9)
+    deck.mesh(regular(8.0, 8.0, 1, 1, 9))
+    deck.laminate([Ply(CARBON, thickness, 0.0) for thickness in (THIN, 1.0e-20)])
+    code, text = said("check", deck.write(tmp_path / "job.k"))
+    assert code == INPUT, text
+    assert "no stable step can be found" in text

@@ -168,3 +168,16 @@ def test_not_a_number_is_found(stopped: Path, tmp_path: Path) -> None:
     assert code == FAILED, text
     assert "the motion is no longer finite at cycle" in text
     assert (folder / "job.runrsf").read_bytes() == before
+
+
+def test_energy_that_is_no_number_is_found(tmp_path: Path) -> None:
+    """Faces that fail under nothing cost what cannot be reckoned: the run says so at its end."""
+    deck = impact(1, "cohesive", end=1.0e-5)
+    path = deck.write(tmp_path / "job.k")
+    words = path.read_text().splitlines()
+    card = next(i for i, line in enumerate(words) if line.startswith("*MAT_COHESIVE_MIXED_MODE")) + 2
+    words[card] = ",".join([words[card].split(",")[0], "1.0e-30", "1.0e-30"])
+    path.write_text("\n".join(words) + "\n")
+    code, text = said("run", path, "-o", tmp_path)
+    assert code == FAILED, text
+    assert "have dissipated is no longer finite at cycle" in text
