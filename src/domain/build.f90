@@ -164,8 +164,8 @@ contains
       domain%step = largest_step(domain)
       ! a step that does not move the time is none
       if (domain%limit%step > epsilon(1.0_wp)*domain%control%end_time) return
-      call fail(error, exit_input, "no stable step can be found: look for plies, quads, " &
-         & //"densities or stiffnesses out of all proportion")
+      call fail(error, exit_input, "no stable step can be found that gets to the end: look " &
+         & //"for plies, quads, densities, stiffnesses or an end time out of all proportion")
    end subroutine limit_step
 
 end module plydyn_domain_build

@@ -87,11 +87,11 @@ def test_line_of_life_names_what_bounds_the_step(
 
 
 def test_no_stable_step(tmp_path: Path) -> None:
-    """Plies out of all proportion leave no number: an error, whatever DTMAX says."""
-    deck = Deck("none", 1.0e-6)
-    deck.control(largest=1.0e-9)
+    """A step that does not move the time is an error, whatever DTMAX says."""
+    deck = Deck("none", 1.0e12)
+    deck.control(largest=1.0)
     deck.mesh(regular(8.0, 8.0, 1, 1, 9))
-    deck.laminate([Ply(CARBON, thickness, 0.0) for thickness in (THIN, 1.0e-20)])
+    deck.laminate([Ply(CARBON, THIN, 0.0)])
     code, text = said("check", deck.write(tmp_path / "job.k"))
     assert code == INPUT, text
-    assert "no stable step can be found" in text
+    assert "no stable step can be found that gets to the end" in text

@@ -175,7 +175,7 @@ def test_energy_that_is_no_number_is_found(tmp_path: Path) -> None:
     deck = impact(1, "cohesive", end=1.0e-5)
     path = deck.write(tmp_path / "job.k")
     words = path.read_text().splitlines()
-    card = next(i for i, line in enumerate(words) if line.startswith("*MAT_COHESIVE_MIXED_MODE")) + 2
+    card = words.index("*MAT_COHESIVE_MIXED_MODE") + 2
     words[card] = ",".join([words[card].split(",")[0], "1.0e-30", "1.0e-30"])
     path.write_text("\n".join(words) + "\n")
     code, text = said("run", path, "-o", tmp_path)
