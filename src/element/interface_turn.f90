@@ -59,17 +59,17 @@ contains
       !> Forces for the derivatives along xi and eta
       real(wp), intent(out) :: along(lanes, 3), up(lanes, 3)
 
-      real(wp) :: about1, about2, about3, area, first, normal, second
+      real(wp) :: about1, about2, about3, first, inverse, normal, second
       integer :: c, l
 
       associate (x => 0.5_wp*metric(1:3:2), y => 0.5_wp*metric(2:4:2), u => stretch)
-         !$omp simd private(about1, about2, about3, area, c, first, normal, second)
+         !$omp simd private(about1, about2, about3, c, first, inverse, normal, second)
          do l = 1, lanes
             ! the axes tip with both vectors, and turn about the normal by half the difference of
             ! what each moves along the other's axis, over the mean stretch
-            area = 1.0_wp/(u(l, 1)*u(l, 3) - u(l, 2)**2)
-            about1 = (t(l, 2)*d(l, 3) - t(l, 3)*d(l, 2))*area
-            about2 = (t(l, 3)*d(l, 1) - t(l, 1)*d(l, 3))*area
+            inverse = 1.0_wp/(u(l, 1)*u(l, 3) - u(l, 2)**2)
+            about1 = (t(l, 2)*d(l, 3) - t(l, 3)*d(l, 2))*inverse
+            about2 = (t(l, 3)*d(l, 1) - t(l, 1)*d(l, 3))*inverse
             about3 = (t(l, 1)*d(l, 2) - t(l, 2)*d(l, 1))/(u(l, 1) + u(l, 3))
             first = -about1*u(l, 2) - about2*u(l, 3)
             second = about1*u(l, 1) + about2*u(l, 2)

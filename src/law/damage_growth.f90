@@ -7,6 +7,12 @@ module plydyn_law_damage_growth
 
    public :: can_grow, find_limits, grow
 
+   !> Least strain at which damage begins or goes on over that after the step that led there. With
+   !> less the point was beyond it before, by a criterion that has changed: compression that ends
+   !> changes the toughness of shear, closes a crack whose damage was all that acted, or has strains
+   !> of its own
+   real(wp), parameter, public :: least_led = 0.9_wp
+
    !> History of a mode: damage; strain at onset, negative in compression, 0 before; strain at which
    !> the falling line meets zero
    integer, parameter :: of_damage = 1, of_onset = 2, of_finish = 3

@@ -6,7 +6,7 @@
 !> the strain of the step, and the work on the shear strain that stays.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : can_grow, find_limits, grow
+   use plydyn_law_damage_growth, only : can_grow, find_limits, grow, least_led
    use plydyn_law_damage_onset, only : idle_push
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
@@ -23,11 +23,6 @@ module plydyn_law_ply_damage
    use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
    implicit none
    private
-
-   !> Least strain at which damage begins or goes on over that after the step that led there. With
-   !> less the point was beyond it before, by a criterion that has changed: compression that ends
-   !> changes the toughness of shear, or closes a crack whose damage was all that acted
-   real(wp), parameter :: least_led = 0.9_wp
 
    !> A law with the constants of the lanes
    type, public, extends(law_type) :: ply_damage_type

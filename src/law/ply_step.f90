@@ -10,7 +10,7 @@ module plydyn_law_ply_step
 
    !> Damage that grows by more than so many times the growth of the strain over the strain falls at
    !> the strain of the step: it drops
-   real(wp), parameter, public :: steep = 100.0_wp
+   real(wp), parameter :: steep = 100.0_wp
 
    !> What happens to a point in a step
    type, public :: step_type

@@ -6,6 +6,7 @@
 !> left of E1, matrix that of E2 and G12, locking all of them; stiffness across the thickness stays.
 module plydyn_law_strain_damage
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_damage_growth, only : least_led
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_secant, only : secant_type
@@ -29,10 +30,6 @@ module plydyn_law_strain_damage
    !> Compression up to this share of the shear counts as tension: in pure shear round-off must not
    !> choose between two sets of strains
    real(wp), parameter :: idle_push = 1.0e-3_wp
-
-   !> Least strain at which the damage was reached over that of a step which led from there. With
-   !> less the point was beyond it before: tension that follows compression has strains of its own
-   real(wp), parameter :: least_led = 0.9_wp
 
    !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
    type, public :: strain_constants_type
