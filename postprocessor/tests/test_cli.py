@@ -94,6 +94,10 @@ def test_a_pvd_lists_states_that_vtk_reads(job: Path, tmp_path: Path) -> None:
         (["profile", "{job}", "--component", "sqq"], "plate.profile_1.csv"),
         (["force", "{job}", "--over", "heat"], "'heat'"),
         (["force", "{job}", "--measured", "{job}.none"], "plate.none"),
+        (["numbers", "{job}", "-o", "{job}.energy.csv"], "is a result of job plate"),
+        (["picture", "{job}", "--plain", "--time", "0.0025"], "not between 0 and 0.002"),
+        (["picture", "{job}", "--plain", "--time", "-0.001"], "not between 0 and 0.002"),
+        (["profile", "{job}", "--time", "0.0025"], "not between 0 and"),
     ],
 )
 def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told: str) -> None:
@@ -101,6 +105,7 @@ def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told
     assert result.exit_code == 2
     assert told in result.stderr
     assert result.stderr.count("\n") == 1
+    assert own_job.with_name("plate.energy.csv").read_text().startswith("cycle")
 
 
 def test_the_package_runs_as_a_module() -> None:

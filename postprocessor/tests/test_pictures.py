@@ -140,7 +140,7 @@ def test_a_field_of_one_number_is_shown_as_it_is() -> None:
 def test_damage_between_points_stays_within_theirs(tmp_path: Path) -> None:
     """A cell of 27 nodes with a step in it, through which its polynomial swings."""
     job = synthetic_damage.write_job(tmp_path)
-    scene = make_scene(open_results(job), Wish("damage_matrix", time=1.0))
+    scene = make_scene(open_results(job), Wish("damage_matrix", time=synthetic.STATES[-1]))
     assert scene.limits == (0.0, 1.0)
     assert scene.values.min() == 0.0
     assert scene.values.max() == 1.0

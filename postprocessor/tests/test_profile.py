@@ -43,8 +43,11 @@ def test_both_sides_of_a_face_are_kept(job: Path) -> None:
 def test_an_instant_cut_short_is_left_out(own_job: Path) -> None:
     path = own_job.with_name("plate.profile_1.csv")
     path.write_text("\n".join(path.read_text().splitlines()[:-3]) + "\n")
-    profile = read_profile(open_results(own_job), "plate", time=1.0)
-    assert profile.time == pytest.approx(0.95 * synthetic.DURATION)
+    last = 0.95 * synthetic.DURATION
+    profile = read_profile(open_results(own_job), "plate", time=last)
+    assert profile.time == pytest.approx(last)
+    with pytest.raises(ResultsError, match="not between 0 and"):
+        read_profile(open_results(own_job), "plate", time=synthetic.DURATION)
     assert len(profile.z) == 10
 
 

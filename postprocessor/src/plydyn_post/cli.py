@@ -180,7 +180,11 @@ def numbers(
     output: Annotated[Path | None, typer.Option("-o", "--output", help="CSV to write.")] = None,
 ) -> None:
     """Peak force, duration, impulse, energies and the like."""
-    comparison = compare([open_results(job) for job in jobs])
+    found = [open_results(job) for job in jobs]
+    for one in found:
+        if output:
+            one.spare(output)
+    comparison = compare(found)
     _print_numbers(comparison)
     for note in comparison.notes:
         console.print(f"note: {note}", markup=False)

@@ -19,6 +19,8 @@ from plydyn_post.table import split_header
 TENSOR = ("xx", "yy", "zz", "xy", "yz", "xz")
 PLY_TENSOR = ("11", "22", "33", "12", "23", "13")
 # Attributes that name the units
+# Share of a run by which an instant may lie outside: the end of a run as people write it
+ROUNDING = 0.01
 UNIT_KINDS = ("length", "time", "mass", "force", "stress", "energy")
 
 
@@ -103,7 +105,11 @@ def largest_deflection(path: Path) -> int:
 
 
 def nearest(times: np.ndarray, time: float) -> int:
-    """The state nearest to a time."""
+    """The state nearest to a time that somebody asks for; refused where the run was not."""
+    first, last = float(times[0]), float(times[-1])
+    room = ROUNDING * (last - first)
+    if not first - room <= time <= last + room:
+        raise ResultsError(f"--time {time:g} is not between {first:g} and {last:g}")
     return int(np.argmin(np.abs(times - time)))
 
 

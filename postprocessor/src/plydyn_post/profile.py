@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import Header, read_header
+from plydyn_post.grid import Header, nearest, read_header
 from plydyn_post.results import Results, labels
 from plydyn_post.style import QUIET, WIDE, figure, legend_above, look_of, save
 from plydyn_post.table import Table, split_header
@@ -71,8 +71,10 @@ def read_profile(
     table = job.profile(number)
     times, starts = instants(table)
     if time is None:
-        time = peak_time(job) if job.impactors else times[-1]
-    block = int(np.argmin(np.abs(times - time)))
+        peak = peak_time(job) if job.impactors else times[-1]
+        block = int(np.argmin(np.abs(times - peak)))
+    else:
+        block = nearest(times, time)
     rows = table.values[starts[block] : starts[block + 1]]
     cut = Table(table.path, table.names, table.units, rows, table.notes)
     angles = _angles(read_header(job.fields), len(np.unique(cut["ply"])))

@@ -73,6 +73,12 @@ class Results:
         """Forces of the supports; number 2 and up after restarts that brought other supports."""
         return self._table("supports" if number == 1 else f"supports_{number}")
 
+    def spare(self, path: Path) -> None:
+        """Refuse to write over one of the job's files of results."""
+        files = (one for one in self._files("*") if ENDINGS.search(one.name))
+        if path.resolve() in {one.resolve() for one in files}:
+            raise ResultsError(f"{path} is a result of job {self.job}: -o needs another name")
+
     def notes(self) -> list[str]:
         """What was left out when the tables were read, and which cannot be read."""
         notes: list[str] = []
