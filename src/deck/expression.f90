@@ -8,6 +8,7 @@ module plydyn_deck_expression
    use plydyn_base_text, only : lower_case
    use plydyn_deck_number, only : is_digit, read_real
    use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_scan, only : scan_type
    implicit none
    private
 
@@ -16,18 +17,9 @@ module plydyn_deck_expression
    real(wp), parameter :: pi = acos(-1.0_wp)
    !> Power of e that still fits
    real(wp), parameter :: largest_power = log(huge(1.0_wp)) - 1.0_wp
-
-   !> An expression on its way to a number
-   type :: scan_type
-      !> The expression
-      character(:), allocatable :: text
-      !> Next character
-      integer :: at = 1
-      !> First wrong character; 0 when all is well
-      integer :: wrong_at = 0
-      !> What is wrong, and what would be right
-      character(:), allocatable :: wrong, right
-   end type scan_type
+   !> Most parentheses, functions, signs and powers within each other: more than anybody writes, and
+   !> far less than the stack takes
+   integer, parameter :: most_deep = 200
 
 contains
 
@@ -48,9 +40,9 @@ contains
 
       scan%text = text
       call read_sum(scan, parameters, value)
-      call pass_blanks(scan)
+      call scan%pass_blanks()
       if (scan%at <= len(text)) then
-         call stop_at(scan, scan%at, "the expression does not go on like this", &
+         call scan%stop_at(scan%at, "the expression does not go on like this", &
             & "an operator + - * / **, or nothing")
       end if
       wrong_at = scan%wrong_at
@@ -73,13 +65,13 @@ contains
 
       call read_product(scan, parameters, value)
       do
-         operator = next_character(scan)
+         operator = scan%next()
          if (operator /= "+" .and. operator /= "-") return
          scan%at = scan%at + 1
          call read_product(scan, parameters, term)
          if (scan%wrong_at > 0) return
          if (max(exponent(value), exponent(term)) >= maxexponent(1.0_wp)) then
-            call stop_at(scan, scan%at, "the sum is too large", "numbers below 1e307")
+            call scan%stop_at(scan%at, "the sum is too large", "numbers below 1e307")
             return
          end if
          if (operator == "-") term = -term
@@ -102,7 +94,7 @@ contains
 
       call read_factor(scan, parameters, value)
       do
-         operator = next_character(scan)
+         operator = scan%next()
          if (operator /= "*" .and. operator /= "/") return
          scan%at = scan%at + 1
          begin = scan%at
@@ -110,7 +102,7 @@ contains
          if (scan%wrong_at > 0) return
          if (operator == "/") call invert(scan, begin, factor)
          if (exponent(value) + exponent(factor) > maxexponent(1.0_wp)) then
-            call stop_at(scan, begin, "the product is too large", "numbers below 1e307")
+            call scan%stop_at(begin, "the product is too large", "numbers below 1e307")
             return
          end if
          value = value*factor
@@ -127,13 +119,13 @@ contains
       real(wp), intent(inout) :: factor
 
       if (abs(factor) < 2*tiny(1.0_wp)) then
-         call stop_at(scan, begin, "the divisor is zero", "a divisor other than zero")
+         call scan%stop_at(begin, "the divisor is zero", "a divisor other than zero")
       else
          factor = 1.0_wp/factor
       end if
    end subroutine invert
 
-   !> A sign and a factor, or a power
+   !> A factor, unless it is too deep within others
    recursive subroutine read_factor(scan, parameters, value)
       !> The expression
       type(scan_type), intent(inout) :: scan
@@ -142,11 +134,29 @@ contains
       !> Value of the factor
       real(wp), intent(out) :: value
 
+      value = 0.0_wp
+      if (scan%deep == most_deep) call scan%stop_at(scan%at, "too much is within each other here", &
+         & "parameters for the parts of the expression")
+      if (scan%wrong_at > 0) return
+      scan%deep = scan%deep + 1
+      call read_power(scan, parameters, value)
+      scan%deep = scan%deep - 1
+   end subroutine read_factor
+
+   !> A sign and a factor, or a power
+   recursive subroutine read_power(scan, parameters, value)
+      !> The expression
+      type(scan_type), intent(inout) :: scan
+      !> Parameters defined so far
+      type(parameter_table_type), intent(in) :: parameters
+      !> Value of the power
+      real(wp), intent(out) :: value
+
       real(wp) :: power
       character(1) :: sign
       integer :: begin
 
-      sign = next_character(scan)
+      sign = scan%next()
       if (sign == "+" .or. sign == "-") then
          scan%at = scan%at + 1
          call read_factor(scan, parameters, value)
@@ -155,13 +165,13 @@ contains
       end if
       begin = scan%at
       call read_primary(scan, parameters, value)
-      sign = next_character(scan)
+      sign = scan%next()
       if (scan%wrong_at > 0 .or. scan%at >= len(scan%text)) return
       if (scan%text(scan%at:scan%at + 1) /= "**") return
       scan%at = scan%at + 2
       call read_factor(scan, parameters, power)
       if (scan%wrong_at == 0) call raise(scan, begin, power, value)
-   end subroutine read_factor
+   end subroutine read_power
 
    !> A number to a power
    subroutine raise(scan, begin, power, value)
@@ -178,13 +188,13 @@ contains
 
       whole = abs(power - anint(power)) <= 0.0_wp
       if (abs(value) <= 0.0_wp .and. power <= 0.0_wp) then
-         call stop_at(scan, begin, "zero has no such power", "a base other than zero")
+         call scan%stop_at(begin, "zero has no such power", "a base other than zero")
       else if (value < 0.0_wp .and. .not. whole) then
-         call stop_at(scan, begin, "a negative number has no such power", "a whole power")
+         call scan%stop_at(begin, "a negative number has no such power", "a whole power")
       else if (abs(value) <= 0.0_wp) then
          value = 0.0_wp
       else if (power*log(abs(value)) > largest_power) then
-         call stop_at(scan, begin, "the power is too large", "numbers below 1e307")
+         call scan%stop_at(begin, "the power is too large", "numbers below 1e307")
       else
          odd = whole .and. modulo(power, 2.0_wp) > 0.5_wp
          value = merge(-1.0_wp, 1.0_wp, odd .and. value < 0.0_wp)*abs(value)**power
@@ -202,17 +212,17 @@ contains
 
       value = 0.0_wp
       if (scan%wrong_at > 0) return
-      select case (next_character(scan))
+      select case (scan%next())
       case ("0":"9", ".")
          call read_number(scan, value)
       case ("(")
          scan%at = scan%at + 1
          call read_sum(scan, parameters, value)
-         call expect(scan, ")")
+         call scan%expect(")")
       case ("a":"z", "A":"Z", "&")
          call read_name(scan, parameters, value)
       case default
-         call stop_at(scan, scan%at, "a number is missing here", &
+         call scan%stop_at(scan%at, "a number is missing here", &
             & "a number, an earlier parameter, a function or parentheses")
       end select
    end subroutine read_primary
@@ -234,7 +244,7 @@ contains
          scan%at = scan%at + 1
       end do
       call read_real(scan%text(begin:scan%at - 1), value, wrong_at)
-      if (wrong_at > 0) call stop_at(scan, begin + wrong_at - 1, &
+      if (wrong_at > 0) call scan%stop_at(begin + wrong_at - 1, &
          & "'"//scan%text(begin:scan%at - 1)//"' is not a number", "a number such as 1.5e3")
    end subroutine read_number
 
@@ -275,14 +285,14 @@ contains
       name = lower_case(scan%text(begin:scan%at - 1))
       value = 0.0_wp
       i = parameters%find(name)
-      if (next_character(scan) == "(") then
+      if (scan%next() == "(") then
          call read_function(scan, parameters, name, begin, value)
       else if (i > 0) then
          value = parameters%list(i)%value
       else if (name == "pi") then
          value = pi
       else
-         call stop_at(scan, begin, "there is no parameter '"//name//"' above this line", &
+         call scan%stop_at(begin, "there is no parameter '"//name//"' above this line", &
             & parameters%advice(name))
       end if
    end subroutine read_name
@@ -306,15 +316,15 @@ contains
       call read_sum(scan, parameters, first)
       second = 0.0_wp
       if (name == "min" .or. name == "max") then
-         call expect(scan, ",")
+         call scan%expect(",")
          call read_sum(scan, parameters, second)
       end if
-      call expect(scan, ")")
+      call scan%expect(")")
       value = 0.0_wp
       if (scan%wrong_at > 0) return
       if ((name == "sqrt" .and. first < 0.0_wp) .or. (name == "log" .and. first <= 0.0_wp) &
          & .or. (name == "exp" .and. first > largest_power)) then
-         call stop_at(scan, begin, name//" has no value there", &
+         call scan%stop_at(begin, name//" has no value there", &
             & "an argument that it is defined for")
          return
       end if
@@ -329,7 +339,7 @@ contains
       case ("min"); value = min(first, second)
       case ("max"); value = max(first, second)
       case default
-         call stop_at(scan, begin, "there is no function '"//name//"'", &
+         call scan%stop_at(begin, "there is no function '"//name//"'", &
             & "sqrt, sin, cos, tan, abs, exp, log, min or max")
       end select
    end subroutine read_function
@@ -342,57 +352,5 @@ contains
       is_name_part = is_digit(c) .or. c == "_" &
          & .or. (lower_case(c) >= "a" .and. lower_case(c) <= "z")
    end function is_name_part
-
-   !> Step over a character that must come next
-   subroutine expect(scan, mark)
-      !> The expression
-      type(scan_type), intent(inout) :: scan
-      !> The character
-      character(1), intent(in) :: mark
-
-      if (next_character(scan) == mark) then
-         scan%at = scan%at + 1
-      else
-         call stop_at(scan, scan%at, "a '"//mark//"' is missing here", "a "//mark)
-      end if
-   end subroutine expect
-
-   !> The next character that is no blank; a blank at the end
-   character(1) function next_character(scan) result(c)
-      !> The expression
-      type(scan_type), intent(inout) :: scan
-
-      call pass_blanks(scan)
-      c = " "
-      if (scan%wrong_at == 0 .and. scan%at <= len(scan%text)) c = scan%text(scan%at:scan%at)
-   end function next_character
-
-   !> Step over blanks
-   subroutine pass_blanks(scan)
-      !> The expression
-      type(scan_type), intent(inout) :: scan
-
-      do while (scan%at <= len(scan%text))
-         if (scan%text(scan%at:scan%at) /= " ") return
-         scan%at = scan%at + 1
-      end do
-   end subroutine pass_blanks
-
-   !> Keep the first thing that is wrong
-   subroutine stop_at(scan, at, wrong, right)
-      !> The expression
-      type(scan_type), intent(inout) :: scan
-      !> The wrong character
-      integer, intent(in) :: at
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
-
-      if (scan%wrong_at > 0) return
-      scan%wrong_at = at
-      scan%wrong = wrong
-      scan%right = right
-   end subroutine stop_at
 
 end module plydyn_deck_expression

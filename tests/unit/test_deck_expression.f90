@@ -33,10 +33,13 @@ program test_deck_expression
    call check_value("2*pi", 2.0_wp*pi)
    call check_value("sqrt( min( plies , 4 ) )", 2.0_wp)
    call check_value("0**2", 0.0_wp)
+   call check_value(repeat("(", 150)//"7"//repeat(")", 150), 7.0_wp)
 
    call begin("evaluate, errors")
    call check_wrong("1 +", 4, "a number is missing")
    call check_wrong("2*(1 + 3", 9, "')' is missing")
+   call check_wrong(repeat("(", 30000)//"1", 201, "too much is within each other")
+   call check_wrong(repeat("-", 30000)//"1", 201, "too much is within each other")
    call check_wrong("1 2", 3, "does not go on like this")
    call check_wrong("", 1, "a number is missing")
    call check_wrong("3*thik", 3, "no parameter 'thik'")
