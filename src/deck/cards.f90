@@ -50,6 +50,7 @@ module plydyn_deck_cards
       procedure :: line_of
       procedure :: column_width
       procedure :: card_of_row
+      procedure :: told_card
       procedure, private :: find
    end type cards_type
 
@@ -237,17 +238,18 @@ contains
       !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
-      integer :: column, row
+      integer :: card, column, row
 
       place = self%head()
       place%field = trim(name)
       call self%find(name, nth, column, row)
       if (row == 0) return
+      card = self%card_of_row(row)
       place%line = self%row_line(row)
-      place%card = self%card_of_row(row)
+      place%card = self%told_card(row)
       if (self%row_free(row)) place%comma = column
-      place%first = sum(self%column_width(place%card, column - 1)) + 1
-      place%last = sum(self%column_width(place%card, column))
+      place%first = sum(self%column_width(card, column - 1)) + 1
+      place%last = sum(self%column_width(card, column))
    end function place
 
    !> Line of a field
@@ -292,6 +294,15 @@ contains
       card = min(row, cards)
       if (self%declaration%repeated) card = modulo(row - 1, cards) + 1
    end function card_of_row
+
+   !> Number of the card that a row is on the page of the keyword; 0 for one that a suffix put in front
+   pure integer function told_card(self, row) result(card)
+      class(cards_type), intent(in) :: self
+      !> Row of the keyword
+      integer, intent(in) :: row
+
+      card = max(0, self%card_of_row(row) - self%declaration%in_front)
+   end function told_card
 
    !> Column and row of a field; row 0 when the deck has no such card
    pure subroutine find(self, name, nth, column, row)

@@ -83,6 +83,8 @@ module plydyn_deck_declaration
       character(:), allocatable :: alias
       !> Suffixes that add a card in front, separated by blanks: TITLE, ID
       character(:), allocatable :: suffixes
+      !> How many of its cards a suffix put in front
+      integer :: in_front = 0
       !> Columns of a field, for fields added next
       integer :: width = usual_width
       !> Its cards
@@ -351,6 +353,7 @@ contains
          call keyword%add_word("HEADING", "title", words="", required=.false.)
          keyword%cards(1)%fields(2)%width = line_width - usual_width
       end if
+      keyword%in_front = size(keyword%cards)
       keyword%cards = [keyword%cards, self%cards]
    end function with_suffix
 

@@ -284,7 +284,7 @@ contains
 
       place = cards%head()
       place%line = cards%row_line(row)
-      place%card = cards%card_of_row(row)
+      place%card = cards%told_card(row)
       place%first = column
       place%last = column
    end function at_column

@@ -2,7 +2,7 @@
 module plydyn_deck_table
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type, is_absent
-   use plydyn_deck_declaration, only : text_field, word_field, words_field
+   use plydyn_deck_declaration, only : keyword_type, text_field, word_field, words_field
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : place_type, report_type
    use plydyn_deck_rows, only : read_row
@@ -51,14 +51,17 @@ contains
       type(report_type), intent(inout) :: report
 
       type(place_type) :: place
-      integer :: needed, most
+      integer :: front, most, needed
 
+      front = cards%declaration%in_front
       most = size(cards%declaration%cards)
       needed = count(.not. cards%declaration%cards%optional)
       place = cards%head()
-      if (rows < needed) then
-         call report%refuse(place, "card "//text(rows + 1)//" is missing", &
-            & cards_words(needed, most)//" under *"//cards%declaration%name)
+      if (rows < front) then
+         call report%refuse(place, "the title is missing", expected_text(cards%declaration))
+      else if (rows < needed) then
+         call report%refuse(place, "card "//text(rows + 1 - front)//" is missing", &
+            & expected_text(cards%declaration))
       else if (cards%declaration%repeated) then
          if (modulo(rows, most) == 0) return
          place%line = place%line + rows
@@ -67,22 +70,27 @@ contains
          rows = rows - modulo(rows, most)
       else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then
          place%line = place%line + most + 1
-         call report%refuse(place, "a card too many", cards_words(needed, most)//" under *" &
-            & //cards%declaration%name)
+         call report%refuse(place, "a card too many", expected_text(cards%declaration))
          rows = most
       end if
    end subroutine check_count
 
-   !> Number of cards in words
-   pure function cards_words(needed, most) result(words)
-      !> Smallest and largest number
-      integer, intent(in) :: needed, most
+   !> What a keyword takes
+   pure function expected_text(keyword) result(words)
+      !> Its declaration
+      type(keyword_type), intent(in) :: keyword
       character(:), allocatable :: words
 
+      integer :: most, needed
+
+      most = size(keyword%cards) - keyword%in_front
+      needed = count(.not. keyword%cards%optional) - keyword%in_front
       words = text(needed)//" cards"
       if (needed == 1) words = "1 card"
       if (most > needed) words = text(needed)//" to "//text(most)//" cards"
-   end function cards_words
+      words = words//" under *"//keyword%name
+      if (keyword%in_front > 0) words = words//" and its title"
+   end function expected_text
 
    !> Make room for the rows of a keyword
    subroutine allocate_rows(rows, cards)
