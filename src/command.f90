@@ -180,6 +180,10 @@ contains
             command%restart = word
          else if (len(command%deck) == 0 .and. word(1:min(1, len(word))) /= "-") then
             command%deck = word
+         else if (len(command%action) == 0 .and. len(command%deck) > 0) then
+            ! two words that are no command: the first stands where one should
+            call fail(error, exit_usage, "'"//command%deck//"' is not understood" &
+               & //new_line("a")//usage)
          else
             call fail(error, exit_usage, "'"//word//"' is not understood"//new_line("a")//usage)
          end if

@@ -34,7 +34,7 @@ def said(*words: object) -> tuple[int, str]:
         (["--keywords", "NODE", "PART"], USAGE, "'PART' is not understood"),
         (["--version", "deck.k"], USAGE, "'deck.k' is not understood"),
         ([], USAGE, "plydyn run DECK"),
-        (["strike", DECK], USAGE, "is not understood"),
+        (["strike", DECK], USAGE, "'strike' is not understood"),
         (["strike"], USAGE, "'strike' is not understood"),
         (["run"], USAGE, "run needs a deck"),
         (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
