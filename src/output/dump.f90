@@ -5,11 +5,13 @@
 !> that a kill at any moment leaves the one before. Arrays are in the order of the whole model: of
 !> those that ranks have parts of, each writes a band.
 module plydyn_output_dump
+   use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_files, only : remove_file, secure_file
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_output_check_sum, only : sum_name, sum_text, sums_of
    use plydyn_output_h5, only : h5_file_type, store_double, store_integer
    use plydyn_output_job, only : job_type
    use plydyn_output_places, only : places_type
@@ -19,12 +21,12 @@ module plydyn_output_dump
    implicit none
    private
 
-   public :: write_dump
+   public :: sums_of_run, write_dump
 
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories or what contact remembers are arranged anew
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 5
+   integer, parameter, public :: dump_format = 6
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
@@ -136,7 +138,20 @@ contains
       call file%write_text(run_group, "endings", endings, error)
       if (allocated(error)) return
       call file%write_values(run_group//"/places", table, store_double, error)
+      if (.not. allocated(error)) call file%write_text(run_group, sum_name, &
+         & sum_text(sums_of_run(job%archive%parameters, endings, reshape(table, [size(table)]))), &
+         & error)
    end subroutine write_run
+
+   !> Sums of what a restart file says of its run
+   pure function sums_of_run(parameters, endings, places) result(sums)
+      !> Numbers for parameters, endings of files, and how far these were written
+      character(*), intent(in) :: parameters, endings
+      real(wp), intent(in) :: places(:)
+      integer(int64) :: sums(2)
+
+      sums(:) = sums_of(parameters//endings) + sums_of(places, 0)
+   end function sums_of_run
 
    !> The decks, word for word
    subroutine write_decks(file, archive, error)
@@ -160,6 +175,8 @@ contains
                if (allocated(error)) return
                call file%write_text(name, "path", document%path, error)
                if (allocated(error)) return
+               call file%write_text(name, sum_name, sum_text(sums_of(document%content)), error)
+               if (allocated(error)) return
             end associate
          end do
       end do
@@ -172,6 +189,7 @@ contains
       real(wp), allocatable, intent(inout) :: values(:)
 
       real(wp), allocatable :: band(:)
+      integer(int64) :: sums(2, 1)
       type(part_type) :: part
 
       if (allocated(self%error)) return
@@ -181,9 +199,13 @@ contains
          call part%counted%gather(values, band)
          call self%file%write_values(state_group//"/"//name, band, store_double, self%error, &
             & part%slab())
+         sums(:, 1) = sums_of(band, part%had%first)
+         call self%parts%comm%add_up(sums)
       else
          call self%file%write_values(state_group//"/"//name, values, store_double, self%error)
+         sums(:, 1) = sums_of(values, 0)
       end if
+      call write_sums(self, name, sums(:, 1))
    end subroutine write_reals
 
    !> Write an array, unless something went wrong before
@@ -192,8 +214,19 @@ contains
       character(*), intent(in) :: name
       integer, allocatable, intent(inout) :: values(:)
 
-      if (.not. allocated(self%error)) call self%file%write_values(state_group//"/"//name, values, &
-         & store_integer, self%error)
+      if (allocated(self%error)) return
+      call self%file%write_values(state_group//"/"//name, values, store_integer, self%error)
+      call write_sums(self, name, sums_of(values))
    end subroutine write_integers
+
+   !> Say beside an array what its numbers add up to
+   subroutine write_sums(self, name, sums)
+      class(state_writer_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      integer(int64), intent(in) :: sums(2)
+
+      if (.not. allocated(self%error)) call self%file%write_text(state_group//"/"//name, sum_name, &
+         & sum_text(sums), self%error)
+   end subroutine write_sums
 
 end module plydyn_output_dump

@@ -5,8 +5,9 @@ module plydyn_output_dump_input
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
+   use plydyn_output_check_sum, only : sum_name, sum_text, sums_of
    use plydyn_output_dump, only : deck_group, dump_format, dump_kind, ending_mark, run_group, &
-      & state_group
+      & state_group, sums_of_run
    use plydyn_output_h5, only : slab_type
    use plydyn_output_h5_input, only : h5_input_type
    use plydyn_output_job, only : job_type
@@ -119,6 +120,8 @@ contains
       job%places = new_places(job%path)
       allocate (table(max(0, self%file%extent(run_group//"/places"))))
       call self%file%read_reals(run_group//"/places", table, good)
+      if (good) good = has_sums(self%file, run_group, &
+         & sums_of_run(job%archive%parameters, endings, table))
       if (.not. good) return
       first = 1
       do i = 1, size(table)/3
@@ -170,6 +173,7 @@ contains
       character(:), allocatable :: content, path
 
       call self%file%read_bytes(name, content, good)
+      if (good) good = has_sums(self%file, name, sums_of(content))
       if (.not. good) return
       call self%file%read_text(name, "path", path, good)
       call bundle%add_document(path, content)
@@ -214,6 +218,7 @@ contains
       end if
       call self%file%read_reals(state_group//"/"//name, values, good)
       if (.not. good) call complain(self, name)
+      call compare(self, name, sums_of(values, 0))
    end subroutine read_reals
 
    !> Read a band of an array, and get from other ranks what this one has. After an error, too: all
@@ -224,6 +229,7 @@ contains
       real(wp), intent(inout), contiguous :: values(:)
 
       real(wp), allocatable :: band(:, :)
+      integer(int64) :: sums(2, 1)
       type(part_type) :: part
       type(slab_type) :: slab
       logical :: good
@@ -236,6 +242,9 @@ contains
          if (good) call self%file%read_slab(state_group//"/"//name, 0_int64, slab, band, good)
          if (.not. good) call complain(self, name)
       end if
+      sums(:, 1) = sums_of(band(1, :), slab%first)
+      call self%parts%comm%add_up(sums)
+      call compare(self, name, sums(:, 1))
       call part%had%scatter(band(1, :), values)
    end subroutine read_part
 
@@ -253,7 +262,35 @@ contains
       end if
       call self%file%read_integers(state_group//"/"//name, values, good)
       if (.not. good) call complain(self, name)
+      call compare(self, name, sums_of(values))
    end subroutine read_integers
+
+   !> Whether an object of the file has the sums that it was written with
+   logical function has_sums(file, place, sums)
+      type(h5_input_type), intent(in) :: file
+      !> Path of the object
+      character(*), intent(in) :: place
+      !> Of what was read
+      integer(int64), intent(in) :: sums(2)
+
+      character(:), allocatable :: written
+
+      call file%read_text(place, sum_name, written, has_sums)
+      if (has_sums) has_sums = written == sum_text(sums)
+   end function has_sums
+
+   !> Refuse an array whose numbers are not those that were written, unless it could not be read
+   subroutine compare(self, name, sums)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      !> Of what was read
+      integer(int64), intent(in) :: sums(2)
+
+      if (allocated(self%error)) return
+      if (.not. has_sums(self%file, state_group//"/"//name, sums)) call fail(self%error, &
+         & exit_input, self%path//" is damaged: the "//name//" is not what was written; go on " &
+         & //"from another restart file")
+   end subroutine compare
 
    !> An array that cannot be read
    subroutine complain(self, name)

@@ -15,6 +15,7 @@ import pytest
 
 from broken import impact, said, unlike
 from decks import Deck
+from restart_files import change
 from runs import SOLVER
 from small_disk import enlarge, small_disk
 
@@ -161,8 +162,9 @@ def test_not_a_number_is_found(stopped: Path, tmp_path: Path) -> None:
     shutil.copytree(stopped, folder)
     small = tmp_path / "small.k"
     small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n2.0e-5,\n*END\n")
-    with h5py.File(folder / "job.runrsf", "r+") as file:
-        file["state/displacement"][len(file["state/displacement"]) // 2] = np.nan
+    with h5py.File(folder / "job.runrsf") as file:
+        middle = len(file["state/displacement"]) // 2
+    change(folder / "job.runrsf", "state/displacement", middle, np.nan)
     before = (folder / "job.runrsf").read_bytes()
     code, text = said("restart", folder / "job.runrsf", small)
     assert code == FAILED, text

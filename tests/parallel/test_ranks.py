@@ -16,6 +16,7 @@ from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
 from ranks import launch, peaks, results
+from restart_files import change
 from spread import solid, springs, tied
 
 NORMAL, INPUT, FAILED = 0, 2, 3
@@ -242,8 +243,7 @@ def test_culprit_is_found_on_any_rank(
     run(deck.write(tmp_path / "job.k"), folder, 1)
     small = tmp_path / "small.k"
     small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n5.0e-5,\n*END\n")
-    with h5py.File(folder / "job.runrsf", "r+") as file:
-        file[array][places] = value
+    change(folder / "job.runrsf", array, places, value)
     told = []
     for ranks in (1, 2, 3):
         done = launch(ranks, "restart", folder / "job.runrsf", small)
@@ -266,6 +266,7 @@ def test_broken_restart_file_is_told_once(tmp_path: Path) -> None:
         ("velocity", "does not hold the velocity of the model"),
         ("support_force", "does not hold the support_force of the model"),
         ("clock", "does not hold the clock of the model"),
+        ("displacement", "is damaged: the displacement is not what was written"),
         ("nowhere", "there is no restart file"),
     ):
         path = tmp_path / "job" / name
@@ -277,9 +278,13 @@ def test_broken_restart_file_is_told_once(tmp_path: Path) -> None:
         elif name != "nowhere":
             shutil.copy(good, path)
             with h5py.File(path, "r+") as file:
-                short = file[f"state/{name}"][1:]
-                del file[f"state/{name}"]
-                file[f"state/{name}"] = short
+                numbers = file[f"state/{name}"]
+                if name == "displacement":
+                    numbers[-1] += 1.0
+                else:
+                    short = numbers[1:]
+                    del file[f"state/{name}"]
+                    file[f"state/{name}"] = short
         alone, several = (launch(ranks, "restart", path, seconds=60.0) for ranks in (1, 3))
         assert alone.returncode == several.returncode == INPUT, name
         assert words in alone.stderr
