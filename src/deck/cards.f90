@@ -295,7 +295,7 @@ contains
       if (self%declaration%repeated) card = modulo(row - 1, cards) + 1
    end function card_of_row
 
-   !> Number of the card that a row is on the page of the keyword; 0 for one that a suffix put in front
+   !> Number of the card that a row is on the page of the keyword; 0 for one that a suffix adds
    pure integer function told_card(self, row) result(card)
       class(cards_type), intent(in) :: self
       !> Row of the keyword

@@ -87,8 +87,8 @@ contains
             call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")
          else if (control%scheme == implicit_interfaces .and. .not. has_interfaces(model)) then
             ! the card that joins plies may be the one that is wrong
-            if (.not. catalogue%report%has_errors()) call catalogue%refuse(cards, "IMPL", "1 makes " &
-               & //"interfaces implicit, but no plies are joined by one", &
+            if (.not. catalogue%report%has_errors()) call catalogue%refuse(cards, "IMPL", &
+               & "1 makes interfaces implicit, but no plies are joined by one", &
                & "0, or *INTERFACE_COHESIVE between plies")
          else if (control%scheme == implicit_thickness &
             & .and. any(model%motions%face /= all_planes)) then
