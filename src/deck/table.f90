@@ -65,8 +65,8 @@ contains
       else if (cards%declaration%repeated) then
          if (modulo(rows, most) == 0) return
          place%line = place%line + rows
-         call report%refuse(place, "card "//text(modulo(rows, most) + 1) &
-            & //" is missing behind this", "sets of "//text(most)//" cards")
+         call report%refuse(place, "card "//text(modulo(rows, most) + 1 - front) &
+            & //" is missing behind this", "sets of "//expected_text(cards%declaration))
          rows = rows - modulo(rows, most)
       else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then
          place%line = place%line + most + 1

@@ -181,9 +181,9 @@ def numbers(
 ) -> None:
     """Peak force, duration, impulse, energies and the like."""
     found = [open_results(job) for job in jobs]
-    for one in found:
-        if output:
-            one.spare(output)
+    if output:
+        for job in found:
+            job.spare(output)
     comparison = compare(found)
     _print_numbers(comparison)
     for note in comparison.notes:

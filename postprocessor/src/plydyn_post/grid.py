@@ -18,9 +18,9 @@ from plydyn_post.table import split_header
 # Our names of tensor components in the order of VTK's symmetric tensors
 TENSOR = ("xx", "yy", "zz", "xy", "yz", "xz")
 PLY_TENSOR = ("11", "22", "33", "12", "23", "13")
-# Attributes that name the units
 # Share of a run by which an instant may lie outside: the end of a run as people write it
 ROUNDING = 0.01
+# Attributes that name the units
 UNIT_KINDS = ("length", "time", "mass", "force", "stress", "energy")
 
 
