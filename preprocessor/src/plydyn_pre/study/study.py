@@ -63,7 +63,8 @@ class Study:
         rule = "one frame acceleration at most in each direction"
         require(len(set(frames)) == len(frames), "loads", rule)
         if is_quarter(self.mesh):
-            check_quarter(self)
+            laminates = [laminate for _, laminate in _laminates(self)]
+            check_quarter(self.mesh, laminates, self.impactor, self.loads)
 
     def laminate_of(self, part: str) -> Laminate:
         """The laminate of a part of the mesh."""
