@@ -12,16 +12,16 @@ module plydyn_contact_contact
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_constraint, only : constraints_type, new_constraints, opening
-   use plydyn_contact_correction, only : correction_type, new_correction
-   use plydyn_contact_multiplier, only : active_set_type, new_active_set
-   use plydyn_contact_ground, only : ground_type, new_ground
-   use plydyn_contact_near, only : near_type, new_near
-   use plydyn_contact_nodes, only : new_nodes, node_set_type, point_distance
-   use plydyn_contact_rim, only : collect_rim, rim_gap
-   use plydyn_contact_separate, only : is_separate, solve_separate
-   use plydyn_contact_sphere, only : sphere_gap
-   use plydyn_contact_surface, only : new_surface, surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints, opening
+   use plydyn_contact_solve_correction, only : correction_type, new_correction
+   use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
+   use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
+   use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
+   use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type, point_distance
+   use plydyn_contact_search_free_edge, only : collect_rim, rim_gap
+   use plydyn_contact_solve_diagonal_multiplier, only : is_separate, solve_separate
+   use plydyn_contact_bodies_sphere, only : sphere_gap
+   use plydyn_contact_search_surface, only : new_surface, surface_type
    implicit none
    private
 
@@ -56,9 +56,9 @@ module plydyn_contact_contact
    !> An impactor against a face
    type, public :: contact_pair_type
       !> What of the surface is near the impactor: nothing else is pushed
-      type(near_type) :: near
+      type(candidate_list_type) :: near
       !> Facets that can be pushed in the coming step, as long as the former are not listed anew
-      type(ground_type) :: ground
+      type(active_facets_type) :: ground
       !> What the last step added to the surface points
       type(correction_type) :: correction
       type(contact_setup_type), private :: setup
@@ -97,8 +97,8 @@ contains
       self%impactor_inverse(:) = 1.0_wp/setup%mass
       if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
       call new_surface(self%surface, facet, size(position, 2), setup%side)
-      call new_near(self%near, self%surface, setup%radius)
-      call new_ground(self%ground, size(facet, 2))
+      call new_candidate_list(self%near, self%surface, setup%radius)
+      call new_active_facets(self%ground, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))

@@ -5,7 +5,7 @@ module plydyn_solver_contacts
    use plydyn_base_text, only : text
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
-   use plydyn_contact_correction, only : correction_type
+   use plydyn_contact_solve_correction, only : correction_type
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate

@@ -2,10 +2,10 @@
 module ball
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_near, only : near_type, new_near
-   use plydyn_contact_nodes, only : new_nodes, node_set_type
-   use plydyn_contact_surface, only : new_surface, surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
+   use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
+   use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_search_surface, only : new_surface, surface_type
    use sample, only : flat_surface
    implicit none
    private
@@ -41,7 +41,7 @@ contains
       !> Places of its points
       real(wp), intent(in) :: flat(3, points)
       !> The part of it near the ball
-      type(near_type), intent(out) :: near
+      type(candidate_list_type), intent(out) :: near
       !> Contact nodes
       type(node_set_type), intent(out) :: nodes
       !> Constraints, none yet
@@ -49,7 +49,7 @@ contains
 
       type(error_type), allocatable :: error
 
-      call new_near(near, surface, radius)
+      call new_candidate_list(near, surface, radius)
       call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
       call new_constraints(rows, 9)
    end subroutine set_ball

@@ -4,11 +4,11 @@
 !> point is found by Newton's method with second derivatives inside one facet and by walking to
 !> the neighbour when the point lies beyond a side. The surface is taken to be locally a graph:
 !> the walk ends in the facet under the point, as it does for anything but a folded plate.
-module plydyn_contact_surface
+module plydyn_contact_search_surface
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_closest, only : closest_points
-   use plydyn_contact_facet, only : frame_eta, frame_size, frame_value, frame_xi
-   use plydyn_contact_neighbours, only : find_neighbours, sides
+   use plydyn_contact_search_closest_point, only : closest_points
+   use plydyn_contact_search_facet, only : frame_eta, frame_size, frame_value, frame_xi
+   use plydyn_contact_search_neighbours, only : find_neighbours, sides
    implicit none
    private
 
@@ -37,14 +37,14 @@ module plydyn_contact_surface
       !> 1 when the outward normal of the plate is that of the facets (top), -1 when opposite
       real(wp) :: side = 1.0_wp
    contains
-      procedure :: start_near
+      procedure :: start_candidate_list
       procedure :: project
       procedure :: project_some
       procedure :: is_missed
    end type surface_type
 
    !> Foot of the perpendicular from a point to the surface
-   type, public :: foot_type
+   type, public :: closest_point_type
       !> Facet on which it lies
       integer :: facet = 0
       !> Place in the facet, each from -1 to 1
@@ -59,7 +59,7 @@ module plydyn_contact_surface
       real(wp) :: gap = huge(1.0_wp)
       !> The point lies beyond the border of the surface: nothing is under it along the normal
       logical :: beside = .false.
-   end type foot_type
+   end type closest_point_type
 
 contains
 
@@ -81,7 +81,7 @@ contains
    end subroutine new_surface
 
    !> Start of a projection: the facet whose last point is nearest
-   pure function start_near(self, position, point, facets) result(foot)
+   pure function start_candidate_list(self, position, point, facets) result(foot)
       !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
@@ -90,7 +90,7 @@ contains
       real(wp), intent(in) :: point(3)
       !> Facets to look at
       integer, intent(in) :: facets(:)
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       integer :: i
       real(wp) :: arm(3), least
@@ -102,7 +102,7 @@ contains
          least = sum(arm**2)
          foot%facet = facets(i)
       end do
-   end function start_near
+   end function start_candidate_list
 
    !> Closest point of the surface, starting from the facet and place in `foot`
    pure subroutine project(self, position, point, foot)
@@ -113,10 +113,10 @@ contains
       !> Any point, length
       real(wp), intent(in) :: point(3)
       !> Start in, foot out
-      type(foot_type), intent(inout) :: foot
+      type(closest_point_type), intent(inout) :: foot
 
       real(wp) :: points(3, 1)
-      type(foot_type) :: feet(1)
+      type(closest_point_type) :: feet(1)
 
       points(:, 1) = point
       feet(1) = foot
@@ -133,9 +133,9 @@ contains
       !> Any points, no more than lanes, (3, points), length
       real(wp), intent(in) :: point(:, :)
       !> Of each the start in, foot out
-      type(foot_type), intent(inout) :: foot(:)
+      type(closest_point_type), intent(inout) :: foot(:)
 
-      type(foot_type) :: trial(size(foot))
+      type(closest_point_type) :: trial(size(foot))
       integer :: i, side(size(foot)), walk
       logical :: walks(size(foot))
       real(wp) :: distance, least(size(foot))
@@ -166,7 +166,7 @@ contains
       !> Side of the facet that is left
       integer, intent(in) :: side
       !> On a facet in, on its neighbour out
-      type(foot_type), intent(inout) :: foot
+      type(closest_point_type), intent(inout) :: foot
 
       real(wp) :: along, from_side(sides)
       integer :: entry_side, next
@@ -197,7 +197,7 @@ contains
       !> Any points, no more than lanes, (3, points), length
       real(wp), intent(in) :: point(:, :)
       !> Of each facet and start in, foot out
-      type(foot_type), intent(inout) :: foot(:)
+      type(closest_point_type), intent(inout) :: foot(:)
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side(:)
 
@@ -230,7 +230,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: self
       !> Facet, place, tangents and gap vector in, all out
-      type(foot_type), intent(inout) :: foot
+      type(closest_point_type), intent(inout) :: foot
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
@@ -260,7 +260,7 @@ contains
    !> for sides on which the foot is not
    pure function beyond(foot, arm) result(over)
       !> The foot
-      type(foot_type), intent(in) :: foot
+      type(closest_point_type), intent(in) :: foot
       !> From the foot, length
       real(wp), intent(in) :: arm(3)
       real(wp) :: over(sides)
@@ -283,7 +283,7 @@ contains
       !> The surface
       class(surface_type), intent(in) :: self
       !> The foot
-      type(foot_type), intent(in) :: foot
+      type(closest_point_type), intent(in) :: foot
       !> Along the line, not along the facet
       real(wp), intent(in) :: direction(3)
 
@@ -307,4 +307,4 @@ contains
       normal(:) = normal/sqrt(dot_product(normal, normal))
    end function unit_normal
 
-end module plydyn_contact_surface
+end module plydyn_contact_search_surface

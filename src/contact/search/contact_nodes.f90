@@ -1,14 +1,14 @@
 !> Contact nodes on the impactor: where they are, which facet is under each, and when to look again.
-module plydyn_contact_nodes
+module plydyn_contact_search_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_contact_constraint, only : constraints_type
-   use plydyn_contact_near, only : near_type
-   use plydyn_contact_neighbours, only : sides
-   use plydyn_contact_sleepers, only : new_sleepers, sleepers_type
-   use plydyn_contact_sphere, only : sphere_nodes
-   use plydyn_contact_surface, only : foot_type, surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_search_candidate_list, only : candidate_list_type
+   use plydyn_contact_search_neighbours, only : sides
+   use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
+   use plydyn_contact_bodies_sphere, only : sphere_nodes
+   use plydyn_contact_search_surface, only : closest_point_type, surface_type
    use plydyn_fem_shape, only : bilinear_nodes, shape_functions
    implicit none
    private
@@ -48,7 +48,7 @@ module plydyn_contact_nodes
       !> Place in that facet, (2, nodes)
       real(wp), allocatable, private :: place(:, :)
       !> Until when they sleep: nodes far above the surface need not be looked at
-      type(sleepers_type) :: sleepers
+      type(search_timers_type) :: sleepers
    contains
       procedure :: collect
       procedure :: forget
@@ -95,7 +95,7 @@ contains
       allocate (self%facet(nodes), source=0)
       allocate (self%place(2, nodes), source=0.0_wp)
       allocate (self%push(nodes), source=0.0_wp)
-      call new_sleepers(self%sleepers, nodes)
+      call new_search_timers(self%sleepers, nodes)
    end subroutine new_nodes
 
    !> Distance from the axis of the impactor to the farthest point of the surface, length
@@ -160,7 +160,7 @@ contains
       integer :: f, s
       integer, allocatable :: facets(:)
       real(wp) :: point(3)
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       allocate (facets(size(surface%facet, 2)))
       facets(:) = [(f, f=1, size(facets))]
@@ -169,7 +169,7 @@ contains
       do s = 1, size(self%position, 2)
          point(:) = centre + self%position(:, s)
          if (foot%beside) then
-            foot = surface%start_near(position, point, facets)
+            foot = surface%start_candidate_list(position, point, facets)
          end if
          call surface%project(position, point, foot)
          if (.not. foot%beside) least_gap = min(least_gap, foot%gap)
@@ -228,7 +228,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets near the sphere
-      type(near_type), intent(in) :: near
+      type(candidate_list_type), intent(in) :: near
       !> Trial positions of the surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
@@ -253,7 +253,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets near the sphere
-      type(near_type), intent(in) :: near
+      type(candidate_list_type), intent(in) :: near
       !> Trial positions of the surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
@@ -263,14 +263,14 @@ contains
       !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      type(foot_type) :: foot(size(node))
+      type(closest_point_type) :: foot(size(node))
       real(wp) :: point(3, size(node))
       integer :: i
 
       do i = 1, size(node)
          point(:, i) = centre + self%position(:, node(i))
          if (self%facet(node(i)) <= 0) then
-            foot(i) = surface%start_near(position, point(:, i), near%facet)
+            foot(i) = surface%start_candidate_list(position, point(:, i), near%facet)
          else
             foot(i)%facet = self%facet(node(i))
             foot(i)%place(:) = self%place(:, node(i))
@@ -295,7 +295,7 @@ contains
       !> Its number
       integer, intent(in) :: node
       !> Its foot on the surface
-      type(foot_type), intent(inout) :: foot
+      type(closest_point_type), intent(inout) :: foot
 
       if (.not. foot%beside .or. foot%gap >= 0.0_wp) return
       if (is_faced(self, foot, node)) foot%beside = surface%is_missed(foot, self%position(:, node))
@@ -310,7 +310,7 @@ contains
       !> Its number
       integer, intent(in) :: node
       !> Its foot on the surface
-      type(foot_type), intent(in) :: foot
+      type(closest_point_type), intent(in) :: foot
 
       self%facet(node) = merge(-foot%facet, foot%facet, foot%beside)
       self%place(:, node) = foot%place
@@ -330,7 +330,7 @@ contains
       !> The nodes
       type(node_set_type), intent(in) :: self
       !> Foot of the node
-      type(foot_type), intent(in) :: foot
+      type(closest_point_type), intent(in) :: foot
       !> Its number
       integer, intent(in) :: node
 
@@ -353,7 +353,7 @@ contains
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Foot of the node
-      type(foot_type), intent(in) :: foot
+      type(closest_point_type), intent(in) :: foot
       !> Its number
       integer, intent(in) :: node
       !> The constraints
@@ -377,4 +377,4 @@ contains
       end if
    end subroutine add_row
 
-end module plydyn_contact_nodes
+end module plydyn_contact_search_contact_nodes

@@ -1,7 +1,7 @@
 !> What contact adds to the points of the surface: of thousands of points some tens move.
-module plydyn_contact_correction
+module plydyn_contact_solve_correction
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type
+   use plydyn_contact_solve_constraint, only : constraints_type
    implicit none
    private
 
@@ -85,4 +85,4 @@ contains
       farthest = sqrt(farthest)
    end function farthest
 
-end module plydyn_contact_correction
+end module plydyn_contact_solve_correction

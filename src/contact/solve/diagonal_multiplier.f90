@@ -4,9 +4,9 @@
 !> p = max(0, -(g + n.c)/a) with a = n.M^-1 n of the point. What is left is the balance of the
 !> impactor, c/w = sum of p n: the minimum of a convex function of three unknowns, quadratic in
 !> pieces. Newton's method finds it in a few passes over the rows, however many there are.
-module plydyn_contact_separate
+module plydyn_contact_solve_diagonal_multiplier
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : add_motion, constraints_type
+   use plydyn_contact_solve_constraint, only : add_motion, constraints_type
    implicit none
    private
 
@@ -168,4 +168,4 @@ contains
       solution(1) = (solution(1) - a(1, 2)*solution(2) - a(1, 3)*solution(3))/a(1, 1)
    end function solve_definite
 
-end module plydyn_contact_separate
+end module plydyn_contact_solve_diagonal_multiplier

@@ -1,7 +1,7 @@
 !> How near a facet can come to a point.
-program test_contact_hull
+program test_contact_search_hull
    use plydyn_base_precision, only : wp
-   use plydyn_contact_hull, only : distance_bound
+   use plydyn_contact_search_hull, only : distance_bound
    use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -79,4 +79,4 @@ contains
       call check(distance_bound(node, [0.0_wp, -3.5_wp, 0.0_wp]), 2.0_wp, round_off, "from outside")
    end subroutine check_bulge
 
-end program test_contact_hull
+end program test_contact_search_hull

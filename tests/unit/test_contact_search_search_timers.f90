@@ -1,7 +1,7 @@
 !> Contact nodes that sleep.
-program test_contact_sleepers
+program test_contact_search_search_timers
    use plydyn_base_precision, only : wp
-   use plydyn_contact_sleepers, only : new_sleepers, sleepers_type
+   use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -16,12 +16,12 @@ contains
 
    !> Those awake are those whose time has come, in the order of their numbers, at any travel
    subroutine check_waking()
-      type(sleepers_type) :: sleepers
+      type(search_timers_type) :: sleepers
       integer, allocatable :: expected(:)
       integer :: i, step
 
       call begin("find_awake")
-      call new_sleepers(sleepers, nodes)
+      call new_search_timers(sleepers, nodes)
       call sleepers%find_awake(0.0_wp)
       call check(sleepers%count, nodes, "all are awake at first")
       do i = 1, nodes
@@ -37,10 +37,10 @@ contains
 
    !> A group that was left alone is looked at when its nodes are to wake earlier
    subroutine check_new_times()
-      type(sleepers_type) :: sleepers
+      type(search_timers_type) :: sleepers
 
       call begin("renew")
-      call new_sleepers(sleepers, nodes)
+      call new_search_timers(sleepers, nodes)
       sleepers%wake(:nodes) = 5.0_wp
       call sleepers%find_awake(1.0_wp)
       call check(sleepers%count, 0, "all sleep")
@@ -51,4 +51,4 @@ contains
       call check(sleepers%awake(1), nodes, "the last one")
    end subroutine check_new_times
 
-end program test_contact_sleepers
+end program test_contact_search_search_timers

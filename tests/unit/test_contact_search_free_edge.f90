@@ -1,9 +1,9 @@
 !> The border of a face stays outside of the sphere, but where it may be a plane of symmetry.
-program test_contact_rim
+program test_contact_search_free_edge
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_rim, only : collect_rim, rim_gap
-   use plydyn_contact_surface, only : new_surface, surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
+   use plydyn_contact_search_free_edge, only : collect_rim, rim_gap
+   use plydyn_contact_search_surface, only : new_surface, surface_type
    use sample, only : flat_surface
    use testing, only : begin, check, finish
    implicit none
@@ -128,4 +128,4 @@ contains
       end do
    end function turned
 
-end program test_contact_rim
+end program test_contact_search_free_edge

@@ -9,11 +9,11 @@
 !> the others have opened its gap already. A is made definite by raising its diagonal by `ridge`,
 !> which leaves a penetration of that share of the step's. The motion is unique; the multipliers
 !> are not when rows are redundant. The set of the last step is the first guess of the next.
-module plydyn_contact_multiplier
+module plydyn_contact_solve_multiplier
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_constraint, only : add_motion, constraints_type
-   use plydyn_contact_coupling, only : coupling_type, new_coupling
-   use plydyn_contact_factor, only : factor_type
+   use plydyn_contact_solve_constraint, only : add_motion, constraints_type
+   use plydyn_contact_solve_coupling, only : coupling_type, new_coupling
+   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
    implicit none
    private
 
@@ -45,7 +45,7 @@ module plydyn_contact_multiplier
       type(coupling_type), private :: coupling
       real(wp), allocatable, private :: matrix(:, :)
       !> A among the pressing rows
-      type(factor_type), private :: factor
+      type(cholesky_factor_type), private :: factor
    contains
       procedure :: solve_unilateral
    end type active_set_type
@@ -277,4 +277,4 @@ contains
       end do
    end function deepest
 
-end module plydyn_contact_multiplier
+end module plydyn_contact_solve_multiplier

@@ -1,7 +1,7 @@
 !> The rigid sphere: contact nodes that it carries, and its exact distance from a point.
 !>
 !> Only the half that faces the plate can touch it, so a sphere and a hemisphere are the same here.
-module plydyn_contact_sphere
+module plydyn_contact_bodies_sphere
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -107,4 +107,4 @@ contains
       end if
    end subroutine sphere_gap
 
-end module plydyn_contact_sphere
+end module plydyn_contact_bodies_sphere

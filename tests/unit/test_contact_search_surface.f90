@@ -1,7 +1,7 @@
 !> Closest point on the facets of a surface.
-program test_contact_surface
+program test_contact_search_surface
    use plydyn_base_precision, only : wp
-   use plydyn_contact_surface, only : foot_type, new_surface, surface_type
+   use plydyn_contact_search_surface, only : closest_point_type, new_surface, surface_type
    use plydyn_fem_shape, only : biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -44,13 +44,13 @@ contains
       real(wp) :: position(3, 9), n(9), dn(2, 9), least, tangential
       integer :: facet(9, 1), i, j, p
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("project, one warped facet")
       call warped_facet(position, facet)
       call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
-         foot = surface%start_near(position, point(:, p), [1])
+         foot = surface%start_candidate_list(position, point(:, p), [1])
          call surface%project(position, point(:, p), foot)
          least = huge(1.0_wp)
          do j = 0, scan
@@ -88,14 +88,14 @@ contains
       real(wp) :: n(nodes), dn(2, nodes)
       integer :: start, p
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("project, flat grid")
       call make_grid(along, nodes, position, facet)
       call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
          do start = 1, along**2
-            foot = surface%start_near(position, point(:, p), [start])
+            foot = surface%start_candidate_list(position, point(:, p), [start])
             call surface%project(position, point(:, p), foot)
             call shape_functions(nodes, foot%place(1), foot%place(2), n, dn)
             call check(matmul(position(:2, facet(:, foot%facet)), n), point(:2, p), round_off, &
@@ -112,13 +112,13 @@ contains
       integer, allocatable :: facet(:, :)
       integer :: side
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("project, faces")
       call make_grid(2, 4, position, facet)
       do side = -1, 1, 2
          call new_surface(surface, facet, size(position, 2), side)
-         foot = surface%start_near(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
+         foot = surface%start_candidate_list(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
          call surface%project(position, [0.6_wp, 0.7_wp, 0.25_wp], foot)
          call check(foot%normal, [0.0_wp, 0.0_wp, real(side, wp)], round_off, "outward normal")
          call check(foot%gap, side*0.25_wp, round_off, "positive outside")
@@ -130,7 +130,7 @@ contains
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("project, border")
       call make_grid(3, 9, position, facet)
@@ -155,7 +155,7 @@ contains
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("project, fold")
       call make_grid(2, 9, position, facet)
@@ -173,7 +173,7 @@ contains
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(foot_type) :: foot
+      type(closest_point_type) :: foot
 
       call begin("is_missed")
       call make_grid(2, 9, position, facet)
@@ -225,4 +225,4 @@ contains
       end do
    end subroutine make_grid
 
-end program test_contact_surface
+end program test_contact_search_surface

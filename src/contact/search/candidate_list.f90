@@ -6,14 +6,14 @@
 !> in other steps the positions of listed points are enough. `travel` grows at every step by more
 !> than the gap of any contact node to the listed facets can have changed. So a node whose gap is g
 !> need not be looked at again before the travel has grown by g.
-module plydyn_contact_near
+module plydyn_contact_search_candidate_list
    use plydyn_base_precision, only : wp
-   use plydyn_contact_hull, only : distance_bound
-   use plydyn_contact_surface, only : surface_type
+   use plydyn_contact_search_hull, only : distance_bound
+   use plydyn_contact_search_surface, only : surface_type
    implicit none
    private
 
-   public :: new_near
+   public :: new_candidate_list
 
    !> Reach as a share of the sphere's radius
    real(wp), parameter :: reach_share = 0.03125_wp
@@ -26,7 +26,7 @@ module plydyn_contact_near
    real(wp), parameter :: round_off = 1.0e-9_wp
 
    !> Facets near the sphere
-   type, public :: near_type
+   type, public :: candidate_list_type
       !> Every facet at most this far from the sphere is listed, length
       real(wp) :: reach = 0.0_wp
       !> Listed facets
@@ -58,14 +58,14 @@ module plydyn_contact_near
       procedure :: shift
       procedure :: remember
       procedure :: recall
-   end type near_type
+   end type candidate_list_type
 
 contains
 
    !> Start with an empty list
-   pure subroutine new_near(self, surface, radius)
+   pure subroutine new_candidate_list(self, surface, radius)
       !> The list
-      type(near_type), intent(out) :: self
+      type(candidate_list_type), intent(out) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Radius of the sphere, length
@@ -79,12 +79,12 @@ contains
       allocate (self%facet(0), self%point(0), self%seen(3, 0))
       allocate (self%listed(facets), source=.false.)
       self%patch = surface
-   end subroutine new_near
+   end subroutine new_candidate_list
 
    !> Sphere and surface move without contact: can a facet that is not listed come within reach?
    pure subroutine approach(self, move, centre)
       !> The list
-      class(near_type), intent(inout) :: self
+      class(candidate_list_type), intent(inout) :: self
       !> Most that a point of the surface has moved in the step, length
       real(wp), intent(in) :: move
       !> Centre of the sphere, length
@@ -98,7 +98,7 @@ contains
    !> Follow the motion by a step
    pure subroutine update(self, surface, position, centre, rebuilt)
       !> The list
-      class(near_type), intent(inout) :: self
+      class(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, all of them if `needs_all`, (3, points), length
@@ -124,7 +124,7 @@ contains
    !> Listed points have been pushed besides
    pure subroutine shift(self, farthest)
       !> The list
-      class(near_type), intent(inout) :: self
+      class(candidate_list_type), intent(inout) :: self
       !> At most so far, length
       real(wp), intent(in) :: farthest
 
@@ -134,7 +134,7 @@ contains
    !> How far the nearest facet that is not listed is from having to be
    pure subroutine find_slack(self, surface, position, centre)
       !> The list
-      type(near_type), intent(inout) :: self
+      type(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
@@ -155,7 +155,7 @@ contains
    !> List every facet within twice the reach
    pure subroutine rebuild(self, surface, position, centre)
       !> The list
-      type(near_type), intent(inout) :: self
+      type(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
@@ -178,7 +178,7 @@ contains
    !> List the facets that are marked, and their points
    pure subroutine list_points(self, surface)
       !> The list
-      type(near_type), intent(inout) :: self
+      type(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
 
@@ -206,7 +206,7 @@ contains
    !> Append what is remembered from step to step
    pure subroutine remember(self, places, numbers)
       !> The list
-      class(near_type), intent(in) :: self
+      class(candidate_list_type), intent(in) :: self
       !> How many facets are listed, and which
       integer, allocatable, intent(inout) :: places(:)
       !> Travel and positions seen
@@ -219,7 +219,7 @@ contains
    !> Take back what `remember` gave
    pure subroutine recall(self, surface, places, numbers, used)
       !> The list
-      class(near_type), intent(inout) :: self
+      class(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> As from `remember`, with more behind it
@@ -247,7 +247,7 @@ contains
    !> Add the largest move of a listed point relative to the sphere since the last step
    pure subroutine add_travel(self, position, centre)
       !> The list
-      type(near_type), intent(inout) :: self
+      type(candidate_list_type), intent(inout) :: self
       !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
@@ -271,4 +271,4 @@ contains
       self%travel = self%travel + largest_share*sqrt(farthest)
    end subroutine add_travel
 
-end module plydyn_contact_near
+end module plydyn_contact_search_candidate_list

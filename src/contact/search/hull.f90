@@ -3,7 +3,7 @@
 !> Parabolas lie within the hull of their control points (Bernstein's form), and so does a facet
 !> within that of its own. The box around these and the ball around them both bound the distance
 !> from below; the better of the two is told.
-module plydyn_contact_hull
+module plydyn_contact_search_hull
    use plydyn_base_precision, only : wp
    use plydyn_fem_shape, only : bilinear_nodes
    implicit none
@@ -57,4 +57,4 @@ contains
       control(:) = 2.0_wp*middle - 0.5_wp*(first + last)
    end function control_point
 
-end module plydyn_contact_hull
+end module plydyn_contact_search_hull

@@ -1,6 +1,6 @@
 !> Facets as polynomials of their local coordinates, up to xi**2 eta**2, one facet in each lane:
 !> made once, they are evaluated at one place after the other for little.
-module plydyn_contact_facet
+module plydyn_contact_search_facet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_shape, only : bilinear_nodes
    implicit none
@@ -89,4 +89,4 @@ contains
       end do
    end subroutine frames_at
 
-end module plydyn_contact_facet
+end module plydyn_contact_search_facet

@@ -3,7 +3,7 @@
 !> LAPACK factorises once; an active set adds and drops constraints one by one, and a factor that
 !> follows costs the square of the size instead of its cube. The set of the last step is filled in
 !> at once, eight rows abreast. No threads, so the same bits always.
-module plydyn_contact_factor
+module plydyn_contact_solve_cholesky_factor
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
@@ -12,7 +12,7 @@ module plydyn_contact_factor
    integer, parameter :: first_capacity = 4*lanes
 
    !> Factor L of a matrix L L^T
-   type, public :: factor_type
+   type, public :: cholesky_factor_type
       !> Rows of the matrix
       integer :: count = 0
       !> Lower triangle, larger than needed
@@ -24,14 +24,14 @@ module plydyn_contact_factor
       procedure :: append
       procedure :: remove
       procedure :: solve
-   end type factor_type
+   end type cholesky_factor_type
 
 contains
 
    !> Begin anew with some rows of a matrix
    pure subroutine fill(self, row, matrix, share)
       !> The factor
-      class(factor_type), intent(inout) :: self
+      class(cholesky_factor_type), intent(inout) :: self
       !> Which rows, and columns
       integer, intent(in) :: row(:)
       !> The matrix, symmetric; only what is below the diagonal in the order of the rows is read
@@ -110,7 +110,7 @@ contains
    !> Add a last row to the matrix
    pure subroutine append(self, column, diagonal, least_pivot)
       !> The factor
-      class(factor_type), intent(inout) :: self
+      class(cholesky_factor_type), intent(inout) :: self
       !> The new row left of the diagonal
       real(wp), intent(in) :: column(self%count)
       !> The new diagonal entry
@@ -134,7 +134,7 @@ contains
    !> Take a row and its column out of the matrix
    pure subroutine remove(self, row)
       !> The factor
-      class(factor_type), intent(inout) :: self
+      class(cholesky_factor_type), intent(inout) :: self
       !> Which
       integer, intent(in) :: row
 
@@ -165,7 +165,7 @@ contains
    !> Solve with the whole matrix
    pure subroutine solve(self, vector)
       !> The factor
-      class(factor_type), intent(in) :: self
+      class(cholesky_factor_type), intent(in) :: self
       !> Right-hand side in, solution out
       real(wp), intent(inout) :: vector(self%count)
 
@@ -186,7 +186,7 @@ contains
    !> Solve with the lower triangle
    pure subroutine solve_lower(self, vector)
       !> The factor
-      type(factor_type), intent(in) :: self
+      type(cholesky_factor_type), intent(in) :: self
       !> Right-hand side in, solution out
       real(wp), intent(inout) :: vector(self%count)
 
@@ -203,7 +203,7 @@ contains
    !> Make room for some rows
    pure subroutine make_room(self, rows)
       !> The factor
-      type(factor_type), intent(inout) :: self
+      type(cholesky_factor_type), intent(inout) :: self
       !> How many
       integer, intent(in) :: rows
 
@@ -226,4 +226,4 @@ contains
       call move_alloc(longer, self%inverse)
    end subroutine make_room
 
-end module plydyn_contact_factor
+end module plydyn_contact_solve_cholesky_factor

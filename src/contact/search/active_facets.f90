@@ -4,22 +4,22 @@
 !> surface to come nearer by twice as much as in the step before, and those around them. A node
 !> that finds itself on another one all the same, where crushed matter lets it jump, enters in the
 !> next step. So forces on the rest of the plate need not wait for contact.
-module plydyn_contact_ground
+module plydyn_contact_search_active_facets
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type
-   use plydyn_contact_neighbours, only : sides
-   use plydyn_contact_nodes, only : node_set_type
-   use plydyn_contact_surface, only : surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_search_neighbours, only : sides
+   use plydyn_contact_search_contact_nodes, only : node_set_type
+   use plydyn_contact_search_surface, only : surface_type
    implicit none
    private
 
-   public :: new_ground
+   public :: new_active_facets
 
    !> How much faster than in the step before sphere and surface may come nearer
    real(wp), parameter :: ahead = 2.0_wp
 
    !> Facets that may be pushed
-   type, public :: ground_type
+   type, public :: active_facets_type
       !> Whether any facet may be
       logical :: is_all = .true.
       !> Those that may be, each once, in the first `count` places
@@ -33,24 +33,24 @@ module plydyn_contact_ground
    contains
       procedure :: take
       procedure :: follow
-   end type ground_type
+   end type active_facets_type
 
 contains
 
    !> Start with all facets
-   pure subroutine new_ground(self, facets)
+   pure subroutine new_active_facets(self, facets)
       !> The ground
-      type(ground_type), intent(out) :: self
+      type(active_facets_type), intent(out) :: self
       !> How many facets there are
       integer, intent(in) :: facets
 
       allocate (self%facet(facets), source=0)
       allocate (self%is_part(facets), self%is_under(facets), source=.false.)
-   end subroutine new_ground
+   end subroutine new_active_facets
 
    !> These facets and no others
    pure subroutine take(self, facet)
-      class(ground_type), intent(inout) :: self
+      class(active_facets_type), intent(inout) :: self
       !> The facets
       integer, intent(in) :: facet(:)
 
@@ -61,7 +61,7 @@ contains
 
    !> Leave out the rows of nodes that have left the ground, and find that of the next step
    pure subroutine follow(self, surface, travel, nodes, rows)
-      class(ground_type), intent(inout) :: self
+      class(active_facets_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Bound on the approach of sphere and facets since the start, length
@@ -89,7 +89,7 @@ contains
 
    !> Facets under nodes that wake up to some travel, and around these
    pure subroutine find(self, surface, travel, nodes)
-      type(ground_type), intent(inout) :: self
+      type(active_facets_type), intent(inout) :: self
       type(surface_type), intent(in) :: surface
       real(wp), intent(in) :: travel
       type(node_set_type), intent(inout) :: nodes
@@ -110,7 +110,7 @@ contains
 
    !> Add a facet, those beyond its sides, and those beyond theirs
    pure subroutine add_around(self, surface, facet)
-      type(ground_type), intent(inout) :: self
+      type(active_facets_type), intent(inout) :: self
       type(surface_type), intent(in) :: surface
       integer, intent(in) :: facet
 
@@ -130,7 +130,7 @@ contains
 
    !> Add a facet, if there is one
    pure subroutine add(self, facet)
-      type(ground_type), intent(inout) :: self
+      type(active_facets_type), intent(inout) :: self
       integer, intent(in) :: facet
 
       if (facet == 0) return
@@ -140,4 +140,4 @@ contains
       self%facet(self%count) = facet
    end subroutine add
 
-end module plydyn_contact_ground
+end module plydyn_contact_search_active_facets

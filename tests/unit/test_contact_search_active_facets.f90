@@ -1,12 +1,12 @@
 !> The ground of contact: no node presses beside it, and it is a small part of the face.
-program test_contact_ground
+program test_contact_search_active_facets
    use ball, only : new_plate, points, radius, set_ball, squares
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type
-   use plydyn_contact_ground, only : ground_type, new_ground
-   use plydyn_contact_near, only : near_type
-   use plydyn_contact_nodes, only : node_set_type
-   use plydyn_contact_surface, only : surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
+   use plydyn_contact_search_candidate_list, only : candidate_list_type
+   use plydyn_contact_search_contact_nodes, only : node_set_type
+   use plydyn_contact_search_surface, only : surface_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -24,8 +24,8 @@ contains
 
    !> A sphere that rolls and bounces over waves presses where it was said before the step
    subroutine check_rolling()
-      type(ground_type) :: ground
-      type(near_type) :: near
+      type(active_facets_type) :: ground
+      type(candidate_list_type) :: near
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
       logical :: is_ground(squares**2), rebuilt
@@ -34,7 +34,7 @@ contains
 
       call begin("follow")
       call set_ball(surface, flat, near, nodes, rows)
-      call new_ground(ground, squares**2)
+      call new_active_facets(ground, squares**2)
       presses = 0
       steps_with_ground = 0
       found = 0
@@ -69,8 +69,8 @@ contains
 
    !> A node that jumps presses one step later
    subroutine check_jump()
-      type(ground_type) :: ground
-      type(near_type) :: near
+      type(active_facets_type) :: ground
+      type(candidate_list_type) :: near
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
       logical :: rebuilt
@@ -79,7 +79,7 @@ contains
 
       call begin("drop")
       call set_ball(surface, flat, near, nodes, rows)
-      call new_ground(ground, squares**2)
+      call new_active_facets(ground, squares**2)
       do step = 0, 3
          centre(:) = [0.0_wp, 0.0_wp, radius - 1.0e-4_wp*step]
          call near%approach(0.0_wp, centre)
@@ -103,14 +103,14 @@ contains
 
    !> Other contacts say themselves what their ground is
    subroutine check_taken()
-      type(ground_type) :: ground
+      type(active_facets_type) :: ground
 
       call begin("take")
-      call new_ground(ground, squares**2)
+      call new_active_facets(ground, squares**2)
       call check(ground%is_all, "nothing is known at first")
       call ground%take([7, 5])
       call check(.not. ground%is_all, "then it is")
       call check(all(ground%facet(:ground%count) == [7, 5]), "what was given")
    end subroutine check_taken
 
-end program test_contact_ground
+end program test_contact_search_active_facets

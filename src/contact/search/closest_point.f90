@@ -1,7 +1,8 @@
 !> Closest points of facets by Newton's method, one facet and one point in each lane.
-module plydyn_contact_closest
+module plydyn_contact_search_closest_point
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_facet, only : facet_polynomials, frame_eta, frame_eta_eta, frame_size, &
+   use plydyn_contact_search_facet, only : facet_polynomials, frame_eta, frame_eta_eta, &
+      & frame_size, &
       & frame_value, frame_xi, frame_xi_eta, frame_xi_xi, frames_at
    implicit none
    private
@@ -164,4 +165,4 @@ contains
       end do
    end subroutine go_on
 
-end module plydyn_contact_closest
+end module plydyn_contact_search_closest_point

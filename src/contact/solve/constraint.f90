@@ -4,7 +4,7 @@
 !> the matrix G of the paper's eq. 18 taken along the normal n, one row per contact node instead of
 !> three: the gap vector at the closest point has no other component, so nothing sticks.
 !> The gap is linearised at the trial positions, once per step, as in the paper.
-module plydyn_contact_constraint
+module plydyn_contact_solve_constraint
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -171,4 +171,4 @@ contains
          & + relative(3)*rows%normal(3, row)
    end function opening
 
-end module plydyn_contact_constraint
+end module plydyn_contact_solve_constraint

@@ -1,6 +1,6 @@
 !> Facets beyond the sides of facets.
-program test_contact_neighbours
-   use plydyn_contact_neighbours, only : find_neighbours, sides
+program test_contact_search_neighbours
+   use plydyn_contact_search_neighbours, only : find_neighbours, sides
    use testing, only : begin, check, finish
    implicit none
 
@@ -25,4 +25,4 @@ program test_contact_neighbours
    end do
    call finish()
 
-end program test_contact_neighbours
+end program test_contact_search_neighbours

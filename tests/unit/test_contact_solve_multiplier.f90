@@ -1,10 +1,11 @@
 !> Multipliers that push and never pull.
-program test_contact_multiplier
+program test_contact_solve_multiplier
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : add_motion, constraints_type, new_constraints, opening
-   use plydyn_contact_factor, only : factor_type
-   use plydyn_contact_multiplier, only : active_set_type, new_active_set
-   use plydyn_contact_separate, only : is_separate, solve_separate
+   use plydyn_contact_solve_constraint, only : add_motion, constraints_type, new_constraints, &
+      & opening
+   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
+   use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
+   use plydyn_contact_solve_diagonal_multiplier, only : is_separate, solve_separate
    use plydyn_fem_shape, only : biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -257,7 +258,7 @@ contains
 
       real(wp) :: matrix(rows%count, rows%count), motion(3, 9), impactor(3), part(rows%count)
       integer :: i, j, n, set, member(rows%count)
-      type(factor_type) :: factor
+      type(cholesky_factor_type) :: factor
 
       do j = 1, rows%count
          motion(:, :) = 0.0_wp
@@ -283,4 +284,4 @@ contains
       end do
    end function subset_solution
 
-end program test_contact_multiplier
+end program test_contact_solve_multiplier

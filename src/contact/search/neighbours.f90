@@ -1,5 +1,5 @@
 !> Which facet lies beyond each side of a facet.
-module plydyn_contact_neighbours
+module plydyn_contact_search_neighbours
    implicit none
    private
 
@@ -86,4 +86,4 @@ contains
       end do
    end function beyond
 
-end module plydyn_contact_neighbours
+end module plydyn_contact_search_neighbours

@@ -1,7 +1,7 @@
 !> A Cholesky factor that grows and shrinks.
-program test_contact_factor
+program test_contact_solve_cholesky_factor
    use plydyn_base_precision, only : wp
-   use plydyn_contact_factor, only : factor_type
+   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -11,7 +11,7 @@ program test_contact_factor
    real(wp), parameter :: round_off = 1.0e-12_wp
 
    real(wp) :: matrix(rows, rows)
-   type(factor_type) :: factor
+   type(cholesky_factor_type) :: factor
    integer :: kept(rows), count, i, j
 
    do j = 1, rows
@@ -87,4 +87,4 @@ contains
       call check(vector, expected, round_off, what)
    end subroutine check_solution
 
-end program test_contact_factor
+end program test_contact_solve_cholesky_factor

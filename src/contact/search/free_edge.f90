@@ -4,11 +4,11 @@
 !> have slipped off and nodes above the face, until one of them is found far below. So no side of
 !> the border may enter the sphere: each that does makes a row at its closest point to the centre.
 !> None is made where the centre lies over the side to the digit: it may be a plane of symmetry.
-module plydyn_contact_rim
+module plydyn_contact_search_free_edge
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type
-   use plydyn_contact_neighbours, only : sides
-   use plydyn_contact_surface, only : surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_search_neighbours, only : sides
+   use plydyn_contact_search_surface, only : surface_type
    use plydyn_fem_shape, only : bilinear_nodes, shape_functions
    implicit none
    private
@@ -26,14 +26,14 @@ module plydyn_contact_rim
    real(wp), parameter :: largest_bulge = 1.5_wp
 
    !> Closest point of a side to the centre
-   type :: touch_type
+   type :: edge_contact_type
       !> Where it is on the side, from -1 to 1 counter-clockwise
       real(wp) :: along = 0.0_wp
       !> From there to the centre, length
       real(wp) :: arm(3) = 0.0_wp
       !> How far the centre is beside the side, seen from above, length
       real(wp) :: offset = 0.0_wp
-   end type touch_type
+   end type edge_contact_type
 
 contains
 
@@ -52,7 +52,7 @@ contains
       !> The constraints; a row of the border belongs to no node, 0
       type(constraints_type), intent(inout) :: rows
 
-      type(touch_type) :: touch
+      type(edge_contact_type) :: touch
       integer :: i, s
 
       do i = 1, size(facets)
@@ -82,7 +82,7 @@ contains
       !> Sides as near as this count, length
       real(wp), intent(in) :: reach
 
-      type(touch_type) :: touch
+      type(edge_contact_type) :: touch
       integer :: i, s
 
       rim_gap = huge(1.0_wp)
@@ -126,7 +126,7 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
-      type(touch_type) :: touch
+      type(edge_contact_type) :: touch
 
       real(wp) :: first(3), last(3), middle(3), slope(3), square(3)
 
@@ -173,7 +173,7 @@ contains
       !> Facet, and side of it
       integer, intent(in) :: facet, side
       !> Its closest point
-      type(touch_type), intent(in) :: touch
+      type(edge_contact_type), intent(in) :: touch
       !> Of the sphere, length
       real(wp), intent(in) :: radius
       !> The constraints
@@ -200,4 +200,4 @@ contains
       end associate
    end subroutine add_row
 
-end module plydyn_contact_rim
+end module plydyn_contact_search_free_edge

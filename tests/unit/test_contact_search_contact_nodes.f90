@@ -1,12 +1,12 @@
 !> Contact nodes on the impactor: their spacing, and how long they may sleep.
-program test_contact_nodes
+program test_contact_search_contact_nodes
    use ball, only : new_plate, points, radius, set_ball, spacing, squares, touching
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_contact_constraint, only : constraints_type
-   use plydyn_contact_near, only : near_type
-   use plydyn_contact_nodes, only : new_nodes, node_set_type
-   use plydyn_contact_surface, only : surface_type
+   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_search_candidate_list, only : candidate_list_type
+   use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
+   use plydyn_contact_search_surface, only : surface_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -59,7 +59,7 @@ contains
    !> beyond reach
    subroutine check_travel()
       type(constraints_type) :: rows
-      type(near_type) :: near
+      type(candidate_list_type) :: near
       type(node_set_type) :: nodes
       real(wp) :: after, before, centre(3), position(3, points), travel
       integer :: f, rebuilds, step
@@ -94,7 +94,7 @@ contains
    !> With listed points only, most of the time, the rows are those of all points; outside of the
    !> patch a foot is beside it
    subroutine check_patch()
-      type(near_type) :: lazy, near
+      type(candidate_list_type) :: lazy, near
       type(node_set_type) :: nodes, others
       type(constraints_type) :: all_rows, rows
       real(wp) :: before(3, points), centre(3), given(3, points), position(3, points)
@@ -142,7 +142,7 @@ contains
    subroutine check_folded()
       real(wp), parameter :: depth = 0.1_wp
       type(constraints_type) :: rows
-      type(near_type) :: near
+      type(candidate_list_type) :: near
       type(node_set_type) :: nodes
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
@@ -169,7 +169,7 @@ contains
       real(wp), parameter :: slope = 0.01_wp, beside = 1.0e-5_wp, depth = 1.0e-3_wp
       real(wp), parameter :: along = sqrt(1.0_wp + slope**2)
       type(constraints_type) :: rows
-      type(near_type) :: near
+      type(candidate_list_type) :: near
       type(node_set_type) :: nodes
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
@@ -186,4 +186,4 @@ contains
       call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")
    end subroutine check_fold
 
-end program test_contact_nodes
+end program test_contact_search_contact_nodes

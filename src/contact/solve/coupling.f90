@@ -2,9 +2,9 @@
 !>
 !> The rows are the lanes of vectors. Each row has weights at the few points of its facet, so a push
 !> moves few of the points that the rows touch, and what that opens is a sum of as many vectors.
-module plydyn_contact_coupling
+module plydyn_contact_solve_coupling
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_constraint, only : constraints_type
+   use plydyn_contact_solve_constraint, only : constraints_type
    implicit none
    private
 
@@ -161,4 +161,4 @@ contains
          & source=0.0_wp)
    end subroutine make_room
 
-end module plydyn_contact_coupling
+end module plydyn_contact_solve_coupling

@@ -1,16 +1,16 @@
 !> Which of many contact nodes sleep, and until when: most of them do, and whole groups at once.
-module plydyn_contact_sleepers
+module plydyn_contact_search_search_timers
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: new_sleepers
+   public :: new_search_timers
 
    !> Nodes of a group
    integer, parameter :: members = 32
 
    !> Nodes that sleep until the travel of sphere and surface has come to a value of their own
-   type, public :: sleepers_type
+   type, public :: search_timers_type
       !> Travel at which each node wakes, length; never for what fills the last group
       real(wp), allocatable :: wake(:)
       !> Nodes that were found awake, by number, in the first places
@@ -22,14 +22,14 @@ module plydyn_contact_sleepers
    contains
       procedure :: find_awake
       procedure :: renew
-   end type sleepers_type
+   end type search_timers_type
 
 contains
 
    !> All are awake
-   pure subroutine new_sleepers(self, nodes)
+   pure subroutine new_search_timers(self, nodes)
       !> The sleepers
-      type(sleepers_type), intent(out) :: self
+      type(search_timers_type), intent(out) :: self
       !> How many
       integer, intent(in) :: nodes
 
@@ -37,12 +37,12 @@ contains
       allocate (self%wake(members*size(self%first)), source=huge(1.0_wp))
       allocate (self%awake(size(self%wake) + 1), source=0)
       self%wake(:nodes) = 0.0_wp
-   end subroutine new_sleepers
+   end subroutine new_search_timers
 
    !> Let groups be looked through anew: nodes may wake earlier than before
    pure subroutine renew(self)
       !> The sleepers
-      class(sleepers_type), intent(inout) :: self
+      class(search_timers_type), intent(inout) :: self
 
       self%first(:) = 0.0_wp
    end subroutine renew
@@ -50,7 +50,7 @@ contains
    !> Find the nodes that are awake
    pure subroutine find_awake(self, travel)
       !> The sleepers
-      class(sleepers_type), intent(inout) :: self
+      class(search_timers_type), intent(inout) :: self
       !> Travel of sphere and surface, length
       real(wp), intent(in) :: travel
 
@@ -76,4 +76,4 @@ contains
       self%count = count
    end subroutine find_awake
 
-end module plydyn_contact_sleepers
+end module plydyn_contact_search_search_timers

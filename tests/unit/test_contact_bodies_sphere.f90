@@ -1,7 +1,7 @@
 !> Contact nodes on a sphere, and its exact gap.
-program test_contact_sphere
+program test_contact_bodies_sphere
    use plydyn_base_precision, only : wp
-   use plydyn_contact_sphere, only : sphere_gap, sphere_nodes
+   use plydyn_contact_bodies_sphere, only : sphere_gap, sphere_nodes
    use testing, only : begin, check, finish
    implicit none
 
@@ -65,4 +65,4 @@ contains
       call check(gap, 40.0_wp, round_off, "far aside, behind")
    end subroutine check_gap
 
-end program test_contact_sphere
+end program test_contact_bodies_sphere
