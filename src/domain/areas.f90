@@ -1,8 +1,8 @@
 !> Areas of the nodes of the plane.
 module plydyn_domain_areas
    use plydyn_base_precision, only : wp
-   use plydyn_domain_division, only : division_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_decomposition, only : decomposition_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -17,9 +17,9 @@ contains
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Its quads, those of other ranks too: they add to nodes where ranks meet
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       real(wp), allocatable :: area(:, :)
 
       real(wp) :: all(size(mesh%quad_node, 1))

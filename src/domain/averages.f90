@@ -8,10 +8,10 @@ module plydyn_domain_averages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_histories, only : cell_lengths
-   use plydyn_domain_loans, only : add_loans, loans_type, new_loans
+   use plydyn_domain_initial_history, only : cell_lengths
+   use plydyn_domain_strain_halo, only : add_loans, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : abreast, average_type
    use plydyn_element_plate, only : history_pitch, plate_type
@@ -30,7 +30,7 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> All quads
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Rank of each chunk
       integer, intent(in) :: rank_of_chunk(:)
       !> Has its plates and their histories, gets its averages
@@ -38,28 +38,29 @@ contains
       !> Names a ply whose ellipse is too small for the mesh
       type(error_type), allocatable, intent(out) :: error
 
-      type(loans_type) :: loans
+      type(strain_halo_type) :: strain_halo
       type(neighbourhood_type) :: around
       real(wp) :: reach
       integer :: a, p
 
       allocate (domain%averages(count_averages(domain%plates)))
-      loans = new_loans()
+      strain_halo = new_strain_halo()
       a = 0
       do p = 1, size(domain%plates)
          reach = largest_radius(domain%plates(p))
          if (reach <= 0.0_wp) cycle
          around = new_neighbourhood(model%mesh, division, rank_of_chunk, domain%comm%rank, p, &
             & domain%plates(p), reach)
-         call build_part(model, around, p, domain, a, loans, error)
+         call build_part(model, around, p, domain, a, strain_halo, error)
          if (allocated(error)) return
       end do
-      domain%loans = new_halo(domain%comm%ranks, lanes, loans%lent, loans%borrowed)
+      domain%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%lent, &
+         & strain_halo%halo_strains)
       domain%neighbours = count_points(model, domain)
    end subroutine build_averages
 
    !> The averages of a part
-   subroutine build_part(model, around, p, domain, a, loans, error)
+   subroutine build_part(model, around, p, domain, a, strain_halo, error)
       type(model_type), intent(in) :: model
       !> Points of the plane
       type(neighbourhood_type), intent(in) :: around
@@ -69,7 +70,7 @@ contains
       !> Averages that are built
       integer, intent(inout) :: a
       !> What ranks lend each other for them
-      type(loans_type), intent(inout) :: loans
+      type(strain_halo_type), intent(inout) :: strain_halo
       type(error_type), allocatable, intent(out) :: error
 
       integer, allocatable :: point(:)
@@ -84,9 +85,9 @@ contains
                domain%averages(a)%plate = p
                call find_neighbours(around, batch%turn(:, :, batch%laws(k)%block), &
                   & batch%laws(k)%law, domain%averages(a), point)
-               length = domain%histories + domain%borrowed
-               call add_loans(around, point, length, domain%averages(a), loans)
-               domain%borrowed = length - domain%histories
+               length = domain%histories + domain%halo_strains
+               call add_loans(around, point, length, domain%averages(a), strain_halo)
+               domain%halo_strains = length - domain%histories
                call check_reach(model, domain, domain%averages(a), batch%laws(k)%law, error)
                if (allocated(error)) return
             end do

@@ -2,9 +2,9 @@
 module plydyn_domain_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_division, only : most_batches
+   use plydyn_domain_decomposition, only : most_batches
    use plydyn_domain_laws, only : new_laws
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
    use plydyn_element_plate, only : batch_stiffness
@@ -105,7 +105,7 @@ contains
       !> The batches, whole chunks of them
       integer, intent(in) :: batches(:)
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> All bricks of a part in, those of the batches out; targets are the places
@@ -238,7 +238,7 @@ contains
       !> All of them, those of other ranks too: they add to nodes where ranks meet
       integer, intent(in) :: bricks(:)
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point

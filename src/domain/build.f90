@@ -6,20 +6,21 @@ module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_domain_averages, only : build_averages
-   use plydyn_domain_bands, only : check_bands, find_bands
-   use plydyn_domain_brick_step, only : find_brick_limit
+   use plydyn_domain_crack_band_widths, only : check_bands, find_bands
+   use plydyn_domain_brick_stable_step, only : find_brick_limit
    use plydyn_domain_bricks, only : new_bricks
    use plydyn_domain_build_elements, only : build_elements, build_masses, build_shapes
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : give_held, set_targets
    use plydyn_domain_columns, only : new_columns, new_solid_columns
-   use plydyn_domain_division, only : column_owners, divide_bricks, divide_plane, division_type
+   use plydyn_domain_decomposition, only : column_owners, divide_bricks, divide_plane, &
+      & decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_interfaces, only : new_interfaces
-   use plydyn_domain_numbering, only : new_numbering, numbering_type
+   use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
    use plydyn_domain_plates, only : new_plate
-   use plydyn_domain_share, only : join_ranks, renumber_chunks, share_type, take_chunks, &
+   use plydyn_domain_subdomain, only : join_ranks, renumber_chunks, subdomain_type, take_chunks, &
       & take_columns
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_element_interface, only : interface_type
@@ -42,8 +43,8 @@ contains
       !> What the model asks for and the domain cannot be
       type(error_type), allocatable, intent(out) :: error
 
-      type(division_type) :: division
-      type(share_type) :: share
+      type(decomposition_type) :: division
+      type(subdomain_type) :: share
 
       call begin_domain(model, domain, division)
       call build_share(model, division, spread(0, 1, size(division%chunks)), domain, share, error)
@@ -57,7 +58,7 @@ contains
       !> The domain, without elements and points
       type(domain_type), intent(out) :: domain
       !> The chunks of the whole model
-      type(division_type), intent(out) :: division
+      type(decomposition_type), intent(out) :: division
 
       domain%control = model%control
       domain%curves = model%curves
@@ -75,7 +76,7 @@ contains
    subroutine begin_plates(model, domain, division)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
-      type(division_type), intent(out) :: division
+      type(decomposition_type), intent(out) :: division
 
       type(interface_type), allocatable :: interfaces(:)
       logical :: side_by_side
@@ -101,7 +102,7 @@ contains
    subroutine begin_bricks(model, domain, division)
       type(model_type), intent(in) :: model
       type(domain_type), intent(inout) :: domain
-      type(division_type), intent(out) :: division
+      type(decomposition_type), intent(out) :: division
 
       domain%columns = new_solid_columns(size(model%mesh%node_id))
       allocate (domain%plates(0), domain%interfaces(0), domain%ties(0))
@@ -114,21 +115,21 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> All chunks
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Rank of each chunk
       integer, intent(in) :: rank_of_chunk(:)
       !> Begun, and knows its rank; gets all the rest
       type(domain_type), intent(inout) :: domain
       !> What it has of the whole model
-      type(share_type), intent(out) :: share
+      type(subdomain_type), intent(out) :: share
       !> What neighbours cannot be averaged over; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      type(numbering_type) :: numbering
+      type(local_to_global_type) :: numbering
       integer, allocatable :: owner(:)
 
       owner = column_owners(division, rank_of_chunk)
-      numbering = new_numbering(division, domain%columns%abreast, owner, domain%comm%rank)
+      numbering = new_local_to_global(division, domain%columns%abreast, owner, domain%comm%rank)
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)

@@ -3,7 +3,7 @@ module plydyn_domain_build_columns
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_column_inertia, only : column_inertia_type, number_rows, together
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_links, only : links_type
+   use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_element_thickness, only : layer_springs, level_table
@@ -294,7 +294,7 @@ contains
       real(wp), intent(in) :: joint(:, :)
       !> Whether each place in the arrays of motion is one of them
       logical, intent(in) :: chosen(:)
-      type(links_type) :: links
+      type(inertia_links_type) :: links
 
       real(wp), allocatable :: added(:, :), spring(:, :, :)
       integer :: c, i, j, n, place(size(domain%thickness%row))
@@ -327,7 +327,7 @@ contains
       real(wp), intent(in) :: area(:, :)
       !> Springs along x, y, z between each layer and the next
       real(wp), intent(in) :: joint(:, :)
-      type(links_type) :: links
+      type(inertia_links_type) :: links
 
       real(wp), allocatable :: added(:, :), spring(:, :, :)
       integer :: d, i, j, number(domain%columns%freedoms), place(size(domain%thickness%row))

@@ -4,12 +4,12 @@ module plydyn_domain_build_elements
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_bricks, only : add_brick_masses, find_shapes, set_batches
    use plydyn_domain_columns, only : front
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_domain_masses, only : add_masses
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_plates, only : set_quads
-   use plydyn_domain_share, only : share_type
+   use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_element_interface, only : set_plane
    use plydyn_element_plate, only : history_rows
    use plydyn_model_mesh, only : mesh_type
@@ -26,13 +26,13 @@ contains
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> All elements
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Has its chunks, still as the whole model has them
       type(domain_type), intent(inout) :: domain
       !> Gets the pieces of history
-      type(share_type), intent(inout) :: share
+      type(subdomain_type), intent(inout) :: share
 
       integer, allocatable :: own(:)
       integer :: k, p
@@ -106,7 +106,7 @@ contains
       !> The part
       integer, intent(in) :: p
       type(domain_type), intent(inout) :: domain
-      type(share_type), intent(inout) :: share
+      type(subdomain_type), intent(inout) :: share
       integer :: b
 
       if (size(domain%bricks) > 0) then
@@ -137,7 +137,7 @@ contains
       !> How many histories there are before, and with them
       integer, intent(inout) :: histories
       !> Gets the pieces
-      type(share_type), intent(inout) :: share
+      type(subdomain_type), intent(inout) :: share
 
       integer, allocatable :: pieces(:, :)
       integer :: before, e, k, n, there
@@ -171,9 +171,9 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> All elements: those of other ranks, too, add to nodes where ranks meet
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Has its layers or all bricks, and its columns
       type(domain_type), intent(inout) :: domain
 

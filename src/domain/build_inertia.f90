@@ -3,9 +3,9 @@ module plydyn_domain_build_inertia
    use plydyn_base_precision, only : wp
    use plydyn_domain_areas, only : node_areas
    use plydyn_domain_build_columns, only : held_links, links_within, new_column_inertia
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
       & total_lagrangian
@@ -34,9 +34,9 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> All quads
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Columns of the rank
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> The domain; its supports, joints and step are known
       type(domain_type), intent(inout) :: domain
 

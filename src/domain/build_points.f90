@@ -5,7 +5,7 @@ module plydyn_domain_build_points
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
       & new_pressure_load, new_segment_load, order_load
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point, find_held, new_prescribed
    use plydyn_domain_surfaces, only : collect_points, new_brick_surface, new_surface, place_points
    use plydyn_model_model, only : model_type
@@ -21,7 +21,7 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Gets them
       type(domain_type), intent(inout) :: domain
       integer :: i
@@ -44,7 +44,7 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Has its masses; gets loads
       type(domain_type), intent(inout) :: domain
       integer :: i, k
@@ -84,7 +84,7 @@ contains
       !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Rank that counts each column
       integer, intent(in) :: owner(:)
       !> Has its masses, supports and inertia; gets faces

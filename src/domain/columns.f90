@@ -9,7 +9,7 @@
 !> Bricks have no plane and no layers: each of their nodes is one point, and a column holds as
 !> many of them as there are lanes, side by side: (lanes, 3).
 !>
-!> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_division`).
+!> Nodes where chunks of quads meet get forces from several of them (see `plydyn_domain_decomposition`).
 !> The first chunk adds to the node's own column, the others to columns of their own behind all.
 module plydyn_domain_columns
    use plydyn_base_precision, only : lanes, wp
@@ -23,7 +23,7 @@ module plydyn_domain_columns
    integer, parameter, public :: front = 6
 
    !> Layers of one order
-   type, public :: family_type
+   type, public :: order_group_type
       !> Order of the expansion
       integer :: order = 0
       !> Blocks of as many layers as there are lanes
@@ -36,7 +36,7 @@ module plydyn_domain_columns
       real(wp), allocatable :: tied_above(:)
       !> Whether any is
       logical :: is_tied = .false.
-   end type family_type
+   end type order_group_type
 
    !> All columns; every node has the same
    type, public :: columns_type
@@ -53,7 +53,7 @@ module plydyn_domain_columns
       !> Length of the array of forces: that of motion and the columns behind
       integer :: forces = 0
       !> Layers by their order
-      type(family_type), allocatable :: families(:)
+      type(order_group_type), allocatable :: families(:)
       !> Family, block and lane of each layer, (3, layers)
       integer, allocatable :: home(:, :)
    contains

@@ -3,7 +3,7 @@ module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
    use plydyn_domain_columns, only : columns_type, front
-   use plydyn_domain_links, only : links_type
+   use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_average, only : average_type
    use plydyn_element_brick, only : bricks_type
@@ -72,7 +72,7 @@ module plydyn_domain_domain
    end type surface_type
 
    !> Crack bands of a material, each for fibres and for matrix
-   type, public :: band_type
+   type, public :: crack_band_type
       !> Narrowest and widest
       real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
       !> Quad or brick of the mesh, and ply from the bottom of its part, where the widest is: the
@@ -80,17 +80,17 @@ module plydyn_domain_domain
       integer :: quad(2) = 0, ply(2) = 0
       !> Gauss points, and those of them where the band is too wide, by mode
       integer :: points = 0, too_wide(modes) = 0
-   end type band_type
+   end type crack_band_type
 
    !> An element and the eigenvalue that its stable step comes from
-   type, public :: slow_element_type
+   type, public :: critical_element_type
       !> Index in the mesh
       integer :: element = 0
       !> The user's number of its weakest ply, or of the part of a brick
       integer :: layer = 0
       !> Largest eigenvalue, 1/time squared: the step is 2/sqrt(rate)
       real(wp) :: rate = 0.0_wp
-   end type slow_element_type
+   end type critical_element_type
 
    !> Where the time step comes from
    type, public :: step_limit_type
@@ -106,11 +106,11 @@ module plydyn_domain_domain
       !> What is left of the latter where interfaces are implicit; all of it where not
       real(wp) :: interface_rest = 0.0_wp
       !> The elements of the whole model that have the smallest steps, the smallest first
-      type(slow_element_type), allocatable :: slowest(:)
+      type(critical_element_type), allocatable :: slowest(:)
    end type step_limit_type
 
    !> Quads, or batches of bricks, of a part that one thread takes at a time; see
-   !> `plydyn_domain_division`
+   !> `plydyn_domain_decomposition`
    type, public :: chunk_type
       !> The part's plate or bricks
       integer :: plate = 0
@@ -151,16 +151,16 @@ module plydyn_domain_domain
       !> Averages over neighbours that drive the damage of plies, and the strains of other ranks'
       !> points that go into them
       type(average_type), allocatable :: averages(:)
-      type(halo_type) :: loans
+      type(halo_type) :: strain_halo
       !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
       integer, allocatable :: neighbours(:, :)
       !> Crack bands of each material of the whole model
-      type(band_type), allocatable :: bands(:)
+      type(crack_band_type), allocatable :: bands(:)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
       !> History variables of all Gauss points together, and room behind for the strains that other
       !> ranks lend
-      integer :: histories = front, borrowed = 0
+      integer :: histories = front, halo_strains = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
       !> Chunks of all quads or bricks
@@ -205,9 +205,9 @@ module plydyn_domain_domain
       !> Inertia through the thickness and across interfaces; not active where that is explicit
       type(column_inertia_type) :: thickness
       !> What of both lies between prescribed points
-      type(links_type) :: moved_links
+      type(inertia_links_type) :: moved_links
       !> What lies between held points, as places in `held`, and free ones
-      type(links_type) :: held_links
+      type(inertia_links_type) :: held_links
    end type domain_type
 
 end module plydyn_domain_domain

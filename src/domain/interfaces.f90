@@ -2,7 +2,7 @@
 module plydyn_domain_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_zones, only : new_zone, zone_type
+   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
    use plydyn_element_interface, only : face_type, interface_type
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & new_springs
@@ -114,14 +114,14 @@ contains
       type(cohesive_type) :: law
 
       type(cohesive_constants_type) :: constants
-      type(zone_type) :: zone
+      type(process_zone_type) :: zone
 
       constants = model%interface_materials(material)%constants
       if (.not. model%interface_materials(material)%fails) then
          law = new_springs(constants%stiffness)
          return
       end if
-      zone = new_zone(model, material)
+      zone = new_process_zone(model, material)
       constants%strength(:) = zone%strength
       law = new_cohesive(constants)
    end function interface_law

@@ -4,7 +4,7 @@ module plydyn_domain_loads
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : load_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
@@ -29,7 +29,7 @@ contains
       !> As the deck says
       type(point_load_type), intent(in) :: load
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -71,7 +71,7 @@ contains
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -132,7 +132,7 @@ contains
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -166,7 +166,7 @@ contains
       !> The nodes
       type(mesh_type), intent(in) :: mesh
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       type(load_type) :: self
@@ -248,7 +248,7 @@ contains
       !> The load; learns the last force of each column, and whether the rank counts it
       type(load_type), intent(inout) :: load
       !> Columns of the rank
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
 

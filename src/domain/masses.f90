@@ -2,7 +2,7 @@
 module plydyn_domain_masses
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_layers, only : layers_type, new_layers
@@ -52,7 +52,7 @@ contains
       !> All quads of the part, those of other ranks too: they add to nodes where ranks meet
       integer, intent(in) :: quads(:)
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point

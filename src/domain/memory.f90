@@ -69,12 +69,12 @@ contains
       any_history = domain%histories > front
    end function any_history
 
-   !> Histories of all Gauss points, and what is borrowed of other ranks
+   !> Histories of all Gauss points, and what is halo_strains of other ranks
    pure real(wp) function history_bytes(domain) result(bytes)
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      bytes = real_bytes*real(domain%histories + domain%borrowed, wp)
+      bytes = real_bytes*real(domain%histories + domain%halo_strains, wp)
    end function history_bytes
 
 end module plydyn_domain_memory

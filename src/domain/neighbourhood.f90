@@ -2,7 +2,7 @@
 !> averaged with them.
 module plydyn_domain_neighbourhood
    use plydyn_base_precision, only : wp
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : quad_metric, tensor_order
    use plydyn_model_mesh, only : mesh_type
@@ -36,7 +36,7 @@ contains
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> All quads
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Rank of each chunk, and this rank
       integer, intent(in) :: rank_of_chunk(:), rank
       !> The part
@@ -93,7 +93,7 @@ contains
 
    !> Rank of each quad of a part
    pure function quad_ranks(division, rank_of_chunk, part) result(ranks)
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       integer, intent(in) :: rank_of_chunk(:), part
       integer :: ranks(size(division%parts(part)%element))
       integer :: c

@@ -6,7 +6,7 @@
 module plydyn_domain_pair_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_links, only : links_type
+   use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_element_interface, only : interface_type
    use plydyn_parallel_comm, only : comm_type
@@ -199,7 +199,7 @@ contains
       type(columns_type), intent(in) :: columns
       !> Whether each place in the arrays of motion is one of them
       logical, intent(in) :: chosen(:)
-      type(links_type) :: links
+      type(inertia_links_type) :: links
 
       integer :: c, i, n, place(2, 3, columns%nodes)
 

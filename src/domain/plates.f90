@@ -1,9 +1,9 @@
 !> Plates as flat arrays.
 module plydyn_domain_plates
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type, family_type
+   use plydyn_domain_columns, only : columns_type, order_group_type
    use plydyn_domain_laws, only : new_laws
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
@@ -52,7 +52,7 @@ contains
       !> The quads, indices into it
       integer, intent(in) :: quads(:)
       !> Numbers of their nodes
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> The plate; its targets are the nodes
       type(plate_type), intent(inout) :: plate
 
@@ -93,7 +93,7 @@ contains
       type(model_type), intent(in) :: model
       type(part_type), intent(in) :: part
       type(layers_type), intent(in) :: layers
-      type(family_type), intent(in) :: family
+      type(order_group_type), intent(in) :: family
       type(layer_batch_type) :: batch
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp

@@ -3,7 +3,7 @@ module plydyn_domain_supports
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : prescribed_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_support, only : bottom_face, hold_type, motion_type, one_plane, top_face
    implicit none
@@ -55,7 +55,7 @@ contains
       !> Supports
       type(hold_type), intent(in) :: holds(:)
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
@@ -87,7 +87,7 @@ contains
       !> As the deck says
       type(motion_type), intent(in) :: motion
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie

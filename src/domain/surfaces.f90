@@ -4,7 +4,7 @@ module plydyn_domain_surfaces
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_layers, only : layers_type
@@ -85,7 +85,7 @@ contains
       !> Layer and thickness node of the face
       integer, intent(in) :: point(2)
       !> Numbers of the nodes that the rank has
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Rank that counts each column, and how many ranks there are
       integer, intent(in) :: owner(:), ranks
       !> Where the points lie

@@ -2,7 +2,7 @@
 module plydyn_output_damage_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_domain, only : band_type, domain_type
+   use plydyn_domain_domain, only : crack_band_type, domain_type
    use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
       & ply_constants_type, snap_drop
@@ -64,7 +64,7 @@ contains
    subroutine write_bands(unit, material, band, units)
       integer, intent(in) :: unit
       type(material_type), intent(in) :: material
-      type(band_type), intent(in) :: band
+      type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
       write (unit, "(2a)") "width of the crack band       ", rule_words(material)
@@ -98,7 +98,7 @@ contains
    subroutine write_modes(unit, ply, band, units)
       integer, intent(in) :: unit
       type(ply_constants_type), intent(in) :: ply
-      type(band_type), intent(in) :: band
+      type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
       type(table_type) :: table
@@ -178,7 +178,7 @@ contains
    subroutine write_snap_back(unit, material, band)
       integer, intent(in) :: unit
       type(material_type), intent(in) :: material
-      type(band_type), intent(in) :: band
+      type(crack_band_type), intent(in) :: band
 
       if (all(band%too_wide == 0)) return
       if (material%ply%snap_back == snap_drop) then
@@ -195,7 +195,7 @@ contains
    subroutine write_strains(unit, ply, band, units)
       integer, intent(in) :: unit
       type(strain_constants_type), intent(in) :: ply
-      type(band_type), intent(in) :: band
+      type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
       integer, parameter :: mechanism(modes) = [by_fibres, by_fibres, by_matrix, &

@@ -4,7 +4,7 @@ module plydyn_output_listing_interfaces
    use plydyn_base_text, only : text
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_zones, only : new_zone, zone_type
+   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
    use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, normal, &
       & shear
    use plydyn_law_cohesive_check, only : final_over_onset
@@ -34,13 +34,13 @@ contains
       !> The model
       type(model_type), intent(in) :: model
 
-      type(zone_type) :: zone
+      type(process_zone_type) :: zone
       integer :: m
 
       do m = 1, size(model%interface_materials)
          associate (material => model%interface_materials(m))
             if (.not. material%fails) cycle
-            zone = new_zone(model, m)
+            zone = new_process_zone(model, m)
             if (zone%interfaces == 0) cycle
             call write_section(unit, "Interface material "//text(material%id)//" "//material%title)
             call write_options(unit, material%constants, material%nodal, material%fitted)
@@ -73,7 +73,7 @@ contains
       type(units_type), intent(in) :: units
       type(cohesive_constants_type), intent(in) :: constants
       !> Zone, with the strengths that count
-      type(zone_type), intent(in) :: zone
+      type(process_zone_type), intent(in) :: zone
 
       type(cohesive_constants_type) :: used
       type(cohesive_type) :: law
@@ -121,7 +121,7 @@ contains
       integer, intent(in) :: unit
       type(units_type), intent(in) :: units
       type(cohesive_constants_type), intent(in) :: constants
-      type(zone_type), intent(in) :: zone
+      type(process_zone_type), intent(in) :: zone
 
       character(:), allocatable :: remedy
       real(wp) :: factor, ratio

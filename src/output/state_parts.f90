@@ -6,7 +6,7 @@ module plydyn_output_state_parts
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_share, only : share_type
+   use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_output_h5, only : slab_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_parallel_pieces, only : new_pieces, pieces_type
@@ -44,7 +44,7 @@ contains
       !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> What this rank has of the whole model
-      type(share_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: share
       type(state_parts_type) :: self
 
       integer :: held, i, moving
@@ -135,7 +135,7 @@ contains
    !> each motion
    subroutine number_supports(domain, share, number, own, held)
       type(domain_type), intent(in) :: domain
-      type(share_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: share
       !> Place of each
       integer, allocatable, intent(out) :: number(:)
       !> Whether it is counted here

@@ -115,8 +115,8 @@ contains
 
       type(messages_type) :: messages
 
-      call domain%loans%start(history, messages)
-      call domain%loans%finish(history, messages)
+      call domain%strain_halo%start(history, messages)
+      call domain%strain_halo%finish(history, messages)
    end subroutine borrow_strains
 
    !> Let the forces for other ranks get on while chunks are taken

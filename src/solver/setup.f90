@@ -2,14 +2,14 @@
 module plydyn_solver_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_bands, only : check_bands
+   use plydyn_domain_crack_band_widths, only : check_bands
    use plydyn_domain_build, only : begin_domain, build_share
    use plydyn_domain_build_elements, only : whole_mass
-   use plydyn_domain_divide_ranks, only : divide_ranks
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_rank_partition, only : divide_ranks
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
-   use plydyn_domain_share, only : share_type
+   use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_model_model, only : model_type
    use plydyn_output_profile, only : check_profiles
    use plydyn_output_ranks_listing, only : rank_numbers
@@ -48,9 +48,9 @@ contains
       !> What the model asks for and a run cannot be; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      type(division_type) :: division
+      type(decomposition_type) :: division
       integer, allocatable :: rank_of_chunk(:)
-      type(share_type) :: share
+      type(subdomain_type) :: share
 
       allocate (self%domain)
       call begin_domain(self%model, self%domain, division)
@@ -75,7 +75,7 @@ contains
    subroutine count_ranks(comm, domain, share, ranks)
       type(comm_type), intent(in) :: comm
       type(domain_type), intent(in) :: domain
-      type(share_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: share
       !> See `write_ranks`
       real(wp), allocatable, intent(out) :: ranks(:, :)
 
@@ -88,8 +88,8 @@ contains
       end if
       own(:) = [real(size(domain%chunks), wp), real(size(share%own), wp), &
          & real(count(.not. share%own), wp), &
-         & real(max(domain%halo%neighbours(), domain%loans%neighbours()), wp), &
-         & real(domain%halo%bytes + domain%loans%bytes, wp), &
+         & real(max(domain%halo%neighbours(), domain%strain_halo%neighbours()), wp), &
+         & real(domain%halo%bytes + domain%strain_halo%bytes, wp), &
          & mesh_bytes(domain), history_bytes(domain)]
       call comm%collect(own, [(rank_numbers, r=1, comm%ranks)], all)
       ranks = reshape(all, [rank_numbers, comm%ranks])

@@ -3,7 +3,7 @@ module plydyn_solver_start
    use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_histories, only : start_histories
+   use plydyn_domain_initial_history, only : start_histories
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
    use plydyn_solver_supports, only : support_points
@@ -36,7 +36,7 @@ contains
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp
-      allocate (state%history(domain%histories + domain%borrowed))
+      allocate (state%history(domain%histories + domain%halo_strains))
       state%history(:) = 0.0_wp
       call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)

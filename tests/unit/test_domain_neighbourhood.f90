@@ -3,7 +3,7 @@ program test_domain_neighbourhood
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : begin_domain, build_domain
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_model_model, only : model_type
@@ -14,7 +14,7 @@ program test_domain_neighbourhood
    !> Ranks, and how far points are averaged: about one quad
    integer, parameter :: ranks = 3
    real(wp), parameter :: reach = 1.1_wp
-   type(division_type) :: division
+   type(decomposition_type) :: division
    type(domain_type) :: domain, whole
    type(error_type), allocatable :: error
    type(model_type) :: model

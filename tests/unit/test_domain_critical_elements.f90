@@ -1,8 +1,8 @@
 !> Which elements have the smallest stable steps, whatever order they come in.
-program test_domain_slowest
+program test_domain_critical_elements
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : slow_element_type
-   use plydyn_domain_slowest, only : find_slowest
+   use plydyn_domain_domain, only : critical_element_type
+   use plydyn_domain_critical_elements, only : find_slowest
    use plydyn_parallel_comm, only : comm_type
    use testing, only : begin, check, finish
    implicit none
@@ -10,7 +10,7 @@ program test_domain_slowest
    !> Elements of the mesh; every fifth has the same eigenvalue, the largest
    integer, parameter :: n = 31
    type(comm_type) :: comm
-   type(slow_element_type), allocatable :: slowest(:)
+   type(critical_element_type), allocatable :: slowest(:)
    integer :: e, turned(n)
    real(wp) :: rate(n)
 
@@ -37,10 +37,10 @@ contains
 
    !> Indices in the mesh
    pure function elements(slow)
-      type(slow_element_type), intent(in) :: slow(:)
+      type(critical_element_type), intent(in) :: slow(:)
       integer :: elements(size(slow))
 
       elements(:) = slow%element
    end function elements
 
-end program test_domain_slowest
+end program test_domain_critical_elements

@@ -3,43 +3,43 @@
 !> What a rank borrows lies behind its own histories, in rows like those: for each point of another
 !> rank that it averages over, in the order of the whole model, one strain after the other, each at
 !> all heights.
-module plydyn_domain_loans
+module plydyn_domain_strain_halo
    use plydyn_base_precision, only : lanes
    use plydyn_domain_neighbourhood, only : neighbourhood_type
    use plydyn_element_average, only : average_type, row_of
    implicit none
    private
 
-   public :: add_loans, new_loans
+   public :: add_loans, new_strain_halo
 
    !> Rows of histories that a rank lends and borrows
-   type, public :: loans_type
+   type, public :: strain_halo_type
       !> Rank that gets a row, or gives it, and the place of the row in the histories less 1, in
       !> the order of the whole model for each rank, (2, rows)
-      integer, allocatable :: lent(:, :), borrowed(:, :)
-   end type loans_type
+      integer, allocatable :: lent(:, :), halo_strains(:, :)
+   end type strain_halo_type
 
 contains
 
    !> Nothing yet
-   pure function new_loans() result(self)
-      type(loans_type) :: self
+   pure function new_strain_halo() result(self)
+      type(strain_halo_type) :: self
 
-      allocate (self%lent(2, 0), self%borrowed(2, 0))
-   end function new_loans
+      allocate (self%lent(2, 0), self%halo_strains(2, 0))
+   end function new_strain_halo
 
    !> Let an average find its neighbours in the histories, those of other ranks behind
-   pure subroutine add_loans(around, point, length, average, loans)
+   pure subroutine add_loans(around, point, length, average, strain_halo)
       !> Points of the plane
       type(neighbourhood_type), intent(in) :: around
       !> Neighbours of all points of this rank, as `first` of the average has them
       integer, intent(in) :: point(:)
-      !> Histories and what is borrowed so far in, with what this average borrows out
+      !> Histories and what is halo_strains so far in, with what this average borrows out
       integer, intent(inout) :: length
       !> Has its lists, but for the rows
       type(average_type), intent(inout) :: average
       !> Gets what this average lends and borrows
-      type(loans_type), intent(inout) :: loans
+      type(strain_halo_type), intent(inout) :: strain_halo
 
       integer :: number(size(around%area)), n, own
       integer, allocatable :: guest(:)
@@ -59,10 +59,11 @@ contains
             average%row(n) = guest_row(average, number(point(n)))
          end if
       end do
-      loans%borrowed = reshape([loans%borrowed, (strain_places(average, guest_row(average, n), &
+      strain_halo%halo_strains = reshape([strain_halo%halo_strains, (strain_places(average, &
+         & guest_row(average, n), &
          & average%levels, around%rank_of(guest(n))), n=1, size(guest))], &
-         & [2, size(loans%borrowed, 2) + average%strains*average%levels*size(guest)])
-      call lend(around, point, guest, average, loans)
+         & [2, size(strain_halo%halo_strains, 2) + average%strains*average%levels*size(guest)])
+      call lend(around, point, guest, average, strain_halo)
       length = length + lanes*average%strains*average%levels*size(guest)
    end subroutine add_loans
 
@@ -77,12 +78,12 @@ contains
 
    !> A rank lends what another one borrows: if a point is averaged over its neighbour, so is the
    !> neighbour over the point
-   pure subroutine lend(around, point, guest, average, loans)
+   pure subroutine lend(around, point, guest, average, strain_halo)
       type(neighbourhood_type), intent(in) :: around
       !> Neighbours of all points of this rank, and those of other ranks among them, each once
       integer, intent(in) :: point(:), guest(:)
       type(average_type), intent(in) :: average
-      type(loans_type), intent(inout) :: loans
+      type(strain_halo_type), intent(inout) :: strain_halo
 
       logical :: is_met(0:maxval([0, around%rank]))
       integer, allocatable :: lent(:)
@@ -95,9 +96,10 @@ contains
          lent = pack([(i, i=1, size(average%first) - 1)], [(any(around%rank_of( &
             & point(average%first(i):average%first(i + 1) - 1)) == r), &
             & i=1, size(average%first) - 1)])
-         loans%lent = reshape([loans%lent, (strain_places(average, row_of(average, lent(n), &
+         strain_halo%lent = reshape([strain_halo%lent, (strain_places(average, row_of(average, &
+            & lent(n), &
             & average%behind_own + 1), average%pitch, r), n=1, size(lent))], &
-            & [2, size(loans%lent, 2) + average%strains*average%levels*size(lent)])
+            & [2, size(strain_halo%lent, 2) + average%strains*average%levels*size(lent)])
       end do
    end subroutine lend
 
@@ -114,4 +116,4 @@ contains
          & m=1, average%levels), k=1, average%strains)]
    end function strain_places
 
-end module plydyn_domain_loans
+end module plydyn_domain_strain_halo

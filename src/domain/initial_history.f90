@@ -1,7 +1,7 @@
 !> Histories of the Gauss points of plies at time zero, and the widths of their crack bands.
-module plydyn_domain_histories
+module plydyn_domain_initial_history
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_brick_bands, only : start_brick_histories
+   use plydyn_domain_brick_crack_bands, only : start_brick_histories
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
@@ -141,4 +141,4 @@ contains
          & /(inverse(1)*inverse(4) - inverse(2)*inverse(3))
    end function point_jacobian
 
-end module plydyn_domain_histories
+end module plydyn_domain_initial_history

@@ -9,7 +9,7 @@
 !> Columns of nodes are numbered chunk by chunk, in each those last that the latest chunks have too:
 !> what a thread moves lies side by side, what two of them look at as well, and no core fetches the
 !> columns of another ahead of those that it goes through.
-module plydyn_domain_division
+module plydyn_domain_decomposition
    use plydyn_base_precision, only : lanes
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_chunks, only : divide_quads, quad_centres
@@ -33,7 +33,7 @@ module plydyn_domain_division
    end type elements_type
 
    !> The whole model in chunks. Columns are numbered as one rank alone would number them
-   type, public :: division_type
+   type, public :: decomposition_type
       !> Elements of each part
       type(elements_type), allocatable :: parts(:)
       !> All chunks; `quads` are places in the list of the part's elements
@@ -44,7 +44,7 @@ module plydyn_domain_division
       integer, allocatable :: column(:), node(:)
       !> Columns where chunks meet, as in `domain_type`
       integer, allocatable :: borders(:, :)
-   end type division_type
+   end type decomposition_type
 
 contains
 
@@ -54,7 +54,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       !> How many parts there are
       integer, intent(in) :: parts
-      type(division_type) :: self
+      type(decomposition_type) :: self
 
       integer, allocatable :: order(:), quad(:)
       integer :: c, i, p
@@ -85,7 +85,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       !> Bricks of each part
       type(bricks_type), intent(in) :: bricks(:)
-      type(division_type) :: self
+      type(decomposition_type) :: self
 
       integer :: b, batches, c, p
 
@@ -112,7 +112,7 @@ contains
 
    !> All chunks, without columns
    pure subroutine list_chunks(self)
-      type(division_type), intent(inout) :: self
+      type(decomposition_type), intent(inout) :: self
 
       integer :: c, first, k, p
 
@@ -133,7 +133,7 @@ contains
    !> end those of nodes without elements
    pure subroutine number_columns(self)
       !> Its chunks have their nodes in, and the columns of these out
-      type(division_type), intent(inout) :: self
+      type(decomposition_type), intent(inout) :: self
 
       integer :: c, i, last, last_chunk(self%nodes)
 
@@ -172,7 +172,7 @@ contains
    !> Give every node of every chunk a column: its own, or the next behind that it has
    pure subroutine set_columns(self)
       !> Its chunks have the columns of their nodes
-      type(division_type), intent(inout) :: self
+      type(decomposition_type), intent(inout) :: self
 
       integer, allocatable :: behind(:), chunks_at(:), next(:)
       integer :: c, i
@@ -226,7 +226,7 @@ contains
    !> Rank that adds to each column of forces; the first one has nodes without elements
    pure function column_owners(self, rank_of_chunk) result(owner)
       !> The whole model
-      class(division_type), intent(in) :: self
+      class(decomposition_type), intent(in) :: self
       !> Rank of each chunk
       integer, intent(in) :: rank_of_chunk(:)
       integer, allocatable :: owner(:)
@@ -239,4 +239,4 @@ contains
       end do
    end function column_owners
 
-end module plydyn_domain_division
+end module plydyn_domain_decomposition

@@ -1,10 +1,10 @@
 !> The stable step of bricks: the largest eigenvalue of each geometry of each part, which bounds
 !> that of the mesh.
-module plydyn_domain_brick_step
+module plydyn_domain_brick_stable_step
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_bricks, only : brick_density
    use plydyn_domain_domain, only : domain_type, step_limit_type
-   use plydyn_domain_slowest, only : find_slowest
+   use plydyn_domain_critical_elements, only : find_slowest
    use plydyn_element_brick, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_stable_step, only : certified_bound, power_iteration
@@ -148,4 +148,4 @@ contains
       end do
    end function dense_stiffness
 
-end module plydyn_domain_brick_step
+end module plydyn_domain_brick_stable_step

@@ -1,5 +1,5 @@
 !> The zones in which interfaces soften, and how finely a mesh resolves them.
-module plydyn_domain_zones
+module plydyn_domain_process_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_quad, only : quad_spacing, tensor_order
    use plydyn_law_cohesive_length, only : strength_factor, zone_lengths
@@ -9,10 +9,10 @@ module plydyn_domain_zones
    implicit none
    private
 
-   public :: new_zone
+   public :: new_process_zone
 
    !> What surrounds the interfaces of one material; the worst of all of them
-   type, public :: zone_type
+   type, public :: process_zone_type
       !> Lengths of the zones of opening and of sliding, with the strengths below
       real(wp) :: length(2) = huge(1.0_wp)
       !> Largest distance between neighbouring nodes in the plane
@@ -23,17 +23,17 @@ module plydyn_domain_zones
       real(wp) :: strength(2) = 0.0_wp
       !> Interfaces of the material in all parts
       integer :: interfaces = 0
-   end type zone_type
+   end type process_zone_type
 
 contains
 
    !> Look at all interfaces of a material that fails
-   pure function new_zone(model, material) result(zone)
+   pure function new_process_zone(model, material) result(zone)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the interface material
       integer, intent(in) :: material
-      type(zone_type) :: zone
+      type(process_zone_type) :: zone
 
       integer :: k, p
 
@@ -59,7 +59,7 @@ contains
             end do
          end do
       end associate
-   end function new_zone
+   end function new_process_zone
 
    !> Smaller modulus across of the plies at an interface
    pure real(wp) function across(model, p, k)
@@ -123,4 +123,4 @@ contains
       end do
    end function node_spacing
 
-end module plydyn_domain_zones
+end module plydyn_domain_process_zones

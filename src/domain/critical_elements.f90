@@ -1,7 +1,7 @@
 !> The elements of all ranks that have the smallest stable steps.
-module plydyn_domain_slowest
+module plydyn_domain_critical_elements
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : slow_element_type
+   use plydyn_domain_domain, only : critical_element_type
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
@@ -26,13 +26,13 @@ contains
       real(wp), intent(in) :: rate(:)
       !> The user's number of what they are a piece of
       integer, intent(in) :: layer(:)
-      type(slow_element_type), allocatable :: slowest(:)
+      type(critical_element_type), allocatable :: slowest(:)
 
-      type(slow_element_type), allocatable :: own(:)
+      type(critical_element_type), allocatable :: own(:)
       real(wp) :: all(numbers*most_named*comm%ranks), part(numbers, most_named)
       integer :: e, r
 
-      own = foremost([(slow_element_type(element(e), layer(e), rate(e)), e=1, size(element))])
+      own = foremost([(critical_element_type(element(e), layer(e), rate(e)), e=1, size(element))])
       part(:, :) = 0.0_wp
       do e = 1, size(own)
          part(:, e) = [real(own(e)%element, wp), real(own(e)%layer, wp), own(e)%rate]
@@ -41,7 +41,7 @@ contains
       allocate (slowest(most_named*comm%ranks))
       do e = 1, size(slowest)
          associate (told => all(numbers*(e - 1) + 1:numbers*e))
-            slowest(e) = slow_element_type(nint(told(1)), nint(told(2)), told(3))
+            slowest(e) = critical_element_type(nint(told(1)), nint(told(2)), told(3))
          end associate
       end do
       slowest = foremost(pack(slowest, slowest%element > 0))
@@ -49,8 +49,8 @@ contains
 
    !> The slowest of some elements, the slowest first
    pure function foremost(elements) result(first)
-      type(slow_element_type), intent(in) :: elements(:)
-      type(slow_element_type), allocatable :: first(:)
+      type(critical_element_type), intent(in) :: elements(:)
+      type(critical_element_type), allocatable :: first(:)
 
       logical, allocatable :: is_left(:)
       integer :: e, i, next
@@ -71,7 +71,7 @@ contains
 
    !> Whether an element comes before another one
    pure logical function is_slower(one, other)
-      type(slow_element_type), intent(in) :: one, other
+      type(critical_element_type), intent(in) :: one, other
 
       if (one%rate > other%rate) then
          is_slower = .true.
@@ -82,4 +82,4 @@ contains
       end if
    end function is_slower
 
-end module plydyn_domain_slowest
+end module plydyn_domain_critical_elements

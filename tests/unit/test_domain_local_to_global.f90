@@ -1,21 +1,21 @@
 !> Columns as one rank of several numbers them.
-program test_domain_numbering
+program test_domain_local_to_global
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_division, only : column_owners, divide_plane, division_type
-   use plydyn_domain_numbering, only : new_numbering, numbering_type
+   use plydyn_domain_decomposition, only : column_owners, divide_plane, decomposition_type
+   use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
    use plydyn_model_mesh, only : mesh_type
    use sample, only : rectangle_mesh
    use testing, only : begin, check, finish
    implicit none
 
    integer, parameter :: ranks = 3
-   type(division_type) :: whole
+   type(decomposition_type) :: whole
    type(mesh_type) :: mesh
    integer, allocatable :: owner(:), rank_of_chunk(:)
    integer :: c
 
-   call begin("new_numbering")
+   call begin("new_local_to_global")
    mesh = rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp)
    whole = divide_plane(mesh, 1)
    ! chunks dealt out in turn, so that ranks meet wherever chunks do
@@ -71,13 +71,13 @@ contains
 
    !> A rank has the nodes of its quads and no others, and one rank counts each
    subroutine test_columns()
-      type(numbering_type) :: numbering
+      type(local_to_global_type) :: numbering
       integer :: c, counted(whole%nodes), i, rank
       logical :: is_touched(whole%nodes)
 
       counted(:) = 0
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, 1, owner, rank)
+         numbering = new_local_to_global(whole, 1, owner, rank)
          is_touched(:) = .false.
          do c = 1, size(whole%chunks)
             if (rank_of_chunk(c) /= rank) cycle
@@ -100,12 +100,12 @@ contains
 
    !> Where a rank has a node, it has room for the columns of all chunks that meet there
    subroutine test_borders()
-      type(numbering_type) :: numbering
+      type(local_to_global_type) :: numbering
       integer :: b, behind, c, i, rank
       integer, allocatable :: taken(:)
 
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, 1, owner, rank)
+         numbering = new_local_to_global(whole, 1, owner, rank)
          behind = 0
          do b = 1, size(whole%borders, 2)
             associate (column => numbering%column, border => whole%borders(:, b))
@@ -128,12 +128,12 @@ contains
    !> Nodes of the whole model and of a rank are the same ones, side by side in a column or not
    subroutine test_nodes()
       integer, parameter :: nodes = 21, abreast = 8
-      type(division_type) :: solid
-      type(numbering_type) :: numbering
+      type(decomposition_type) :: solid
+      type(local_to_global_type) :: numbering
       integer :: here(whole%nodes), i, rank
 
       do rank = 0, ranks - 1
-         numbering = new_numbering(whole, 1, owner, rank)
+         numbering = new_local_to_global(whole, 1, owner, rank)
          associate (nodes => numbering%nodes(whole%nodes))
             call check(all(numbering%column_of(nodes) == numbering%here), "each has its column")
             call check(all(numbering%node(nodes) == [(i, i=1, size(nodes))]), &
@@ -149,11 +149,11 @@ contains
       solid%column = [1, 2, 3]
       solid%node = solid%column
       allocate (solid%borders(3, 0))
-      numbering = new_numbering(solid, abreast, [0, 1, 0], 0)
+      numbering = new_local_to_global(solid, abreast, [0, 1, 0], 0)
       call check(all(numbering%node([1, 8, 9, 16, 17, 21]) == [1, 8, 0, 0, 9, 13]), &
          & "the second column is another rank's")
       call check(all(numbering%nodes(nodes) == [(i, i=1, 8), (i, i=17, 21), 21, 21, 21]), &
          & "the last node fills the last column")
    end subroutine test_nodes
 
-end program test_domain_numbering
+end program test_domain_local_to_global

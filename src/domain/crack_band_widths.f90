@@ -1,12 +1,12 @@
 !> Widths of the crack bands that a mesh gives to the plies that are damaged, and what they do.
-module plydyn_domain_bands
+module plydyn_domain_crack_band_widths
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_domain_brick_bands, only : brick_band_lengths
-   use plydyn_domain_domain, only : band_type, domain_type
-   use plydyn_domain_histories, only : band_lengths
+   use plydyn_domain_brick_crack_bands, only : brick_band_lengths
+   use plydyn_domain_domain, only : crack_band_type, domain_type
+   use plydyn_domain_initial_history, only : band_lengths
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_law_ply_constants, only : modes, snap_refuse
@@ -56,7 +56,7 @@ contains
    !> Where the widest band is, in the user's numbers
    pure function place_of(model, band, k) result(words)
       type(model_type), intent(in) :: model
-      type(band_type), intent(in) :: band
+      type(crack_band_type), intent(in) :: band
       !> Fibres or matrix
       integer, intent(in) :: k
       character(:), allocatable :: words
@@ -75,7 +75,7 @@ contains
       type(model_type), intent(in) :: model
       !> The domain with the plates or bricks of this rank
       type(domain_type), intent(in) :: domain
-      type(band_type) :: bands(size(model%materials))
+      type(crack_band_type) :: bands(size(model%materials))
 
       integer :: b, p
 
@@ -94,7 +94,7 @@ contains
    subroutine bring_together(comm, bands)
       type(comm_type), intent(in) :: comm
       !> Those of this rank in, those of all out
-      type(band_type), intent(inout) :: bands(:)
+      type(crack_band_type), intent(inout) :: bands(:)
 
       integer(int64) :: counts(1 + modes, size(bands))
       real(wp) :: each(2*numbers*size(bands)*comm%ranks), less(2*size(bands)), &
@@ -133,7 +133,7 @@ contains
       integer, intent(in) :: place(2)
       !> Fibres or matrix
       integer, intent(in) :: k
-      type(band_type), intent(inout) :: band
+      type(crack_band_type), intent(inout) :: band
 
       if (width <= 0.0_wp .or. width < band%widest(k)) return
       if (width <= band%widest(k)) then
@@ -151,7 +151,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: p
       type(layer_batch_type), intent(in) :: batch
-      type(band_type), intent(inout) :: bands(:)
+      type(crack_band_type), intent(inout) :: bands(:)
 
       real(wp) :: length(lanes, 2)
       integer :: e, k, l, ply, q
@@ -180,7 +180,7 @@ contains
    subroutine add_bricks(model, bricks, bands)
       type(model_type), intent(in) :: model
       type(bricks_type), intent(in) :: bricks
-      type(band_type), intent(inout) :: bands(:)
+      type(crack_band_type), intent(inout) :: bands(:)
 
       real(wp) :: length(lanes, 2)
       integer :: e, i, l, m
@@ -209,7 +209,7 @@ contains
       !> Widths for fibres and for matrix
       real(wp), intent(in) :: length(2)
       integer, intent(in) :: points
-      type(band_type), intent(inout) :: bands(:)
+      type(crack_band_type), intent(inout) :: bands(:)
 
       integer :: k
 
@@ -226,4 +226,4 @@ contains
       end associate
    end subroutine add_points
 
-end module plydyn_domain_bands
+end module plydyn_domain_crack_band_widths

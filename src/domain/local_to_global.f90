@@ -1,13 +1,13 @@
 !> Columns of the whole model as one rank numbers them.
-module plydyn_domain_numbering
-   use plydyn_domain_division, only : division_type
+module plydyn_domain_local_to_global
+   use plydyn_domain_decomposition, only : decomposition_type
    implicit none
    private
 
-   public :: new_numbering
+   public :: new_local_to_global
 
    !> From the whole model to one rank
-   type, public :: numbering_type
+   type, public :: local_to_global_type
       !> This rank's number of each column, those behind too; 0 where it has none of it
       integer, allocatable :: column(:)
       !> The columns that it has, not those behind, and whether it counts each
@@ -24,21 +24,21 @@ module plydyn_domain_numbering
       procedure :: node
       procedure :: nodes
       procedure :: only
-   end type numbering_type
+   end type local_to_global_type
 
 contains
 
    !> Number the columns that the chunks of a rank touch, and behind them all that meet there
-   pure function new_numbering(division, abreast, owner, rank) result(self)
+   pure function new_local_to_global(division, abreast, owner, rank) result(self)
       !> The whole model
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Nodes in a column
       integer, intent(in) :: abreast
       !> Rank that adds to each column, those behind too; see `column_owners`
       integer, intent(in) :: owner(:)
       !> The rank
       integer, intent(in) :: rank
-      type(numbering_type) :: self
+      type(local_to_global_type) :: self
 
       integer :: b, c, i
 
@@ -67,11 +67,11 @@ contains
             self%column(c) = self%columns
          end do
       end do
-   end function new_numbering
+   end function new_local_to_global
 
    !> Column of a node, as the whole model numbers both
    elemental integer function column_of(self, whole_node) result(column)
-      class(numbering_type), intent(in) :: self
+      class(local_to_global_type), intent(in) :: self
       !> The node
       integer, intent(in) :: whole_node
 
@@ -80,7 +80,7 @@ contains
 
    !> The rank's number of a node, 0 where it does not have it
    elemental integer function node(self, whole_node)
-      class(numbering_type), intent(in) :: self
+      class(local_to_global_type), intent(in) :: self
       !> The node in the whole model
       integer, intent(in) :: whole_node
 
@@ -92,7 +92,7 @@ contains
 
    !> Those of some nodes that the rank has, as it numbers them
    pure function only(self, whole_nodes) result(nodes)
-      class(numbering_type), intent(in) :: self
+      class(local_to_global_type), intent(in) :: self
       !> Nodes of the whole model
       integer, intent(in) :: whole_nodes(:)
       integer, allocatable :: nodes(:)
@@ -103,7 +103,7 @@ contains
 
    !> The nodes of the rank as the whole model numbers them; past the last one of that again it
    pure function nodes(self, whole_nodes) result(list)
-      class(numbering_type), intent(in) :: self
+      class(local_to_global_type), intent(in) :: self
       !> How many the whole model has
       integer, intent(in) :: whole_nodes
       integer :: list(self%abreast*size(self%here))
@@ -113,4 +113,4 @@ contains
          & i=1, self%abreast), c=1, size(self%here))]
    end function nodes
 
-end module plydyn_domain_numbering
+end module plydyn_domain_local_to_global

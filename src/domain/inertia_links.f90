@@ -1,12 +1,12 @@
 !> Inertia of the relative motion of two points.
-module plydyn_domain_links
+module plydyn_domain_inertia_links
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    implicit none
    private
 
    !> Some of them
-   type, public :: links_type
+   type, public :: inertia_links_type
       !> Places in the arrays of motion, (2, links)
       integer, allocatable :: place(:, :)
       !> Inertia, (links)
@@ -15,13 +15,13 @@ module plydyn_domain_links
       logical, allocatable :: own(:)
    contains
       procedure :: count_energy
-   end type links_type
+   end type inertia_links_type
 
 contains
 
    !> Add the kinetic energy of all links, times a factor, to a sum
    pure subroutine count_energy(self, velocity, factor, tally, k)
-      class(links_type), intent(in) :: self
+      class(inertia_links_type), intent(in) :: self
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
       !> The factor
@@ -40,4 +40,4 @@ contains
       end do
    end subroutine count_energy
 
-end module plydyn_domain_links
+end module plydyn_domain_inertia_links

@@ -1,5 +1,5 @@
 !> Widths of the crack bands of bricks, and the histories of their points at time zero.
-module plydyn_domain_brick_bands
+module plydyn_domain_brick_crack_bands
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_brick, only : brick_shape_type, bricks_type, parent_slope
@@ -91,4 +91,4 @@ contains
       end do
    end function brick_band_lengths
 
-end module plydyn_domain_brick_bands
+end module plydyn_domain_brick_crack_bands

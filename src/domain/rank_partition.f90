@@ -1,9 +1,9 @@
 !> Which rank gets which chunk.
-module plydyn_domain_divide_ranks
+module plydyn_domain_rank_partition
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_domain, only : chunk_type, domain_type
-   use plydyn_domain_division, only : column_owners, division_type
+   use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_element_plate, only : plate_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_partition, only : divide_graph
@@ -25,7 +25,7 @@ contains
       !> The domain; its layers and interfaces are known
       type(domain_type), intent(in) :: domain
       !> Its chunks
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> How many ranks there are
       integer, intent(in) :: ranks
       !> Rank of each chunk
@@ -41,7 +41,7 @@ contains
 
    !> Chunks that meet, and in how many nodes
    subroutine find_neighbours(division, first, other, nodes)
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> As in `divide_graph`
       integer, intent(out) :: first(:)
       integer, allocatable, intent(out) :: other(:), nodes(:)
@@ -67,7 +67,7 @@ contains
 
    !> The other chunks that each chunk meets, once for each node
    subroutine list_meetings(division, begin, met)
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Where the list of each chunk begins, and the end behind the last
       integer, allocatable, intent(out) :: begin(:)
       !> The lists
@@ -156,4 +156,4 @@ contains
       end do
    end function plate_work
 
-end module plydyn_domain_divide_ranks
+end module plydyn_domain_rank_partition

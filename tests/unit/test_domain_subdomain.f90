@@ -1,13 +1,13 @@
 !> What a rank gets of the whole model, as far as it goes without other ranks.
-program test_domain_share
+program test_domain_subdomain
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : begin_domain, build_domain, build_share
    use plydyn_domain_columns, only : front
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
-   use plydyn_domain_share, only : share_type
+   use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -26,9 +26,9 @@ contains
 
    !> The share of a rank that has all chunks is the whole
    subroutine test_one_rank()
-      type(division_type) :: division
+      type(decomposition_type) :: division
       type(domain_type) :: domain, whole
-      type(share_type) :: share
+      type(subdomain_type) :: share
       integer :: i
 
       call begin("build_share, all")
@@ -45,9 +45,9 @@ contains
 
    !> Two plates apart from each other: each rank gets one of them, and nothing is exchanged
    subroutine test_islands()
-      type(division_type) :: division
+      type(decomposition_type) :: division
       type(domain_type) :: domain, whole
-      type(share_type) :: share
+      type(subdomain_type) :: share
       integer, allocatable :: island(:)
       integer :: c, counted, rank
       real(wp) :: mass
@@ -76,9 +76,9 @@ contains
    !> What a rank has takes its part of the memory, and no more
    subroutine test_memory()
       integer, parameter :: ranks(3) = [2, 4, 8]
-      type(division_type) :: division
+      type(decomposition_type) :: division
       type(domain_type) :: domain, whole
-      type(share_type) :: share
+      type(subdomain_type) :: share
       integer, allocatable :: island(:)
       integer :: c, i, rank
       real(wp) :: part
@@ -101,7 +101,7 @@ contains
    !> Nodes have their numbers, places and masses
    subroutine check_nodes(whole, domain, share)
       type(domain_type), intent(in) :: whole, domain
-      type(share_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: share
       integer :: c, here, there
 
       call check(all(domain%node_id == whole%node_id(share%column)), "the user's numbers")
@@ -180,9 +180,9 @@ contains
    subroutine share_of(mesh, rank_of_chunk, rank, division, domain, share)
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: rank_of_chunk(:), rank
-      type(division_type), intent(out) :: division
+      type(decomposition_type), intent(out) :: division
       type(domain_type), intent(out) :: domain
-      type(share_type), intent(out) :: share
+      type(subdomain_type), intent(out) :: share
       type(error_type), allocatable :: error
 
       call begin_domain(model_of(mesh), domain, division)
@@ -192,4 +192,4 @@ contains
       call check(.not. allocated(error), "the share is built")
    end subroutine share_of
 
-end program test_domain_share
+end program test_domain_subdomain

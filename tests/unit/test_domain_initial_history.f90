@@ -1,11 +1,11 @@
 !> Histories of damaged plies begin with the widths that the mesh gives to their crack bands.
-program test_domain_histories
+program test_domain_initial_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_bands, only : check_bands
+   use plydyn_domain_crack_band_widths, only : check_bands
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_histories, only : start_histories
+   use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_layer_scalars, only : point_history
    use plydyn_law_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : snap_refuse
@@ -153,4 +153,4 @@ contains
       model%parts(1)%plies%material = [2, 1, 2]
    end function plate
 
-end program test_domain_histories
+end program test_domain_initial_history

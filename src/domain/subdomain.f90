@@ -2,13 +2,13 @@
 !>
 !> A rank has the columns of all nodes that its chunks touch. A node where ranks meet is moved by
 !> all of them alike: each gets the force columns of the others, and adds all in the order of the
-!> chunks of the whole model (`plydyn_domain_division`). The rank of its first chunk counts it.
-module plydyn_domain_share
+!> chunks of the whole model (`plydyn_domain_decomposition`). The rank of its first chunk counts it.
+module plydyn_domain_subdomain
    use plydyn_domain_chunks, only : border_nodes, give_borders, give_makers
    use plydyn_domain_columns, only : front
-   use plydyn_domain_division, only : division_type
+   use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_numbering, only : numbering_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_parallel_halo, only : new_halo
    implicit none
@@ -17,7 +17,7 @@ module plydyn_domain_share
    public :: join_ranks, renumber_chunks, take_chunks, take_columns
 
    !> What of the whole model a rank has
-   type, public :: share_type
+   type, public :: subdomain_type
       !> Columns and histories of the whole model
       integer :: columns = 0, histories = front
       !> Its columns as the whole model numbers them, and whether it counts each
@@ -25,7 +25,7 @@ module plydyn_domain_share
       logical, allocatable :: own(:)
       !> Its histories: first place here and in the whole model, and length, (3, pieces)
       integer, allocatable :: history(:, :)
-   end type share_type
+   end type subdomain_type
 
 contains
 
@@ -34,13 +34,13 @@ contains
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> The whole model
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Has columns as long as those of the whole model; gets those of the rank
       type(domain_type), intent(inout) :: domain
       !> Gets the columns
-      type(share_type), intent(inout) :: share
+      type(subdomain_type), intent(inout) :: share
 
       integer, allocatable :: node(:)
       integer :: b, k
@@ -66,7 +66,7 @@ contains
    !> lists of the originals)
    pure subroutine take_chunks(division, taken, domain)
       !> The whole model
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> Which of its chunks
       logical, intent(in) :: taken(:)
       !> Gets them
@@ -86,7 +86,7 @@ contains
    !> Let the chunks of a rank say where its quads and columns are
    pure subroutine renumber_chunks(numbering, domain)
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Has chunks of the whole model
       type(domain_type), intent(inout) :: domain
 
@@ -109,9 +109,9 @@ contains
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
    subroutine join_ranks(division, numbering, owner, domain)
       !> The whole model
-      type(division_type), intent(in) :: division
+      type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
-      type(numbering_type), intent(in) :: numbering
+      type(local_to_global_type), intent(in) :: numbering
       !> Rank that adds to each column
       integer, intent(in) :: owner(:)
       !> The domain of the rank; its chunks have their columns
@@ -190,4 +190,4 @@ contains
       end do
    end subroutine place_guests
 
-end module plydyn_domain_share
+end module plydyn_domain_subdomain
