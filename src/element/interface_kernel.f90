@@ -5,7 +5,7 @@ module plydyn_element_interface_kernel
    use plydyn_element_interface, only : face_type, interface_type
    use plydyn_element_interface_axes, only : find_axes, turn_back, turn_in
    use plydyn_element_interface_points, only : to_nodes, to_points
-   use plydyn_element_interface_turn, only : find_turning
+   use plydyn_element_interface_rotation, only : find_turning
    implicit none
    private
 

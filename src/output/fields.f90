@@ -6,7 +6,7 @@ module plydyn_output_fields
    use plydyn_element_layer_scalars, only : layer_scalars
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover, only : layer_values, recovered, scalars_at
-   use plydyn_element_recover_between, only : new_plane_shares, plane_shares_type, plane_values, &
+   use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : total_lagrangian

@@ -9,7 +9,7 @@ module plydyn_output_profile
    use plydyn_element_plate, only : plate_type
    use plydyn_element_quad, only : plane_table
    use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
-   use plydyn_element_recover_between, only : new_plane_shares, plane_shares_type, plane_values, &
+   use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_control, only : profile_type, total_lagrangian, units_type

@@ -4,7 +4,7 @@
 !> interface depends on that turn as well: tractions t across an opening d do the work of a moment
 !> t x d. It acts on what the axes hang on, the slopes of the mid-face, and so on both faces alike.
 !> With it the forces are the slope of the energy, and their moment about any point is zero.
-module plydyn_element_interface_turn
+module plydyn_element_interface_rotation
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
@@ -105,4 +105,4 @@ contains
       end do
    end subroutine add_slopes
 
-end module plydyn_element_interface_turn
+end module plydyn_element_interface_rotation

@@ -1,5 +1,5 @@
 !> Faces that turn while they stand open: work on a closed path is none, and moments balance.
-program test_element_interface_turn
+program test_element_interface_rotation
    use faces, only : lay_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface, only : interface_type
@@ -123,4 +123,4 @@ contains
       call check(moment, [0.0_wp, 0.0_wp, 0.0_wp], 1.0e-12_wp*maxval(size_of), "moments balance")
    end subroutine test_moment
 
-end program test_element_interface_turn
+end program test_element_interface_rotation

@@ -5,7 +5,7 @@
 !> degree less, in the axes of the quad. That takes out the ripple that full integration leaves
 !> there between the best points (Barlow, 1976), by the sampling of the MITC elements (Bathe and
 !> Dvorkin, 1986).
-module plydyn_element_recover_between
+module plydyn_element_recover_anywhere
    use plydyn_base_precision, only : wp
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_element_recover, only : gauss_metric, ply_strain_at, ply_stress_at, recovered, &
@@ -199,4 +199,4 @@ contains
       call lagrange(batch%expansion%gauss, zeta, share, slope)
    end function thickness_interpolation
 
-end module plydyn_element_recover_between
+end module plydyn_element_recover_anywhere
