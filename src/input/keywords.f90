@@ -5,7 +5,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_damage, only : damage_keywords
    use plydyn_input_declare_impact, only : impact_keywords, output_keywords
    use plydyn_input_declare_interface, only : interface_keywords
-   use plydyn_input_declare_known, only : ignored_keywords, refused_keywords
+   use plydyn_input_unsupported_keywords, only : ignored_keywords, refused_keywords
    use plydyn_input_declare_load, only : load_keywords, support_keywords
    use plydyn_input_declare_mesh, only : mesh_keywords
    use plydyn_input_declare_metal, only : metal_keywords

@@ -10,9 +10,9 @@ module plydyn_input_read_model
    use plydyn_input_defaults, only : begin_model, end_model
    use plydyn_input_keywords, only : all_keywords
    use plydyn_input_manual, only : keyword_manual
-   use plydyn_input_stages_of_plate, only : check_elements, read_element, read_independent, &
+   use plydyn_input_model_readers, only : check_elements, read_element, read_independent, &
       & read_laminate, read_material, read_part, read_plain_material, read_set, read_table
-   use plydyn_input_stages_of_run, only : check_request, read_control, read_load, read_request, &
+   use plydyn_input_run_readers, only : check_request, read_control, read_load, read_request, &
       & read_support
    use plydyn_model_model, only : model_type
    implicit none

@@ -1,6 +1,6 @@
 !> What happens to a plate and what is written about it, in stages that follow those of the plate.
 !> A stage takes the cards of one keyword into the model, if the keyword is one of its own.
-module plydyn_input_stages_of_run
+module plydyn_input_run_readers
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
@@ -165,4 +165,4 @@ contains
       end select
    end subroutine check_request
 
-end module plydyn_input_stages_of_run
+end module plydyn_input_run_readers

@@ -1,6 +1,6 @@
 !> What a plate or a body is made of, in stages: each refers to what stages before it have read.
 !> A stage takes the cards of one keyword into the model, if the keyword is one of its own.
-module plydyn_input_stages_of_plate
+module plydyn_input_model_readers
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_input_check_solid, only : refuse_for_bricks
@@ -203,4 +203,4 @@ contains
       end select
    end subroutine read_laminate
 
-end module plydyn_input_stages_of_plate
+end module plydyn_input_model_readers

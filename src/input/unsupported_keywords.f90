@@ -1,5 +1,5 @@
 !> Keywords of LS-DYNA that are known and not read: ignored, or refused with advice.
-module plydyn_input_declare_known
+module plydyn_input_unsupported_keywords
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, standard
    implicit none
    private
@@ -92,4 +92,4 @@ contains
       end do
    end function listed
 
-end module plydyn_input_declare_known
+end module plydyn_input_unsupported_keywords
