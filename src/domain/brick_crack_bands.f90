@@ -3,7 +3,7 @@ module plydyn_domain_brick_crack_bands
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_brick, only : brick_shape_type, bricks_type, parent_slope
-   use plydyn_law_crack_band, only : brick_band_length
+   use plydyn_law_ply_crack_band, only : brick_band_length
    use plydyn_law_law, only : law_type
    implicit none
    private

@@ -4,7 +4,7 @@ module plydyn_domain_delamination
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface, only : interface_sums_type, interface_type, sum_lanes
-   use plydyn_law_cohesive, only : damage_at
+   use plydyn_law_cohesive_bilinear, only : damage_at
    implicit none
    private
 

@@ -5,7 +5,7 @@ module plydyn_domain_initial_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
-   use plydyn_law_crack_band, only : band_length, rule_gauss_point, share_average, &
+   use plydyn_law_ply_crack_band, only : band_length, rule_gauss_point, share_average, &
       & share_bilinear, share_biquadratic
    use plydyn_law_law, only : law_type
    implicit none

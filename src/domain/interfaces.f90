@@ -4,7 +4,7 @@ module plydyn_domain_interfaces
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
    use plydyn_element_interface, only : face_type, interface_type
-   use plydyn_law_cohesive, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & new_springs
    use plydyn_model_model, only : model_type
    implicit none

@@ -1,15 +1,15 @@
 !> Laws of the layers, batch by batch.
 module plydyn_domain_laws
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_crack_band, only : rule_band
+   use plydyn_law_ply_crack_band, only : rule_band
    use plydyn_law_law, only : block_law_type, law_type
-   use plydyn_law_orthotropic, only : orthotropic_type
-   use plydyn_law_plastic_curve, only : plastic_curve_type
-   use plydyn_law_plastic_johnson_cook, only : plastic_johnson_cook_type
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_ply_orthotropic, only : orthotropic_type
+   use plydyn_law_metal_tabulated, only : plastic_curve_type
+   use plydyn_law_metal_johnson_cook, only : plastic_johnson_cook_type
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_strain_damage, only : strain_damage_type
-   use plydyn_law_yield_curve, only : yield_curve_type
+   use plydyn_law_ply_strain_damage, only : strain_damage_type
+   use plydyn_law_metal_yield_curve, only : yield_curve_type
    use plydyn_model_material, only : last_law, law_elastic, law_plastic_curve, &
       & law_plastic_johnson_cook, law_plastic_kinematic, law_ply_damage, &
       & law_strain_damage, material_type, plasticity_type

@@ -8,7 +8,7 @@ module plydyn_domain_plates
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_material, only : material_type

@@ -2,7 +2,7 @@
 module plydyn_domain_process_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_quad, only : quad_spacing, tensor_order
-   use plydyn_law_cohesive_length, only : strength_factor, zone_lengths
+   use plydyn_law_cohesive_process_zone_length, only : strength_factor, zone_lengths
    use plydyn_model_layup, only : faces_tied, part_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type

@@ -3,7 +3,7 @@ module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : layer_scalars, point_history
    use plydyn_element_plate, only : layer_batch_type, plate_type
-   use plydyn_law_elastic, only : strain_rotation
+   use plydyn_law_ply_elastic, only : strain_rotation
    use plydyn_law_law, only : scalars
    implicit none
    private

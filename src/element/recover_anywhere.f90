@@ -12,7 +12,7 @@ module plydyn_element_recover_anywhere
       & strain_at, stress_at
    use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
-   use plydyn_law_elastic, only : strain_rotation
+   use plydyn_law_ply_elastic, only : strain_rotation
    implicit none
    private
 

@@ -1,9 +1,9 @@
 !> Materials of plies and of interfaces.
 module plydyn_model_material
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_strain_damage, only : strain_constants_type
+   use plydyn_law_ply_strain_damage, only : strain_constants_type
    use plydyn_model_curve, only : curve_type
    implicit none
    private

@@ -3,10 +3,10 @@ module plydyn_output_damage_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : crack_band_type, domain_type
-   use plydyn_law_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
    use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
       & ply_constants_type, snap_drop
-   use plydyn_law_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
+   use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
    use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
    use plydyn_model_model, only : model_type

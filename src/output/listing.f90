@@ -4,7 +4,7 @@ module plydyn_output_listing
    use plydyn_base_text, only : fixed_text, text
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
-   use plydyn_law_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type

@@ -8,7 +8,7 @@ module plydyn_bench_cases
    use plydyn_element_plate, only : history_pitch
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type

@@ -2,8 +2,8 @@
 !> law of metals finds its way back to the yield surface.
 module metals
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : dissipated, plastic_type
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_plastic, only : dissipated, plastic_type
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
    implicit none
    private
 

@@ -6,7 +6,7 @@ module ply_point
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_onset, histories_closing, &
       & matrix_damage, matrix_onset, shear_peak, shear_set, to_compression
-   use plydyn_law_shear_curve, only : new_exponential_curve, shape_exponential
+   use plydyn_law_ply_shear_curve, only : new_exponential_curve, shape_exponential
    implicit none
    private
 

@@ -1,8 +1,8 @@
 !> The cohesive law of HTS40/9772, table 6 of the paper, in mm, N, MPa.
-program test_law_cohesive
+program test_law_cohesive_bilinear
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
+   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
       & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, shear, &
       & slip_at, stretch_at
    use plydyn_law_cohesive_toughness, only : power_law
@@ -351,4 +351,4 @@ contains
       damage = min(max(r*(f - 1.0_wp)/(f*(r - 1.0_wp)), 0.0_wp), 1.0_wp)
    end function straight_damage
 
-end program test_law_cohesive
+end program test_law_cohesive_bilinear

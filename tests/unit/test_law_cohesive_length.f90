@@ -1,7 +1,7 @@
 !> Process zones and reduced strengths of HTS40/9772, table 6 of the paper, in mm, N, MPa.
-program test_law_cohesive_length
+program test_law_cohesive_process_zone_length
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_length, only : fitting_strength, least_stiffness_ratio, slender_zone, &
+   use plydyn_law_cohesive_process_zone_length, only : fitting_strength, least_stiffness_ratio, slender_zone, &
       & stiffness_ratio, strength_factor, zone_length, zone_lengths
    use testing, only : begin, check, finish
    implicit none
@@ -45,4 +45,4 @@ program test_law_cohesive_length
    call check(stiffness_ratio(1373.3e3_wp, across, 0.25_wp), 33.3_wp, 0.05_wp, "of table 6")
    call check(least_stiffness_ratio*across/0.25_wp, 2060.0e3_wp, 1.0_wp, "asks for 2060 GPa/mm")
    call finish()
-end program test_law_cohesive_length
+end program test_law_cohesive_process_zone_length

@@ -1,7 +1,7 @@
 !> The rise with the rate against direct evaluation and differences.
-program test_law_cowper_symonds
+program test_law_metal_cowper_symonds
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cowper_symonds, only : cowper_symonds_type
+   use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -48,4 +48,4 @@ program test_law_cowper_symonds
    call rise%raise(rate, yield, hardening, viscosity)
    call check(yield, spread(300.0_wp, 1, lanes), 1.0e-12_wp, "nothing at rest")
    call finish()
-end program test_law_cowper_symonds
+end program test_law_metal_cowper_symonds

@@ -1,7 +1,7 @@
 !> The width of the crack band is what a straight line through the quad says.
-program test_law_crack_band
+program test_law_ply_crack_band
    use plydyn_base_precision, only : wp
-   use plydyn_law_crack_band, only : band_length, brick_band_length, longest_length, rule_band, &
+   use plydyn_law_ply_crack_band, only : band_length, brick_band_length, longest_length, rule_band, &
       & rule_gauss_point, rule_root_point, rule_root_quad, share_bilinear, share_biquadratic
    use testing, only : begin, check, finish
    implicit none
@@ -72,4 +72,4 @@ program test_law_crack_band
    call check(longest_length(153.0e3_wp, 91.6_wp, 2537.0_wp), 4.355_wp, 5.0e-4_wp, &
       & "is 2 E G/X**2: fibre tension of an independent program")
    call finish()
-end program test_law_crack_band
+end program test_law_ply_crack_band

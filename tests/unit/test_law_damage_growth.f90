@@ -1,7 +1,7 @@
 !> Damage grows as the stress has to fall, and never heals.
-program test_law_damage_growth
+program test_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : can_grow, find_limits, grow
+   use plydyn_law_ply_damage_growth, only : can_grow, find_limits, grow
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage
    use ply_point, only : new_point, paper_ply, point_type
@@ -225,4 +225,4 @@ contains
       damage = point%history(fibre_damage)
    end function damage
 
-end program test_law_damage_growth
+end program test_law_ply_damage_growth

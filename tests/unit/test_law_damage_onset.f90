@@ -1,5 +1,5 @@
 !> Damage begins where it must: at the strengths, or earlier where the crack band is too wide.
-program test_law_damage_onset
+program test_law_ply_damage_onset
    use plydyn_base_precision, only : wp
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type, snap_drop
    use plydyn_law_ply_history, only : fibre_damage, fibre_onset, matrix_damage, matrix_energy, &
@@ -164,4 +164,4 @@ contains
       damage = max(point%history(fibre_damage), point%history(matrix_damage))
    end function damage
 
-end program test_law_damage_onset
+end program test_law_ply_damage_onset

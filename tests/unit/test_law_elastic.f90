@@ -1,7 +1,7 @@
 !> Stiffness inverts compliance, and rotations keep energy.
-program test_law_elastic
+program test_law_ply_elastic
    use plydyn_base_precision, only : wp
-   use plydyn_law_elastic, only : is_stable, ply_stiffness, strain_rotation
+   use plydyn_law_ply_elastic, only : is_stable, ply_stiffness, strain_rotation
    use testing, only : begin, check, finish
    implicit none
 
@@ -42,4 +42,4 @@ program test_law_elastic
       & "an isotropic material past one half is not")
    call check(.not. is_stable(e, nu, [5.6e3_wp, 0.0_wp, 2.8e3_wp]), "no shear modulus is not")
    call finish()
-end program test_law_elastic
+end program test_law_ply_elastic

@@ -1,13 +1,13 @@
 !> The return keeps stress on the yield surface, the rate equations and the balance of energy.
 !> References: Krieg's solution for a turning path, and the rate equations integrated here in
 !> their own way.
-program test_law_plastic
+program test_law_metal_plastic
    use metals, only : aluminium, beta, hard, isotropic, load, mixed, modulus, poisson, set_lanes, &
       & shear, slide, steel, step_to, stretch, yield, young
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
-   use plydyn_law_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_ply_elastic, only : ply_stiffness
+   use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -253,4 +253,4 @@ contains
       call check(all(abs(error(:, 2)) < 0.55_wp*abs(error(:, 1))), "the better the finer")
    end subroutine test_energy_of_a_loop
 
-end program test_law_plastic
+end program test_law_metal_plastic

@@ -1,10 +1,10 @@
 !> Tabulated yield stress against linear hardening, points of its own, and rates in between.
-program test_law_plastic_curve
+program test_law_metal_tabulated
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_plastic_curve, only : plastic_curve_type
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
-   use plydyn_law_yield_curve, only : stress_at, yield_curve_type
+   use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
+   use plydyn_law_metal_tabulated, only : plastic_curve_type
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_yield_curve, only : stress_at, yield_curve_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -193,4 +193,4 @@ contains
       call check(history(bent, dissipated), work, 1.0e-4_wp, "dissipation")
    end subroutine test_steps
 
-end program test_law_plastic_curve
+end program test_law_metal_tabulated

@@ -1,9 +1,9 @@
 !> Johnson and Cook's yield stress against direct evaluation along a path, and over decades.
-program test_law_plastic_johnson_cook
+program test_law_metal_johnson_cook
    use metals, only : farthest_from_yield
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_plastic_johnson_cook, only : plastic_johnson_cook_type
+   use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
+   use plydyn_law_metal_johnson_cook, only : plastic_johnson_cook_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -147,4 +147,4 @@ contains
          & 0.0_wp, 1) + 1.0_wp, "above that without rate")
    end subroutine test_recall
 
-end program test_law_plastic_johnson_cook
+end program test_law_metal_johnson_cook

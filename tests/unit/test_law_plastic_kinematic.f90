@@ -1,11 +1,11 @@
 !> Linear hardening against closed forms: the numbers of the theory (steel and aluminium), tension
 !> along the tangent modulus, reversed shear; and the rise with the rate.
-program test_law_plastic_kinematic
+program test_law_metal_kinematic
    use metals, only : beta, farthest_from_yield, hard, isotropic, load, mixed, modulus, poisson, &
       & set_lanes, shear, slide, step_to, stretch, tangent, yield, young
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : dissipated, effective_plastic_strain, plastic_strain
-   use plydyn_law_plastic_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain, plastic_strain
+   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -230,4 +230,4 @@ contains
       end do
    end subroutine test_any_rate
 
-end program test_law_plastic_kinematic
+end program test_law_metal_kinematic

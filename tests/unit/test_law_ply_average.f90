@@ -7,7 +7,7 @@ program test_law_ply_average
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, histories_most, matrix_damage, matrix_energy, &
       & matrix_onset
-   use plydyn_law_strain_damage, only : across_energy, by_matrix, strain_constants_type, &
+   use plydyn_law_ply_strain_damage, only : across_energy, by_matrix, strain_constants_type, &
       & strain_damage_type
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish

@@ -5,7 +5,7 @@ program test_law_ply_damage
    use plydyn_law_ply_constants, only : mode_names, ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_onset, &
       & matrix_damage, matrix_energy, matrix_finish, matrix_onset
-   use plydyn_law_shear_curve, only : shape_exponential
+   use plydyn_law_ply_shear_curve, only : shape_exponential
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
    implicit none

@@ -2,7 +2,7 @@
 !> disturb.
 program test_law_ply_damage_jumps
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_law, only : scalars, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type, snap_drop
    use plydyn_law_ply_damage, only : ply_damage_type

@@ -1,14 +1,14 @@
 !> Modes of a damaged ply together: mixed, closing, turned, random, and in one batch.
 program test_law_ply_damage_paths
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
    use plydyn_law_law, only : by_ply_plasticity
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, histories_closing, &
       & histories_open, matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
       & shear_peak, to_compression
-   use plydyn_law_shear_curve, only : new_power_curve, new_table_curve
+   use plydyn_law_ply_shear_curve, only : new_power_curve, new_table_curve
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
    implicit none

@@ -1,14 +1,14 @@
 !> Steps without new damage: stress of the intact ply, little history; all else is left alone.
-program test_law_ply_quiet
+program test_law_ply_elastic_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
-   use plydyn_law_damage_growth, only : find_limits
+   use plydyn_law_ply_damage_growth, only : find_limits
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, largest_band, &
       & matrix_damage, matrix_finish, matrix_gate, matrix_onset, no_strain, shear_peak, &
       & shear_spared
-   use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_quiet, only : stay
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_elastic_path, only : stay
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none
@@ -18,7 +18,7 @@ program test_law_ply_quiet
       & -2.0e-3_wp]
    !> A lane that another law owns
    integer, parameter :: foreign = 3
-   type(ply_lanes_type) :: lane
+   type(ply_batch_constants_type) :: lane
    !> Points above each other
    integer, parameter :: points = 2
    real(wp) :: history(lanes, points, histories_open), stress(lanes, 6, points)
@@ -158,7 +158,7 @@ contains
             ply%cross_strength = 40.0_wp
          end if
       end if
-      lane = ply_lanes_type()
+      lane = ply_batch_constants_type()
       do l = 1, lanes
          if (l /= foreign) call lane%set_lane(l, ply)
       end do
@@ -175,4 +175,4 @@ contains
          & maxval(abs(history(:, :, matrix_gate + 1:))))
    end function changed
 
-end program test_law_ply_quiet
+end program test_law_ply_elastic_path

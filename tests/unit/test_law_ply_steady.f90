@@ -1,16 +1,16 @@
 !> The quick way through a step without growth gives what the whole law gives, and takes no other
 !> step.
-program test_law_ply_steady
+program test_law_ply_no_growth_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : find_limits
+   use plydyn_law_ply_damage_growth, only : find_limits
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
       & histories_closing, histories_open, largest_band, matrix_damage, matrix_finish, &
       & matrix_gate, matrix_onset, no_strain, shear_peak, shear_set
-   use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_quiet, only : stay
-   use plydyn_law_shear_curve, only : new_power_curve, shape_exponential, &
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_elastic_path, only : stay
+   use plydyn_law_ply_shear_curve, only : new_power_curve, shape_exponential, &
       & shape_power
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
@@ -69,7 +69,7 @@ contains
       integer :: i, m, quiet, wrong
       logical :: grows, stays(points), touched
       type(ply_damage_type) :: law
-      type(ply_lanes_type) :: lane
+      type(ply_batch_constants_type) :: lane
 
       call begin(name)
       call make(ply, lane, law)
@@ -104,7 +104,7 @@ contains
       integer :: l
       logical :: stays(points)
       type(ply_constants_type) :: ply
-      type(ply_lanes_type) :: lane
+      type(ply_batch_constants_type) :: lane
 
       call begin("foreign")
       ply = paper_ply(curved=.true.)
@@ -133,7 +133,7 @@ contains
       integer :: l
       logical :: stays(2)
       type(ply_constants_type) :: ply
-      type(ply_lanes_type) :: lane
+      type(ply_batch_constants_type) :: lane
 
       call begin("closing")
       ply = paper_ply()
@@ -152,7 +152,7 @@ contains
    !> Both ways for a ply in all lanes
    subroutine make(ply, lane, law)
       type(ply_constants_type), intent(in) :: ply
-      type(ply_lanes_type), intent(out) :: lane
+      type(ply_batch_constants_type), intent(out) :: lane
       type(ply_damage_type), intent(out) :: law
 
       integer :: l
@@ -231,4 +231,4 @@ contains
       end associate
    end subroutine bend_power
 
-end program test_law_ply_steady
+end program test_law_ply_no_growth_path

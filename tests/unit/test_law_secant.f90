@@ -1,8 +1,8 @@
 !> The secant stiffness inverts the reduced compliance and stays positive.
-program test_law_secant
+program test_law_ply_secant
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
-   use plydyn_law_secant, only : secant_type
+   use plydyn_law_ply_elastic, only : ply_stiffness
+   use plydyn_law_ply_secant, only : secant_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -106,4 +106,4 @@ contains
          & - c(2, 3)*(c(1, 1)*c(3, 2) - c(1, 2)*c(3, 1)) > 0.0_wp
    end function is_positive
 
-end program test_law_secant
+end program test_law_ply_secant

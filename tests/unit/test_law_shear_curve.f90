@@ -1,8 +1,8 @@
 !> Curves of shear: their constants, and what no curve can be.
-program test_law_shear_curve
+program test_law_ply_shear_curve
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_law_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
+   use plydyn_law_ply_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
       & new_table_curve, shape_exponential, shear_curve_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -62,4 +62,4 @@ contains
       call check_error(error, "Ramberg", "refuses a power curve without a coefficient")
    end subroutine test_check_curve
 
-end program test_law_shear_curve
+end program test_law_ply_shear_curve

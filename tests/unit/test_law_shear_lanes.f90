@@ -1,9 +1,9 @@
 !> Shear follows its curve, unloads with the first modulus and never heals.
-program test_law_shear_lanes
+program test_law_ply_batch_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_shear_curve, only : new_power_curve, new_table_curve, shape_exponential, &
+   use plydyn_law_ply_shear_curve, only : new_power_curve, new_table_curve, shape_exponential, &
       & shear_curve_type
-   use plydyn_law_shear_lanes, only : shear_lanes_type
+   use plydyn_law_ply_batch_shear, only : batch_shear_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -14,7 +14,7 @@ program test_law_shear_lanes
    !> Ramberg and Osgood for IM7/8552
    real(wp), parameter :: coefficient = 4.06e-9_wp, exponent = 5.4_wp, power_modulus = 5290.0_wp
 
-   type(shear_lanes_type) :: law
+   type(batch_shear_type) :: law
    real(wp) :: peak(lanes), set(lanes), lost(lanes)
 
    call set_lanes()
@@ -72,7 +72,7 @@ contains
    subroutine test_steep_table()
       real(wp), parameter :: last(2) = [0.01_wp, 0.03_wp], excess = 1.009_wp, part = 0.6_wp
       real(wp) :: before(lanes)
-      type(shear_lanes_type) :: own
+      type(batch_shear_type) :: own
       integer :: l
 
       call begin("a table as steep as it may be")
@@ -210,7 +210,7 @@ contains
       !> From long steps to such as a run takes
       integer, parameter :: steps(3) = [2000, 20000, 200000]
       type(shear_curve_type) :: curve
-      type(shear_lanes_type) :: short
+      type(batch_shear_type) :: short
       real(wp) :: area, spent, tau
       integer :: i, k, l
       logical :: grows
@@ -245,7 +245,7 @@ contains
       integer, parameter :: steps = 2000
       real(wp), parameter :: asymptote = 93.6_wp
       type(shear_curve_type) :: curve
-      type(shear_lanes_type) :: alone
+      type(batch_shear_type) :: alone
       real(wp) :: exact, none(lanes), off, stays(lanes), strain(lanes), stress(lanes), worst
       integer :: i
 
@@ -300,4 +300,4 @@ contains
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after
 
-end program test_law_shear_lanes
+end program test_law_ply_batch_shear

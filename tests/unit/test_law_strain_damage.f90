@@ -1,9 +1,9 @@
 !> Damage between given strains: straight ways down, the energy under them, what each mechanism
 !> takes and leaves. All expectations follow from the constants.
-program test_law_strain_damage
+program test_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : scalars, shows_dissipated, shows_fibre_damage, shows_shear_damage
-   use plydyn_law_strain_damage, only : along_energy, across_energy, by_fibres, by_locking, &
+   use plydyn_law_ply_strain_damage, only : along_energy, across_energy, by_fibres, by_locking, &
       & by_matrix, strain_constants_type, strain_damage_type, strain_residual
    use testing, only : begin, check, finish
    implicit none
@@ -326,4 +326,4 @@ contains
       call check(stress(1, 5), 0.02_wp*5.0e3_wp, 1.0e-10_wp, "while its own is changed")
    end subroutine test_owned_lanes
 
-end program test_law_strain_damage
+end program test_law_ply_strain_damage

@@ -1,10 +1,10 @@
 !> Shear in the plane of some points, along its curve until the matrix cracks, with as little of
 !> their history as that takes.
-module plydyn_law_ply_shear
+module plydyn_law_ply_shear_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : give, matrix_gate, shear_peak, shear_set, &
       & shear_spared
-   use plydyn_law_ply_lanes, only : ply_lanes_type
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    implicit none
    private
 
@@ -29,7 +29,7 @@ contains
    !> Shear along its curve
    pure subroutine bend(ply, points, pitch, strain, history, shear)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Number of points, `most_points` at most; rows of the history from one of their variables to
       !> the next
       integer, intent(in) :: points, pitch
@@ -139,7 +139,7 @@ contains
    !> Work on what stays that damage spares in a step in which it does not grow
    pure subroutine spare_work(ply, points, pitch, history, remains, shear)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> As in `bend`; history as it was before
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: history(lanes, pitch, *)
@@ -163,7 +163,7 @@ contains
    !> Keep what the shear of a point has become
    pure subroutine keep_shear(ply, m, pitch, shear, history)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Which of the points; as in `bend`
       integer, intent(in) :: m, pitch
       !> What the step has made of the shear
@@ -189,4 +189,4 @@ contains
       end do
    end subroutine keep_shear
 
-end module plydyn_law_ply_shear
+end module plydyn_law_ply_shear_path

@@ -1,7 +1,7 @@
 !> Lengths of the zone in which an interface softens, and what a mesh asks of the interface.
-module plydyn_law_cohesive_length
+module plydyn_law_cohesive_process_zone_length
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive, only : normal, shear
+   use plydyn_law_cohesive_bilinear, only : normal, shear
    implicit none
    private
 
@@ -106,4 +106,4 @@ contains
       ratio = stiffness*thickness/young
    end function stiffness_ratio
 
-end module plydyn_law_cohesive_length
+end module plydyn_law_cohesive_process_zone_length

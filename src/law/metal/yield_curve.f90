@@ -1,5 +1,5 @@
 !> Curves of yield stress over effective plastic strain.
-module plydyn_law_yield_curve
+module plydyn_law_metal_yield_curve
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -72,4 +72,4 @@ contains
       end do
    end function common_strains
 
-end module plydyn_law_yield_curve
+end module plydyn_law_metal_yield_curve

@@ -1,8 +1,8 @@
 !> Stiffness of a damaged ply: an orthotropic compliance whose moduli E1 and E2 are reduced to the
 !> parts R1 and R2 that remain, and whose Poisson terms are not reduced.
-module plydyn_law_secant
+module plydyn_law_ply_secant
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_ply_elastic, only : ply_stiffness
    implicit none
    private
 
@@ -117,4 +117,4 @@ contains
       end associate
    end subroutine damaged_stress
 
-end module plydyn_law_secant
+end module plydyn_law_ply_secant

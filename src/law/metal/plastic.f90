@@ -9,7 +9,7 @@
 !> Energy per volume: work of the stress = `stored_energy` (elastic, and what the back stress
 !> stores) + the last history variable, the yield stress integrated over effective plastic strain.
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
-module plydyn_law_plastic
+module plydyn_law_metal_plastic
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
       & shows_plastic_strain
@@ -396,4 +396,4 @@ contains
       end do
    end subroutine improve
 
-end module plydyn_law_plastic
+end module plydyn_law_metal_plastic

@@ -1,7 +1,7 @@
 !> Classical laminate theory: the stiffness of a stack as a plate, for the listing and for checks.
-module plydyn_law_laminate
+module plydyn_law_ply_laminate
    use plydyn_base_precision, only : wp
-   use plydyn_law_elastic, only : strain_rotation
+   use plydyn_law_ply_elastic, only : strain_rotation
    implicit none
    private
 
@@ -40,4 +40,4 @@ contains
       d(:, :) = d + q*(top**3 - bottom**3)/3.0_wp
    end subroutine add_ply_stiffness
 
-end module plydyn_law_laminate
+end module plydyn_law_ply_laminate

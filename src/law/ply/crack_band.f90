@@ -1,5 +1,5 @@
 !> Width of the band in which a crack of a smeared model opens, and how wide it may be.
-module plydyn_law_crack_band
+module plydyn_law_ply_crack_band
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -110,4 +110,4 @@ contains
       longest_length = 2.0_wp*modulus*toughness/strength**2
    end function longest_length
 
-end module plydyn_law_crack_band
+end module plydyn_law_ply_crack_band

@@ -6,15 +6,15 @@
 !>
 !> So all that a point must remember is the largest strain: the strain that stays, and the work
 !> lost on it, follow. The strain that stays is needed in every step and kept, too; the work is not.
-module plydyn_law_shear_lanes
+module plydyn_law_ply_batch_shear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
+   use plydyn_law_ply_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
       & shear_curve_type
    implicit none
    private
 
    !> Curves of the lanes of a batch
-   type, public :: shear_lanes_type
+   type, public :: batch_shear_type
       private
       !> Shape of each lane
       integer :: shape(lanes) = shape_line
@@ -39,7 +39,7 @@ module plydyn_law_shear_lanes
       procedure :: find_set
       procedure :: lost
       procedure :: curve_stress
-   end type shear_lanes_type
+   end type batch_shear_type
 
    !> Relative change of stress that ends the search on a power curve, and most steps of it
    real(wp), parameter :: close_enough = 1.0e-13_wp
@@ -55,7 +55,7 @@ contains
 
    !> Give a lane its curve
    pure subroutine set_lane(self, lane, modulus, curve)
-      class(shear_lanes_type), intent(inout) :: self
+      class(batch_shear_type), intent(inout) :: self
       !> Lane
       integer, intent(in) :: lane
       !> Shear modulus at the origin
@@ -86,7 +86,7 @@ contains
    !> Keep a table as a sum of ramps: where it bends and by how much. It rises by no more than the
    !> modulus, with which it unloads: what little more it may is left out
    pure subroutine set_table(self, lane, strain, stress)
-      class(shear_lanes_type), intent(inout) :: self
+      class(batch_shear_type), intent(inout) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: strain(:), stress(:)
 
@@ -121,7 +121,7 @@ contains
 
    !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
    pure subroutine advance(self, strain, peak, set, work, grows)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       !> Size of the shear strain; 0 where nothing is to change
       real(wp), intent(in) :: strain(lanes)
       !> Largest size of the shear strain so far
@@ -147,7 +147,7 @@ contains
 
    !> Shear strain that stays after a largest one
    pure subroutine find_set(self, points, peak, set)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       !> Number of points
       integer, intent(in) :: points
       !> Largest size of the shear strain; 0 along a line
@@ -194,7 +194,7 @@ contains
    !> `find_set` for exponentials not far from the origin: of the strain stays the share
    !> 1 - (1 - exp(-x))/x with x = strain*modulus/asymptote
    pure subroutine expand_set(self, points, peak, set)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       integer, intent(in) :: points
       real(wp), intent(in) :: peak(lanes, points)
       real(wp), intent(out) :: set(lanes, points)
@@ -214,7 +214,7 @@ contains
 
    !> `find_set` for curves of any shape: never less than what stayed before
    pure subroutine search_set(self, points, peak, set)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       integer, intent(in) :: points
       real(wp), intent(in) :: peak(lanes, points)
       real(wp), intent(inout) :: set(lanes, points)
@@ -234,7 +234,7 @@ contains
    !> Work per volume that an intact ply has spent on what stays since the beginning: the area under
    !> the curve up to the largest strain, less what unloading from there gives back
    pure function lost(self, peak, set) result(work)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       !> Largest strain; strain that stays, as from `find_set`
       real(wp), intent(in) :: peak(lanes), set(lanes)
       real(wp) :: work(lanes)
@@ -257,7 +257,7 @@ contains
 
    !> Stress on the curve: a sum, in which what belongs to other shapes is zero
    pure subroutine curve_stress(self, points, strain, set, stress)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       !> Number of points
       integer, intent(in) :: points
       !> Size of the shear strain
@@ -309,7 +309,7 @@ contains
 
    !> Stress of Ramberg and Osgood by Newton's method, from the elastic guess above it
    pure subroutine find_power_stress(self, strain, set, stress)
-      class(shear_lanes_type), intent(in) :: self
+      class(batch_shear_type), intent(in) :: self
       real(wp), intent(in) :: strain(lanes), set(lanes)
       real(wp), intent(inout) :: stress(lanes)
 
@@ -335,4 +335,4 @@ contains
       stress(:) = merge(found, stress, self%shape == shape_power)
    end subroutine find_power_stress
 
-end module plydyn_law_shear_lanes
+end module plydyn_law_ply_batch_shear

@@ -4,11 +4,11 @@
 !> rates. Between points and between rates the yield stress is linear (between rates, on request,
 !> in the logarithm of the rate). Past its last point a curve goes on as it ended, but not down;
 !> outside the rates given, the nearest curve holds.
-module plydyn_law_plastic_curve
+module plydyn_law_metal_tabulated
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_plastic, only : plastic_type
-   use plydyn_law_yield_curve, only : common_strains, stress_at, yield_curve_type
+   use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
+   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_yield_curve, only : common_strains, stress_at, yield_curve_type
    implicit none
    private
 
@@ -254,4 +254,4 @@ contains
       end do
    end subroutine go
 
-end module plydyn_law_plastic_curve
+end module plydyn_law_metal_tabulated

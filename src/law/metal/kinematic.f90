@@ -1,9 +1,9 @@
 !> Plasticity with linear hardening, isotropic, kinematic or mixed: *MAT_PLASTIC_KINEMATIC.
 !> Without hardening it is perfect plasticity.
-module plydyn_law_plastic_kinematic
+module plydyn_law_metal_kinematic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_plastic, only : plastic_type
+   use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
+   use plydyn_law_metal_plastic, only : plastic_type
    implicit none
    private
 
@@ -101,4 +101,4 @@ contains
       call self%rate%raise(rate, yield, hardening, viscosity)
    end subroutine yield_stress
 
-end module plydyn_law_plastic_kinematic
+end module plydyn_law_metal_kinematic

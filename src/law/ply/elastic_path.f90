@@ -4,12 +4,12 @@
 !> some are, all points are taken through the law as it is without growth. Neither changes the
 !> history, but for that of shear while it grows. Everything else is left to the whole law, which
 !> finds the history as it was.
-module plydyn_law_ply_quiet
+module plydyn_law_ply_elastic_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : give, largest_band
-   use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_shear, only : bend, keep_shear, most_points, shear_type
-   use plydyn_law_ply_steady, only : hold
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_shear_path, only : bend, keep_shear, most_points, shear_type
+   use plydyn_law_ply_no_growth_path, only : hold
    implicit none
    private
 
@@ -23,7 +23,7 @@ contains
    !> Stress of points at which no lane begins to be damaged in a step, or is more than before
    pure subroutine stay(ply, points, pitch, strain, history, stress, quiet)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Number of points, `most_points` at most; rows of the history from one of their variables to
       !> the next
       integer, intent(in) :: points, pitch
@@ -57,7 +57,7 @@ contains
 
    !> Stress of all lanes: where nothing is damaged or near to it, or else
    pure subroutine find_stress(ply, points, pitch, strain, history, shear, stress, quiet)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
       !> What the step makes of the shear; gets the work that damage spares
@@ -76,7 +76,7 @@ contains
    !> Stress of intact plies, and whether all points are so far from onset that little is needed to
    !> see it
    pure subroutine resist(ply, points, pitch, strain, history, set, stress, far)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
       !> Shear strain that stays
@@ -120,4 +120,4 @@ contains
       far = most <= near
    end subroutine resist
 
-end module plydyn_law_ply_quiet
+end module plydyn_law_ply_elastic_path

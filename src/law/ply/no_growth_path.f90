@@ -3,11 +3,11 @@
 !>
 !> One point after the other, all stages of it: the linker can make one routine of them, which keeps
 !> most of what they hand on in registers.
-module plydyn_law_ply_steady
+module plydyn_law_ply_no_growth_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : fibre_damage, fibre_gate, matrix_damage, matrix_gate
-   use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_shear, only : most_points, shear_type, spare_work
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_shear_path, only : most_points, shear_type, spare_work
    implicit none
    private
 
@@ -18,7 +18,7 @@ contains
    !> Stress of the points, and which of them are steady; where cracks close, those without damage
    pure subroutine hold(ply, points, pitch, strain, history, shear, stress, steady)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Number of points, `most_points` at most; rows of the history from one of their variables to
       !> the next
       integer, intent(in) :: points, pitch
@@ -57,7 +57,7 @@ contains
 
    !> Stress of a point, and in which lanes damage begins or grows
    pure subroutine hold_point(ply, e, set, d1, d2, gate1, gate2, remains, s, busy)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Total strain, and shear strain that stays
       real(wp), intent(in) :: e(lanes, 6), set(lanes)
       !> Damage of fibres and of matrix, and what its next growth depends on
@@ -83,7 +83,7 @@ contains
 
    !> What remains, and the strains of the modes
    pure subroutine prepare(ply, e, set, d1, d2, remains, shear, drive)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       real(wp), intent(in) :: e(lanes, 6), set(lanes), d1(lanes), d2(lanes)
       real(wp), intent(out) :: remains(lanes, 2)
       !> Sizes of the shear stress 12 before damage and of the elastic shear strain
@@ -110,7 +110,7 @@ contains
    !> damage of their own, those of the sign of the stress that acts: another one's would begin
    pure subroutine take_intact(ply, e, trial)
       !> Constants
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Strains 11, 22, 33
       real(wp), intent(in) :: e(lanes, 3)
       !> Normal stresses on what remains in, of the intact ply out where they count
@@ -134,7 +134,7 @@ contains
    !> Where damage begins or grows: what has begun grows beyond its strain, what has not begins from
    !> an excess of 0 on; where cracks close, what has begun may
    pure subroutine judge(ply, gate1, gate2, drive, excess, busy)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       real(wp), intent(in) :: gate1(lanes), gate2(lanes), drive(lanes, 2), excess(lanes, 2)
       real(wp), intent(out) :: busy(lanes)
 
@@ -173,7 +173,7 @@ contains
 
    !> Stress of what remains
    pure subroutine give_stress(ply, e, remains, shear, normal, s)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> Size of the shear stress 12 before damage
       real(wp), intent(in) :: e(lanes, 6), remains(lanes, 2), shear(lanes), normal(lanes, 3)
       real(wp), intent(out) :: s(lanes, 6)
@@ -196,4 +196,4 @@ contains
       end associate
    end subroutine give_stress
 
-end module plydyn_law_ply_steady
+end module plydyn_law_ply_no_growth_path

@@ -4,12 +4,12 @@
 !> Each of three mechanisms has a damage that grows with an equivalent strain from 0 at onset to 1
 !> at saturation, so that the stress of a straight path falls along a line. Fibres reduce what is
 !> left of E1, matrix that of E2 and G12, locking all of them; stiffness across the thickness stays.
-module plydyn_law_strain_damage
+module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : least_led
+   use plydyn_law_ply_damage_growth, only : least_led
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
-   use plydyn_law_secant, only : secant_type
+   use plydyn_law_ply_secant, only : secant_type
    implicit none
    private
 
@@ -286,4 +286,4 @@ contains
       end do
    end subroutine give_stress
 
-end module plydyn_law_strain_damage
+end module plydyn_law_ply_strain_damage

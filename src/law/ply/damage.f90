@@ -6,8 +6,8 @@
 !> the strain of the step, and the work on the shear strain that stays.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_growth, only : can_grow, find_limits, grow, least_led
-   use plydyn_law_damage_onset, only : idle_push
+   use plydyn_law_ply_damage_growth, only : can_grow, find_limits, grow, least_led
+   use plydyn_law_ply_damage_onset, only : idle_push
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
@@ -17,10 +17,10 @@ module plydyn_law_ply_damage
       & matrix_damage, matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, &
       & no_strain, own_strain, shear_peak, shear_set, shear_spared, swap_closed, take_mean, &
       & take_own, to_compression
-   use plydyn_law_ply_lanes, only : ply_lanes_type
-   use plydyn_law_ply_quiet, only : stay
-   use plydyn_law_ply_steady, only : take_intact
-   use plydyn_law_ply_step, only : add_damaged, add_energies, step_type
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_elastic_path, only : stay
+   use plydyn_law_ply_no_growth_path, only : take_intact
+   use plydyn_law_ply_stress_update, only : add_damaged, add_energies, ply_step_type
    implicit none
    private
 
@@ -28,7 +28,7 @@ module plydyn_law_ply_damage
    type, public, extends(law_type) :: ply_damage_type
       private
       !> Constants of the lanes
-      type(ply_lanes_type) :: ply
+      type(ply_batch_constants_type) :: ply
       !> Damage is driven by strains that are averaged over neighbours
       logical :: averages = .false.
    contains
@@ -179,7 +179,7 @@ contains
       real(wp), intent(inout) :: h(lanes, self%histories)
       real(wp), intent(out) :: s(lanes, 6)
 
-      type(step_type) :: now
+      type(ply_step_type) :: now
       real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
 
       call advance_shear(self, e(:, 4), h, shear, now)
@@ -207,7 +207,7 @@ contains
       !> strain
       real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2)
       real(wp), intent(inout) :: h(lanes, self%histories)
-      type(step_type), intent(inout) :: now
+      type(ply_step_type), intent(inout) :: now
       real(wp), intent(out) :: s(lanes, 3)
 
       real(wp) :: share(lanes, 2)
@@ -230,7 +230,7 @@ contains
 
    !> Put the strains beyond which damage grows where the next step looks for them
    pure subroutine set_gates(ply, mode, gate)
-      type(ply_lanes_type), intent(in) :: ply
+      type(ply_batch_constants_type), intent(in) :: ply
       !> History of each mode, and what its growth depends on
       real(wp), intent(in) :: mode(lanes, 3, 2)
       real(wp), intent(inout) :: gate(lanes, 2)
@@ -253,7 +253,7 @@ contains
       real(wp), intent(inout) :: h(lanes, self%histories)
       !> Sizes of the shear stress 12 before damage and of the elastic shear strain
       real(wp), intent(out) :: shear(lanes, 2)
-      type(step_type), intent(inout) :: now
+      type(ply_step_type), intent(inout) :: now
 
       real(wp) :: peak(lanes), set(lanes), size(lanes)
       integer :: l
@@ -305,7 +305,7 @@ contains
       !> Strains 11, 22, 33, size of the elastic shear strain
       real(wp), intent(in) :: e(lanes, 3), elastic(lanes)
       real(wp), intent(inout) :: h(lanes, self%histories)
-      type(step_type), intent(inout) :: now
+      type(ply_step_type), intent(inout) :: now
       !> Mean of the driving forces over their values at the end
       real(wp), intent(out) :: share(lanes, 2)
       real(wp), intent(out) :: stress(lanes, 3)
@@ -340,7 +340,7 @@ contains
       !> remains
       real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2), stress(lanes, 3)
       real(wp), intent(inout) :: h(lanes, self%histories)
-      type(step_type), intent(inout) :: now
+      type(ply_step_type), intent(inout) :: now
       !> A mode begins in some lane
       logical, intent(out) :: begins
 

@@ -1,8 +1,8 @@
 !> What a step does to a point of a ply that is damaged: its stress, and the energy it costs.
-module plydyn_law_ply_step
+module plydyn_law_ply_stress_update
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_history, only : fibre_energy, matrix_energy, shear_spared
-   use plydyn_law_secant, only : secant_type
+   use plydyn_law_ply_secant, only : secant_type
    implicit none
    private
 
@@ -13,7 +13,7 @@ module plydyn_law_ply_step
    real(wp), parameter :: steep = 100.0_wp
 
    !> What happens to a point in a step
-   type, public :: step_type
+   type, public :: ply_step_type
       !> Work per volume of a ply without damage on the shear that stays
       real(wp) :: work(lanes)
       !> Stresses along and across the fibres of which the signs count; only where cracks close
@@ -26,7 +26,7 @@ module plydyn_law_ply_step
       real(wp) :: share(lanes, 2)
       !> Whether the shear that stays, or any damage, grows
       logical :: grows
-   end type step_type
+   end type ply_step_type
 
 contains
 
@@ -37,7 +37,7 @@ contains
       !> Strain, size of the shear stress 12 before damage
       real(wp), intent(in) :: e(lanes, 6), shear(lanes)
       !> What remains
-      type(step_type), intent(in) :: now
+      type(ply_step_type), intent(in) :: now
       !> Normal stresses on what remains in, stress out
       real(wp), intent(inout) :: s(lanes, 6)
 
@@ -66,7 +66,7 @@ contains
       !> Strain, size of the elastic shear strain
       real(wp), intent(in) :: e(lanes, 6), elastic(lanes)
       !> What remained and remains
-      type(step_type), intent(in) :: now
+      type(ply_step_type), intent(in) :: now
       !> Normal stresses 11 and 22 on what remains after the step
       real(wp), intent(in) :: s(lanes, 2)
       !> History, of which the energies grow
@@ -97,4 +97,4 @@ contains
       end associate
    end subroutine add_energies
 
-end module plydyn_law_ply_step
+end module plydyn_law_ply_stress_update

@@ -1,6 +1,6 @@
 !> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau, or
 !> drops to zero from somewhere along the line.
-module plydyn_law_damage_growth
+module plydyn_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
@@ -134,4 +134,4 @@ contains
       part = left*intact
    end subroutine find_reached
 
-end module plydyn_law_damage_growth
+end module plydyn_law_ply_damage_growth

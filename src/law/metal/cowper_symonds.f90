@@ -2,7 +2,7 @@
 !>
 !> The rise is (rate/reference)^(1/power), either of the whole static yield stress or of a stress
 !> given once. The rate is that of effective plastic strain (LS-DYNA's VP = 1).
-module plydyn_law_cowper_symonds
+module plydyn_law_metal_cowper_symonds
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
@@ -75,4 +75,4 @@ contains
       end do
    end subroutine raise
 
-end module plydyn_law_cowper_symonds
+end module plydyn_law_metal_cowper_symonds

@@ -3,9 +3,9 @@ module plydyn_law_ply_constants
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_crack_band, only : longest_length, rule_band
-   use plydyn_law_elastic, only : is_stable
-   use plydyn_law_shear_curve, only : check_curve, shear_curve_type
+   use plydyn_law_ply_crack_band, only : longest_length, rule_band
+   use plydyn_law_ply_elastic, only : is_stable
+   use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
    implicit none
    private
 

@@ -4,7 +4,7 @@
 !> shear on its curve. Where the crack band is too wide for the toughness, damage starts as soon as
 !> the work of the mode leaves no less than the asked ratio of the two strains: in uniaxial stress
 !> this is the strength sqrt(2 E G/(length*ratio)), and it holds on any other path.
-module plydyn_law_damage_onset
+module plydyn_law_ply_damage_onset
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_constants, only : in_compression, in_tension, onset_hashin, &
       & ply_constants_type, snap_drop
@@ -263,4 +263,4 @@ contains
       scale = 2.0_wp/(linear + sqrt(linear**2 + 4.0_wp*square))
    end function matrix_scale
 
-end module plydyn_law_damage_onset
+end module plydyn_law_ply_damage_onset

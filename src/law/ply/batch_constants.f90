@@ -1,21 +1,21 @@
 !> Constants of the plies that are damaged, over the lanes of a batch.
-module plydyn_law_ply_lanes
+module plydyn_law_ply_batch_constants
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_damage_onset, only : onset_type
+   use plydyn_law_ply_damage_onset, only : onset_type
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_secant, only : secant_type
-   use plydyn_law_shear_lanes, only : shear_lanes_type
+   use plydyn_law_ply_secant, only : secant_type
+   use plydyn_law_ply_batch_shear, only : batch_shear_type
    implicit none
    private
 
    !> Constants of the lanes
-   type, public :: ply_lanes_type
+   type, public :: ply_batch_constants_type
       !> 1 in lanes that the law owns, else 0; whether it owns all
       real(wp) :: own(lanes) = 0.0_wp
       logical :: whole = .false.
       !> Stiffness, curve of shear, onset of damage
       type(secant_type) :: secant
-      type(shear_lanes_type) :: curve
+      type(batch_shear_type) :: curve
       type(onset_type) :: onset
       !> Share of the strength that crushed fibres keep, and crushed matrix: none
       real(wp) :: plateau(lanes, 2) = 0.0_wp
@@ -33,13 +33,13 @@ module plydyn_law_ply_lanes
       logical :: any_intact = .false.
    contains
       procedure :: set_lane
-   end type ply_lanes_type
+   end type ply_batch_constants_type
 
 contains
 
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane(self, lane, constants)
-      class(ply_lanes_type), intent(inout) :: self
+      class(ply_batch_constants_type), intent(inout) :: self
       !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
@@ -61,4 +61,4 @@ contains
       self%any_intact = any(self%intact > 0.0_wp)
    end subroutine set_lane
 
-end module plydyn_law_ply_lanes
+end module plydyn_law_ply_batch_constants

@@ -1,9 +1,9 @@
 !> Plasticity with Johnson and Cook's yield stress, without temperature:
 !> (A + B strain^n) (1 + C ln(rate/reference)), *MAT_SIMPLIFIED_JOHNSON_COOK.
 !> Below the reference rate the rate does not matter.
-module plydyn_law_plastic_johnson_cook
+module plydyn_law_metal_johnson_cook
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : plastic_type
    implicit none
    private
 
@@ -89,4 +89,4 @@ contains
       end do
    end subroutine yield_stress
 
-end module plydyn_law_plastic_johnson_cook
+end module plydyn_law_metal_johnson_cook

@@ -1,7 +1,7 @@
 !> The elastic law of orthotropic plies over a batch, for stacks where other layers yield or crack.
-module plydyn_law_orthotropic
+module plydyn_law_ply_orthotropic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_elastic, only : ply_stiffness
+   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_law, only : law_type
    implicit none
    private
@@ -58,4 +58,4 @@ contains
       end do
    end subroutine update
 
-end module plydyn_law_orthotropic
+end module plydyn_law_ply_orthotropic

@@ -1,5 +1,5 @@
 !> Curves of the shear in the plane of a ply, up to the first matrix crack.
-module plydyn_law_shear_curve
+module plydyn_law_ply_shear_curve
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -147,4 +147,4 @@ contains
       end do
    end subroutine check_table
 
-end module plydyn_law_shear_curve
+end module plydyn_law_ply_shear_curve

@@ -11,7 +11,7 @@
 !>
 !> Friction acts on the share d of the face. That share has one slip; what has just failed joins it
 !> free of friction, so that both energies only grow and their sum is the work that is lost.
-module plydyn_law_cohesive
+module plydyn_law_cohesive_bilinear
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, find_toughness, least_ratio
    implicit none
@@ -385,4 +385,4 @@ contains
       end do
    end subroutine rub
 
-end module plydyn_law_cohesive
+end module plydyn_law_cohesive_bilinear

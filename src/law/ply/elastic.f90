@@ -1,6 +1,6 @@
 !> Elastic plies: stiffness in ply axes and in the axes of the plate.
 !> Order of stress and strain: xx, yy, zz, xy, xz, yz, with engineering shear.
-module plydyn_law_elastic
+module plydyn_law_ply_elastic
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -93,4 +93,4 @@ contains
       rotation(6, [5, 6]) = [-s, c]
    end function strain_rotation
 
-end module plydyn_law_elastic
+end module plydyn_law_ply_elastic
