@@ -18,7 +18,7 @@ program plydyn
    use plydyn_output_tell_job, only : tell_job
    use plydyn_output_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
-   use plydyn_parallel_tell_archive, only : tell_archive
+   use plydyn_parallel_broadcast_archive, only : broadcast_archive
    use plydyn_solver_explicit, only : run, seconds_per_step
    use plydyn_solver_journal, only : journal_type
    use plydyn_solver_restart, only : resume
@@ -187,7 +187,7 @@ contains
       if (comm%is_root()) call read_decks_of_run(job%archive, deck, model, messages, error)
       call comm%tell(error)
       if (allocated(error) .or. comm%ranks == 1) return
-      call tell_archive(comm, job%archive)
+      call broadcast_archive(comm, job%archive)
       if (.not. comm%is_root()) then
          call read_decks_of_run(job%archive, "", model, messages, error)
          messages = ""

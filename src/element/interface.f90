@@ -11,7 +11,8 @@ module plydyn_element_interface
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_quad, only : quad_metric, quad_node_metric
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_type, damage_at, fracture_at, friction_at
+   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_type, damage_at, fracture_at, &
+      & friction_at
    implicit none
    private
 

@@ -8,7 +8,8 @@ module plydyn_input_read_damage
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_read_material, only : begin_material, check_stability, &
       & read_axes
-   use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
+      & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
    use plydyn_law_ply_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &

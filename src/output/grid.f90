@@ -12,7 +12,7 @@ module plydyn_output_grid
    use plydyn_model_mesh, only : mesh_type
    use plydyn_output_sites, only : new_slots, number_sites, slots_type
    use plydyn_output_vtkhdf, only : piece_type, slab_type
-   use plydyn_parallel_delivery, only : band_start
+   use plydyn_parallel_owner_reduction, only : band_start
    implicit none
    private
 

@@ -5,7 +5,8 @@ module plydyn_output_interface_values
    use plydyn_element_interface, only : history_size, interface_type
    use plydyn_element_interface_axes, only : find_axes, turn_in
    use plydyn_element_quad, only : quad_node_metric
-   use plydyn_law_cohesive_bilinear, only : closing_at, damage_at, fracture_at, friction_at, normal, shear
+   use plydyn_law_cohesive_bilinear, only : closing_at, damage_at, fracture_at, friction_at, &
+      & normal, shear
    use plydyn_model_control, only : total_lagrangian
    use plydyn_state_state, only : state_type
    implicit none

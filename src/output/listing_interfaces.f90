@@ -5,10 +5,12 @@ module plydyn_output_listing_interfaces
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, normal, &
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & normal, &
       & shear
    use plydyn_law_cohesive_check, only : final_over_onset
-   use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, stiffness_ratio, &
+   use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, &
+      & stiffness_ratio, &
       & strength_factor
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type

@@ -5,7 +5,7 @@ module plydyn_output_sites
    use plydyn_base_sort, only : sorted_order
    use plydyn_output_vtkhdf, only : slab_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_parallel_delivery, only : delivery_type, new_delivery
+   use plydyn_parallel_owner_reduction, only : owner_reduction_type, new_owner_reduction
    implicit none
    private
 
@@ -24,7 +24,7 @@ module plydyn_output_sites
       !> Sites of the whole model
       integer :: sites = 0
       !> How what is in the slots gets to the rank that writes it
-      type(delivery_type) :: delivery
+      type(owner_reduction_type) :: delivery
    contains
       procedure :: points
       procedure :: own_points
@@ -102,7 +102,7 @@ contains
             end associate
          end do
       end do
-      self%delivery = new_delivery(comm, self%sites, row(:self%count), key(:self%count))
+      self%delivery = new_owner_reduction(comm, self%sites, row(:self%count), key(:self%count))
    end function new_slots
 
    !> How often elements have a node at each site

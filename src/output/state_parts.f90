@@ -9,7 +9,7 @@ module plydyn_output_state_parts
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_output_h5, only : slab_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_parallel_pieces, only : new_pieces, pieces_type
+   use plydyn_parallel_distributed_array, only : new_distributed_array, distributed_array_type
    implicit none
    private
 
@@ -21,7 +21,7 @@ module plydyn_output_state_parts
    !> An array of the whole model
    type, public :: part_type
       !> Places that this rank counts, and all that it has
-      type(pieces_type) :: counted, had
+      type(distributed_array_type) :: counted, had
    contains
       procedure :: slab
    end type part_type
@@ -76,15 +76,15 @@ contains
       type(comm_type), intent(in) :: comm
       !> Length of the array
       integer, intent(in) :: whole
-      !> As for `new_pieces`, and whether this rank counts each of them
+      !> As for `new_distributed_array`, and whether this rank counts each of them
       integer, intent(in) :: piece(:, :)
       logical, intent(in) :: own(:)
       type(part_type) :: self
 
       integer :: i
 
-      self%had = new_pieces(comm, whole, piece)
-      self%counted = new_pieces(comm, whole, piece(:, pack([(i, i=1, size(own))], own)))
+      self%had = new_distributed_array(comm, whole, piece)
+      self%counted = new_distributed_array(comm, whole, piece(:, pack([(i, i=1, size(own))], own)))
    end function new_part
 
    !> What kind of array has a name

@@ -10,7 +10,7 @@ program write_sample
    use plydyn_output_places, only : new_places
    use plydyn_output_vtkhdf, only : piece_type, slab_type, vtkhdf_type
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
-   use plydyn_parallel_delivery, only : band_start
+   use plydyn_parallel_owner_reduction, only : band_start
    implicit none
 
    integer, parameter :: nodes(2) = [27, 8], cell_types(2) = [29, 12]

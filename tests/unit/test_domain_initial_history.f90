@@ -7,7 +7,8 @@ program test_domain_initial_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_layer_scalars, only : point_history
-   use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
+      & rule_root_quad
    use plydyn_law_ply_constants, only : snap_refuse
    use plydyn_law_ply_history, only : fibre_gate, matrix_gate
    use plydyn_model_material, only : law_ply_damage

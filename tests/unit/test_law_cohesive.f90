@@ -2,7 +2,8 @@
 program test_law_cohesive_bilinear
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
+   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, &
+      & damage_at, &
       & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, shear, &
       & slip_at, stretch_at
    use plydyn_law_cohesive_toughness, only : power_law

@@ -2,7 +2,8 @@
 program test_law_cohesive_energy
    use bond, only : mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, damage_at, &
+   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, &
+      & damage_at, &
       & fracture_at, friction_at, new_cohesive, normal, shear, stretch_at
    use testing, only : begin, check, finish
    implicit none

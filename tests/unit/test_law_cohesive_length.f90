@@ -1,7 +1,8 @@
 !> Process zones and reduced strengths of HTS40/9772, table 6 of the paper, in mm, N, MPa.
 program test_law_cohesive_process_zone_length
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_process_zone_length, only : fitting_strength, least_stiffness_ratio, slender_zone, &
+   use plydyn_law_cohesive_process_zone_length, only : fitting_strength, least_stiffness_ratio, &
+      & slender_zone, &
       & stiffness_ratio, strength_factor, zone_length, zone_lengths
    use testing, only : begin, check, finish
    implicit none

@@ -1,7 +1,8 @@
 !> The width of the crack band is what a straight line through the quad says.
 program test_law_ply_crack_band
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_crack_band, only : band_length, brick_band_length, longest_length, rule_band, &
+   use plydyn_law_ply_crack_band, only : band_length, brick_band_length, longest_length, &
+      & rule_band, &
       & rule_gauss_point, rule_root_point, rule_root_quad, share_bilinear, share_biquadratic
    use testing, only : begin, check, finish
    implicit none

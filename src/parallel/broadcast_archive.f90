@@ -1,16 +1,16 @@
 !> Decks that the root has read, told to the other ranks word for word.
-module plydyn_parallel_tell_archive
+module plydyn_parallel_broadcast_archive
    use plydyn_base_archive, only : archive_type, bundle_type
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
-   public :: tell_archive
+   public :: broadcast_archive
 
 contains
 
    !> Let all ranks have the decks and the parameters of the root
-   subroutine tell_archive(comm, archive)
+   subroutine broadcast_archive(comm, archive)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> The root's in, the same on all ranks out
@@ -28,16 +28,16 @@ contains
       end if
       do b = 1, count(1)
          if (comm%is_root()) then
-            call tell_bundle(comm, archive%bundles(b))
+            call broadcast_bundle(comm, archive%bundles(b))
          else
-            call tell_bundle(comm, bundle)
+            call broadcast_bundle(comm, bundle)
             call archive%add_bundle(bundle)
          end if
       end do
-   end subroutine tell_archive
+   end subroutine broadcast_archive
 
    !> A deck and the files that it includes
-   subroutine tell_bundle(comm, bundle)
+   subroutine broadcast_bundle(comm, bundle)
       type(comm_type), intent(in) :: comm
       type(bundle_type), intent(inout) :: bundle
 
@@ -59,6 +59,6 @@ contains
          call comm%tell(content)
          if (.not. comm%is_root()) call bundle%add_document(path, content)
       end do
-   end subroutine tell_bundle
+   end subroutine broadcast_bundle
 
-end module plydyn_parallel_tell_archive
+end module plydyn_parallel_broadcast_archive

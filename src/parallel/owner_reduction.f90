@@ -4,7 +4,7 @@
 !> Every rank keeps a band of consecutive rows, as long as those of the others. A row to which
 !> several ranks add gets their parts in the order of their keys, not of the ranks: the sum is the
 !> same for any number of them.
-module plydyn_parallel_delivery
+module plydyn_parallel_owner_reduction
    use, intrinsic :: iso_fortran_env, only : int64
    use mpi_f08, only : mpi_alltoall, mpi_alltoallv, mpi_comm_world, mpi_datatype, &
       & mpi_double_precision, mpi_integer, mpi_type_commit, mpi_type_contiguous, mpi_type_free
@@ -14,10 +14,10 @@ module plydyn_parallel_delivery
    implicit none
    private
 
-   public :: band_of, band_start, new_delivery, starts
+   public :: band_of, band_start, new_owner_reduction, starts
 
    !> How the parts come to their rows; all ranks take part in everything
-   type, public :: delivery_type
+   type, public :: owner_reduction_type
       !> Rows before the band of this rank, and rows in it
       integer :: first = 0, count = 0
       !> The ranks
@@ -29,7 +29,7 @@ module plydyn_parallel_delivery
    contains
       procedure :: add_up
       procedure :: hand_over
-   end type delivery_type
+   end type owner_reduction_type
 
 contains
 
@@ -56,14 +56,14 @@ contains
    end function band_of
 
    !> Prepare for parts of rows
-   function new_delivery(comm, rows, row, key) result(self)
+   function new_owner_reduction(comm, rows, row, key) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> Rows of the whole table
       integer, intent(in) :: rows
       !> Row of each part that this rank has, from 1, and its key among the parts of the row
       integer, intent(in) :: row(:), key(:)
-      type(delivery_type) :: self
+      type(owner_reduction_type) :: self
 
       integer :: i, keeper(size(row))
       integer, allocatable :: got(:, :)
@@ -85,11 +85,11 @@ contains
       self%order = sorted_order(got(2, :))
       self%order(:) = self%order(sorted_order(got(1, self%order)))
       self%row = got(1, self%order) - self%first
-   end function new_delivery
+   end function new_owner_reduction
 
    !> Tell the keepers which rows they get parts of
    subroutine exchange_keys(self, row, key, got)
-      type(delivery_type), intent(in) :: self
+      type(owner_reduction_type), intent(in) :: self
       !> Of the parts that are sent, in their order
       integer, intent(in) :: row(:), key(:)
       !> Row and key of the parts that come, (2, parts)
@@ -123,7 +123,7 @@ contains
 
    !> Bring the parts to their keepers, in the order in which they are added
    subroutine bring(self, values, got)
-      class(delivery_type), intent(in) :: self
+      class(owner_reduction_type), intent(in) :: self
       real(wp), intent(in) :: values(:, :)
       real(wp), allocatable, intent(out) :: got(:, :)
 
@@ -145,7 +145,7 @@ contains
 
    !> Add up the parts of each row
    subroutine add_up(self, values, sums)
-      class(delivery_type), intent(in) :: self
+      class(owner_reduction_type), intent(in) :: self
       !> Parts of this rank, (width, parts)
       real(wp), intent(in) :: values(:, :)
       !> Rows of its band, (width, `count`)
@@ -163,7 +163,7 @@ contains
 
    !> Take one part of each row, where all are alike
    subroutine hand_over(self, values, taken)
-      class(delivery_type), intent(in) :: self
+      class(owner_reduction_type), intent(in) :: self
       !> Parts of this rank, (width, parts)
       real(wp), intent(in) :: values(:, :)
       !> Rows of its band, (width, `count`)
@@ -175,4 +175,4 @@ contains
       taken(:, self%row) = got
    end subroutine hand_over
 
-end module plydyn_parallel_delivery
+end module plydyn_parallel_owner_reduction

@@ -1,8 +1,9 @@
 !> Rows from parts: the order of their keys decides the sum, and bands hold all rows once.
-program test_parallel_delivery
+program test_parallel_owner_reduction
    use plydyn_base_precision, only : wp
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_parallel_delivery, only : band_of, band_start, delivery_type, new_delivery
+   use plydyn_parallel_owner_reduction, only : band_of, band_start, owner_reduction_type, &
+      & new_owner_reduction
    use testing, only : begin, check, finish
    implicit none
 
@@ -36,11 +37,11 @@ contains
    subroutine sums()
       real(wp), parameter :: small = 0.5_wp**53
       integer, parameter :: row(5) = [2, 1, 2, 3, 2], key(5) = [3, 5, 1, 5, 2]
-      type(delivery_type) :: delivery
+      type(owner_reduction_type) :: delivery
       real(wp) :: rows(2, 3), values(2, 5)
 
       call begin("add_up")
-      delivery = new_delivery(comm_type(), 3, row, key)
+      delivery = new_owner_reduction(comm_type(), 3, row, key)
       call check(delivery%first == 0 .and. delivery%count == 3, "one rank has all rows")
       values(1, :) = [small, 7.0_wp, 1.0_wp, 9.0_wp, -1.0_wp]
       values(2, :) = [-1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp, small]
@@ -55,4 +56,4 @@ contains
       call check(rows(2, :), [-7.0_wp, -4.0_wp, -9.0_wp], 0.0_wp, "all of its numbers")
    end subroutine sums
 
-end program test_parallel_delivery
+end program test_parallel_owner_reduction

@@ -2,24 +2,24 @@
 !> has pieces wherever they lie: from the pieces to the bands, and back to all that have them.
 !>
 !> No rank ever has the whole array. Nothing is copied on the way but into the band and out of it.
-module plydyn_parallel_pieces
+module plydyn_parallel_distributed_array
    use mpi_f08, only : mpi_alltoall, mpi_alltoallv, mpi_comm_world, mpi_datatype, &
       & mpi_datatype_null, mpi_double_precision, mpi_integer, mpi_irecv, mpi_isend, mpi_request, &
       & mpi_statuses_ignore, mpi_type_commit, mpi_type_indexed, mpi_waitall, operator(==)
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_parallel_delivery, only : band_of, band_start, starts
+   use plydyn_parallel_owner_reduction, only : band_of, band_start, starts
    implicit none
    private
 
-   public :: new_pieces
+   public :: new_distributed_array
 
    !> Tag of messages
    integer, parameter :: value_tag = 3
 
    !> The pieces of an array
-   type, public :: pieces_type
+   type, public :: distributed_array_type
       !> Length of the whole array, places before the band of this rank, and places in it
       integer :: whole = 0, first = 0, count = 0
       !> Where pieces are here that belong to the band of each rank, and where those of each rank
@@ -28,19 +28,19 @@ module plydyn_parallel_pieces
    contains
       procedure :: gather
       procedure :: scatter
-   end type pieces_type
+   end type distributed_array_type
 
 contains
 
    !> Say which pieces this rank has; all ranks must come here
-   function new_pieces(comm, whole, piece) result(self)
+   function new_distributed_array(comm, whole, piece) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> Length of the whole array
       integer, intent(in) :: whole
       !> First place here, first place in the whole model and length of each piece, (3, pieces)
       integer, intent(in) :: piece(:, :)
-      type(pieces_type) :: self
+      type(distributed_array_type) :: self
 
       integer :: from(0:comm%ranks - 1), r, to(0:comm%ranks - 1)
       integer, allocatable :: band(:), got(:, :), own(:, :)
@@ -59,7 +59,7 @@ contains
          & mpi_integer, mpi_comm_world)
       call make_types(own(1, :), own(3, :), to, self%here)
       call make_types(got(2, :) - self%first, got(3, :), from, self%there)
-   end function new_pieces
+   end function new_distributed_array
 
    !> Make one piece of those that follow each other both here and in the whole model
    pure function joined(piece) result(longer)
@@ -131,7 +131,7 @@ contains
 
    !> Bring the pieces of all ranks to the bands; all ranks of several must come here
    subroutine gather(self, values, band)
-      class(pieces_type), intent(in) :: self
+      class(distributed_array_type), intent(in) :: self
       !> The array of this rank
       real(wp), intent(in), contiguous, asynchronous :: values(:)
       !> Its band, (`count`); places that no rank has stay as they are
@@ -142,7 +142,7 @@ contains
 
    !> Take the pieces of this rank from the bands; all ranks of several must come here
    subroutine scatter(self, band, values)
-      class(pieces_type), intent(in) :: self
+      class(distributed_array_type), intent(in) :: self
       !> The band of this rank, (`count`)
       real(wp), intent(in), contiguous, asynchronous :: band(:)
       !> Its array
@@ -175,4 +175,4 @@ contains
       call mpi_waitall(n, request, mpi_statuses_ignore)
    end subroutine exchange
 
-end module plydyn_parallel_pieces
+end module plydyn_parallel_distributed_array
