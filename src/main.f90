@@ -10,13 +10,13 @@ program plydyn
    use plydyn_input_read_model, only : keyword_manual, read_decks_of_run
    use plydyn_model_model, only : model_type
    use plydyn_model_control, only : changes_type
-   use plydyn_output_dump_input, only : dump_input_type
-   use plydyn_output_job, only : job_type
-   use plydyn_output_listing, only : write_listing, write_restart
-   use plydyn_output_places, only : new_places
-   use plydyn_output_ranks_listing, only : write_ranks
-   use plydyn_output_tell_job, only : tell_job
-   use plydyn_output_text_file, only : append_to, close_text, create_text
+   use plydyn_io_checkpoint_dump_input, only : dump_input_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_listing_listing, only : write_listing, write_restart
+   use plydyn_io_checkpoint_file_positions, only : new_file_positions
+   use plydyn_io_listing_ranks, only : write_ranks
+   use plydyn_io_checkpoint_broadcast_job, only : broadcast_job
+   use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_broadcast_archive, only : broadcast_archive
    use plydyn_solver_explicit, only : run, seconds_per_step
@@ -145,7 +145,7 @@ contains
       job%deck = command%deck
       job%version = version
       if (comm%is_root()) job%screen = output_unit
-      job%places = new_places(job%path)
+      job%places = new_file_positions(job%path)
       job%archive%parameters = command%parameters
       if (command%action /= "restart") allocate (job%archive%bundles(0))
       ! from now on, though nothing can be kept before the first step
@@ -166,7 +166,7 @@ contains
       call comm%tell(same)
       if (same(1) > 0) return
       job%path = path
-      job%places = new_places(path)
+      job%places = new_file_positions(path)
       job%is_renamed = .true.
       job%dumps = 0
    end subroutine rename_job
@@ -237,7 +237,7 @@ contains
       type(journal_type) :: journal
       type(watch_type) :: watch
 
-      call tell_job(comm, job)
+      call broadcast_job(comm, job)
       associate (model => parts%model, domain => parts%domain, state => parts%state)
          call watch%start(comm, job, model%request, most_seconds)
          call journal%open(job, model, domain, parts%state_parts, error)

@@ -3,7 +3,7 @@ module plydyn_deck_cards
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
       & text_field
-   use plydyn_deck_report, only : place_type
+   use plydyn_deck_report, only : file_position_type
    use plydyn_deck_values, only : longest_word, split_words
    implicit none
    private
@@ -223,7 +223,7 @@ contains
    end subroutine list
 
    !> Place of the keyword itself
-   pure type(place_type) function head(self)
+   pure type(file_position_type) function head(self)
       class(cards_type), intent(in) :: self
 
       head%line = self%line
@@ -231,7 +231,7 @@ contains
    end function head
 
    !> Place of a field
-   pure type(place_type) function place(self, name, nth)
+   pure type(file_position_type) function place(self, name, nth)
       class(cards_type), intent(in) :: self
       !> Name of the field
       character(*), intent(in) :: name

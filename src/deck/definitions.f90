@@ -6,7 +6,7 @@ module plydyn_deck_definitions
    use plydyn_deck_layout, only : locate, span_type
    use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
-   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_report, only : file_position_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -212,7 +212,7 @@ contains
    end function is_name
 
    !> Place of a character
-   pure type(place_type) function spot(line, column, keyword)
+   pure type(file_position_type) function spot(line, column, keyword)
       !> Line
       integer, intent(in) :: line
       !> Column

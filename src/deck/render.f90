@@ -3,7 +3,7 @@ module plydyn_deck_render
    use plydyn_base_text, only : text
    use plydyn_deck_layout, only : locate, span_type
    use plydyn_deck_report, only : finding_type, grave_error, grave_note, grave_warning, &
-      & most_of_a_kind, place_type, report_type
+      & most_of_a_kind, file_position_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -145,7 +145,7 @@ contains
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
@@ -163,7 +163,7 @@ contains
    !> The line of the deck, and a caret under what is wrong
    function line_text(place, source) result(words)
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
@@ -181,7 +181,7 @@ contains
    !> Columns that a caret belongs under
    subroutine find_columns(place, line, first, last)
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> The line
       character(*), intent(in) :: line
       !> First and last column; zeros for no caret

@@ -10,7 +10,7 @@ module plydyn_deck_report
    integer, parameter, public :: grave_error = 1, grave_warning = 2, grave_note = 3
 
    !> Where in the deck
-   type, public :: place_type
+   type, public :: file_position_type
       !> Line, an index into the lines of the source; 0 for nowhere in particular
       integer :: line = 0
       !> First and last column of the field in fixed columns, or of the text itself; 0 if unknown
@@ -23,14 +23,14 @@ module plydyn_deck_report
       integer :: card = 0
       !> Name of the field, empty without one
       character(:), allocatable :: field
-   end type place_type
+   end type file_position_type
 
    !> One thing that is wrong
    type, public :: finding_type
       !> `grave_error`, `grave_warning` or `grave_note`
       integer :: gravity = grave_error
       !> Where
-      type(place_type) :: place
+      type(file_position_type) :: place
       !> What is wrong
       character(:), allocatable :: wrong
       !> What would be right
@@ -74,7 +74,7 @@ contains
    subroutine refuse(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       !> What would be right
@@ -89,7 +89,7 @@ contains
    subroutine warn(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> What is suspicious
       character(*), intent(in) :: wrong
       !> What to do about it
@@ -104,7 +104,7 @@ contains
    subroutine note(self, place, what, consequence)
       class(report_type), intent(inout) :: self
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> What is worth knowing
       character(*), intent(in) :: what
       !> What comes of it
@@ -126,7 +126,7 @@ contains
       !> `grave_error`, `grave_warning` or `grave_note`
       integer, intent(in) :: gravity
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       !> What would be right
@@ -192,7 +192,7 @@ contains
    !> Keyword and message with every number and quotation taken out
    pure function pattern_of(place, wrong) result(pattern)
       !> Where
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       character(:), allocatable :: pattern

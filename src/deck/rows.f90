@@ -6,7 +6,7 @@ module plydyn_deck_rows
       & words_field
    use plydyn_deck_layout, only : is_free, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_report, only : file_position_type, report_type
    use plydyn_deck_values, only : check_word, fault_type, longest_word, number_words, &
       & range_words, read_number, split_words
    implicit none
@@ -235,7 +235,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(fault_type) :: fault
-      type(place_type) :: place
+      type(file_position_type) :: place
 
       if (field%kind == word_field) then
          call check_word(field, line(span%first:span%last), fault)
@@ -256,7 +256,7 @@ contains
    end subroutine read_field
 
    !> Place of a field
-   type(place_type) function field_place(cards, row, i) result(place)
+   type(file_position_type) function field_place(cards, row, i) result(place)
       !> The keyword
       type(cards_type), intent(in) :: cards
       !> Number of the row
@@ -274,7 +274,7 @@ contains
    end function field_place
 
    !> Place of a character
-   type(place_type) function at_column(cards, row, column) result(place)
+   type(file_position_type) function at_column(cards, row, column) result(place)
       !> The keyword
       type(cards_type), intent(in) :: cards
       !> Number of the row

@@ -3,7 +3,7 @@ module plydyn_deck_source
    use plydyn_base_archive, only : bundle_type
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, read_content
-   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_report, only : file_position_type, report_type
    implicit none
    private
 
@@ -161,7 +161,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(file_type) :: file
-      type(place_type) :: place
+      type(file_position_type) :: place
       integer :: ancestor
       logical :: found
 
@@ -321,7 +321,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(place_type) :: place
+      type(file_position_type) :: place
       logical :: exists
 
       inquire (file=beside(source, i)//"/.", exist=exists)
@@ -391,7 +391,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(place_type) :: place
+      type(file_position_type) :: place
 
       if (verify(rest, " "//line_feed//carriage_return) == 0) return
       place%line = source%line_count

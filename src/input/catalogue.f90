@@ -7,7 +7,7 @@ module plydyn_input_catalogue
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : name_length
-   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_report, only : file_position_type, report_type
    use plydyn_input_register, only : register_type
    use plydyn_model_layup, only : brick_section_type
    implicit none
@@ -284,7 +284,7 @@ contains
       !> Kind of thing
       integer, intent(in) :: kind
 
-      type(place_type) :: place
+      type(file_position_type) :: place
       integer :: k
 
       associate (register => self%registers(kind))
@@ -307,7 +307,7 @@ contains
       !> What would be right
       character(*), intent(in) :: advice
 
-      type(place_type) :: place
+      type(file_position_type) :: place
       integer :: i
 
       associate (register => self%registers(kind))
@@ -341,7 +341,7 @@ contains
    end function range_of
 
    !> Line that defines something that has a number
-   pure type(place_type) function spot(self, kind, i)
+   pure type(file_position_type) function spot(self, kind, i)
       !> The catalogue
       class(catalogue_type), intent(in) :: self
       !> What it is, such as `a_node`

@@ -2,7 +2,7 @@
 module plydyn_input_check_solid
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : place_type, report_type
+   use plydyn_deck_report, only : file_position_type, report_type
    use plydyn_input_catalogue, only : a_brick, a_node, catalogue_type
    use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
@@ -28,7 +28,7 @@ contains
       !> Name of the keyword
       character(*), intent(in) :: name
       !> Where it is
-      type(place_type), intent(in) :: place
+      type(file_position_type), intent(in) :: place
       !> Elements of the deck
       type(mesh_type), intent(in) :: mesh
       !> Gets findings
@@ -51,7 +51,7 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(place_type) :: place
+      type(file_position_type) :: place
       integer :: i
 
       do i = 1, size(materials)
@@ -70,7 +70,7 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       logical :: met(size(mesh%node_id))
-      type(place_type) :: place
+      type(file_position_type) :: place
       integer :: i
 
       met(:) = .false.

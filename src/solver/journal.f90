@@ -5,16 +5,16 @@ module plydyn_solver_journal
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
-   use plydyn_output_dump, only : write_dump
-   use plydyn_output_field_states, only : field_states_type
-   use plydyn_output_job, only : job_type
-   use plydyn_output_life_line, only : life_line_type
-   use plydyn_output_listing, only : write_end
-   use plydyn_output_places, only : new_places, places_type
-   use plydyn_output_rows, only : new_rows, rows_type
-   use plydyn_output_state_parts, only : state_parts_type
-   use plydyn_output_tell_job, only : tell_places
-   use plydyn_output_writer, only : writer_type
+   use plydyn_io_checkpoint_dump, only : write_dump
+   use plydyn_io_vtkhdf_field_output, only : field_output_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_listing_progress_monitor, only : progress_monitor_type
+   use plydyn_io_listing_listing, only : write_end
+   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_positions_type
+   use plydyn_io_csv_global_history, only : new_global_history, global_history_type
+   use plydyn_io_checkpoint_state_layout, only : state_layout_type
+   use plydyn_io_checkpoint_broadcast_job, only : broadcast_file_positions
+   use plydyn_io_csv_history_output, only : history_output_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : halt_sum, impactors_sum, output_sum, rows_sum, state_type
    implicit none
@@ -28,13 +28,13 @@ module plydyn_solver_journal
       !> Path of the results without endings
       character(:), allocatable :: path
       !> What writes histories
-      type(writer_type) :: writer
+      type(history_output_type) :: writer
       !> What writes fields
-      type(field_states_type) :: fields
+      type(field_output_type) :: fields
       !> Where the run is; on the root's screen
-      type(life_line_type) :: life_line
+      type(progress_monitor_type) :: progress_monitor
       !> Which places of the arrays of the whole model this rank has
-      type(state_parts_type) :: parts
+      type(state_layout_type) :: parts
    contains
       procedure :: open => open_journal
       procedure :: announce
@@ -61,7 +61,7 @@ contains
       !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> Which places of the arrays of the whole model this rank has
-      type(state_parts_type), intent(in) :: parts
+      type(state_layout_type), intent(in) :: parts
       !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
@@ -70,7 +70,7 @@ contains
       self%path = job%path
       call self%writer%open(job, model, domain, error)
       if (.not. allocated(error)) call self%fields%open(job, model, domain, error)
-      if (.not. allocated(error)) call self%life_line%begin(job, model%control%units, domain)
+      if (.not. allocated(error)) call self%progress_monitor%begin(job, model%control%units, domain)
    end subroutine open_journal
 
    !> Let all ranks know with the sums of this step whether something is due, and whether anything
@@ -111,7 +111,7 @@ contains
       if (allocated(error)) return
       if (state%output_due) call self%writer%record(domain, state, error)
       if (.not. allocated(error)) call self%fields%record(domain, state, error)
-      call self%life_line%show(state)
+      call self%progress_monitor%show(state)
    end subroutine record
 
    !> Write all there is before the first step
@@ -148,9 +148,9 @@ contains
       type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
 
-      type(rows_type) :: rows
+      type(global_history_type) :: rows
 
-      rows = new_rows(domain, state)
+      rows = new_global_history(domain, state)
       if (self%comm%is_root()) call self%writer%record_rows(rows, state, error)
       call self%comm%tell(error)
    end subroutine record_rows
@@ -188,22 +188,22 @@ contains
       !> The state
       type(state_type), intent(in) :: state
 
-      call self%life_line%tell(state)
+      call self%progress_monitor%tell(state)
    end subroutine tell
 
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
       class(journal_type), intent(inout) :: self
       !> Gets the places, the same on all ranks
-      type(places_type), intent(out) :: places
+      type(file_positions_type), intent(out) :: places
       !> Why something is not on the disk; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      places = new_places(self%path)
+      places = new_file_positions(self%path)
       if (self%comm%is_root()) call self%writer%keep(places, error)
       call self%comm%tell(error)
       if (allocated(error)) return
-      call tell_places(self%comm, self%path, places)
+      call broadcast_file_positions(self%comm, self%path, places)
       call self%fields%mark(places, error)
    end subroutine keep
 
@@ -219,7 +219,7 @@ contains
       !> Why the file is not there; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      type(places_type) :: places
+      type(file_positions_type) :: places
 
       call self%keep(places, error)
       if (.not. allocated(error)) call write_dump(path, job, places, self%parts, state, error)
@@ -239,11 +239,11 @@ contains
       !> Normal end, or what stopped it
       character(*), intent(in) :: words
 
-      type(rows_type) :: rows
+      type(global_history_type) :: rows
 
-      rows = new_rows(domain, state)
+      rows = new_global_history(domain, state)
       if (self%comm%is_root()) call write_end(unit, model, domain, state, rows, &
-         & self%life_line%elapsed(), words)
+         & self%progress_monitor%elapsed(), words)
    end subroutine write_end_of_run
 
    !> Close all files, also after an error

@@ -4,7 +4,7 @@ module plydyn_solver_restart
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_output_dump_input, only : dump_input_type
+   use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_solver_accelerations, only : begin_accelerations
    use plydyn_solver_energies, only : balance
    use plydyn_solver_setup, only : run_type

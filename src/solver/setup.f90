@@ -11,9 +11,9 @@ module plydyn_solver_setup
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_model_model, only : model_type
-   use plydyn_output_profile, only : check_profiles
-   use plydyn_output_ranks_listing, only : rank_numbers
-   use plydyn_output_state_parts, only : new_state_parts, state_parts_type
+   use plydyn_io_csv_profile, only : check_profiles
+   use plydyn_io_listing_ranks, only : rank_numbers
+   use plydyn_io_checkpoint_state_layout, only : new_state_layout, state_layout_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_contacts, only : contacts_type, new_contacts
    use plydyn_solver_start, only : new_state
@@ -32,7 +32,7 @@ module plydyn_solver_setup
       type(contacts_type) :: contacts
       type(state_type) :: state
       !> Which places of the arrays of the whole model this rank has
-      type(state_parts_type) :: state_parts
+      type(state_layout_type) :: state_parts
       !> What each rank has; see `write_ranks`. None with one rank
       real(wp), allocatable :: ranks(:, :)
    end type run_type
@@ -65,7 +65,7 @@ contains
       call check_profiles(self%model%request%profiles, self%domain, error)
       if (allocated(error)) return
       call count_ranks(comm, self%domain, share, self%ranks)
-      self%state_parts = new_state_parts(self%domain, share)
+      self%state_parts = new_state_layout(self%domain, share)
       call new_contacts(self%domain, self%contacts, error)
       if (allocated(error)) return
       self%state = new_state(self%model, self%domain)

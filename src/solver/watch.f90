@@ -7,8 +7,8 @@ module plydyn_solver_watch
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : request_type
-   use plydyn_output_job, only : job_type
-   use plydyn_output_places, only : places_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_contacts, only : contacts_type
    use plydyn_solver_journal, only : journal_type
@@ -234,7 +234,7 @@ contains
       type(journal_type), intent(inout) :: journal
       type(error_type), allocatable, intent(out) :: error
 
-      type(places_type) :: places
+      type(file_positions_type) :: places
 
       call journal%keep(places, error)
       if (.not. allocated(error)) call self%job%note("all results are on the disk")

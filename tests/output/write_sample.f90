@@ -7,8 +7,8 @@
 program write_sample
    use plydyn_base_error, only : error_type, exit_output
    use plydyn_base_precision, only : wp
-   use plydyn_output_places, only : new_places
-   use plydyn_output_vtkhdf, only : piece_type, slab_type, vtkhdf_type
+   use plydyn_io_checkpoint_file_positions, only : new_file_positions
+   use plydyn_io_vtkhdf_vtkhdf, only : piece_type, hyperslab_type, vtkhdf_type
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_owner_reduction, only : band_start
    implicit none
@@ -21,7 +21,7 @@ program write_sample
       & 0, 0, 1, 2, 0, 1, 2, 2, 1, 0, 2, 1, 0, 1, 1, 2, 1, 1, 1, 0, 1, 1, 2, 1, &
       & 1, 1, 0, 1, 1, 2, 1, 1, 1], [3, 27])
    type(comm_type) :: comm
-   type(slab_type) :: points, cells
+   type(hyperslab_type) :: points, cells
    type(vtkhdf_type) :: file
    type(error_type), allocatable :: error
    character(256) :: path, word
@@ -50,7 +50,7 @@ program write_sample
 contains
 
    !> Rows that this rank writes
-   type(slab_type) function band(rows)
+   type(hyperslab_type) function band(rows)
       integer, intent(in) :: rows
 
       band%whole = rows
@@ -111,7 +111,7 @@ contains
       if (allocated(error)) return
       call file%declare_point_data("stress", 6, error)
       if (allocated(error)) return
-      call file%settle(new_places(path), error)
+      call file%settle(new_file_positions(path), error)
    end subroutine start
 
    !> One state: value = 1000 x state + point + component/10

@@ -1,13 +1,13 @@
 !> Findings are kept, counted, and cut after some of a kind.
 program test_deck_report
    use plydyn_deck_report, only : grave_error, grave_note, grave_warning, most_of_a_kind, &
-      & place_type, report_type
+      & file_position_type, report_type
    use plydyn_base_text, only : text
    use testing, only : begin, check, finish
    implicit none
 
    type(report_type) :: report
-   type(place_type) :: place
+   type(file_position_type) :: place
    integer :: i
 
    call begin("refuse")

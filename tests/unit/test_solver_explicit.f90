@@ -9,8 +9,8 @@ program test_solver_explicit
       & points_on_plate
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
-   use plydyn_output_job, only : job_type
-   use plydyn_output_places, only : new_places
+   use plydyn_io_job, only : job_type
+   use plydyn_io_checkpoint_file_positions, only : new_file_positions
    use plydyn_parallel_comm, only : comm_type
    use plydyn_solver_crew, only : crew_type, new_crew
    use plydyn_solver_explicit, only : run
@@ -160,7 +160,7 @@ contains
       job%path = "test_solver_explicit"
       job%deck = "none"
       job%version = "test"
-      job%places = new_places(job%path)
+      job%places = new_file_positions(job%path)
       call journal%open(job, model, parts%domain, parts%state_parts, error)
       if (allocated(error)) return
       call watch%start(alone, job, model%request, huge(1.0_wp))

@@ -1,0 +1,306 @@
+!> Restart files being read. Ranks open the file one by one, and read what they need.
+module plydyn_io_checkpoint_dump_input
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_archive, only : archive_type, bundle_type
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_text, only : text
+   use plydyn_io_checkpoint_check_sum, only : sum_name, sum_text, sums_of
+   use plydyn_io_checkpoint_dump, only : deck_group, dump_format, dump_kind, ending_mark, &
+      & run_group, &
+      & state_group, sums_of_run
+   use plydyn_io_hdf5_output, only : hyperslab_type
+   use plydyn_io_hdf5_input, only : hdf5_input_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type
+   use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
+   use plydyn_state_exchange, only : exchange_state, exchange_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> Arrays that belong to supports and loads
+   character(*), parameter :: conditions(3) = [character(16) :: "load_factor", "support_force", &
+      & "support_velocity"]
+
+   !> A restart file being read
+   type, public, extends(exchange_type) :: dump_input_type
+      private
+      !> The file
+      type(hdf5_input_type) :: file
+      !> Its path
+      character(:), allocatable :: path
+      !> Which places of the arrays this rank reads
+      type(state_layout_type) :: parts
+      !> Whether supports and loads are those of the file
+      logical :: with_conditions = .true.
+      !> The first thing that went wrong
+      type(error_type), allocatable :: error
+   contains
+      procedure :: open => open_dump
+      procedure :: read_job
+      procedure :: read_state
+      procedure :: reals => read_reals
+      procedure :: integers => read_integers
+   end type dump_input_type
+
+contains
+
+   !> Open a restart file
+   subroutine open_dump(self, path, error)
+      class(dump_input_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The file is not one
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: kind
+      integer :: form, width
+      logical :: exists, good
+
+      self%path = path
+      inquire (file=path, exist=exists)
+      if (.not. exists) then
+         call fail(error, exit_input, "there is no restart file "//path)
+         return
+      end if
+      call self%file%open(path, good)
+      if (.not. good) then
+         call fail(error, exit_input, path//" is no restart file, or not a whole one: it must be " &
+            & //"a file JOB.dump01 or JOB.runrsf that plydyn wrote to its end")
+         return
+      end if
+      call self%file%read_text(run_group, "kind", kind, good)
+      if (.not. good .or. kind /= dump_kind) then
+         call fail(error, exit_input, path//" is a file of HDF5, but no restart file of plydyn")
+         return
+      end if
+      call self%file%read_number(run_group, "format", form, good)
+      if (good) call self%file%read_number(run_group, "lanes", width, good)
+      if (good) good = form == dump_format .and. width == lanes
+      if (.not. good) call fail(error, exit_input, path//" was written by a plydyn that arranges " &
+         & //"its data in another way: it must be read by the version that wrote it")
+   end subroutine open_dump
+
+   !> The decks, and where the files of results were
+   subroutine read_job(self, job, error)
+      class(dump_input_type), intent(inout) :: self
+      !> Gets the decks, its own name beside the restart file, and the places in its files; its
+      !> version is that of the program that wrote
+      type(job_type), intent(inout) :: job
+      !> The file is damaged
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: endings, name
+      logical :: good(6)
+
+      good(:) = .true.
+      call self%file%read_text(run_group, "version", job%version, good(1))
+      call self%file%read_text(run_group, "job", name, good(2))
+      call self%file%read_text(run_group, "parameters", job%archive%parameters, good(3))
+      call self%file%read_text(run_group, "endings", endings, good(4))
+      call self%file%read_number(run_group, "dumps", job%dumps, good(5))
+      job%path = self%path(:index(self%path, "/", back=.true.))//name
+      if (all(good)) call read_places(self, endings, job, good(5))
+      if (all(good)) call read_decks(self, job%archive, good(6))
+      if (.not. all(good)) call fail(error, exit_input, self%path//" is damaged: go on from " &
+         & //"another restart file")
+      if (.not. allocated(error)) job%deck = job%archive%bundles(1)%documents(1)%path
+   end subroutine read_job
+
+   !> How far the files of results had been written
+   subroutine read_places(self, endings, job, good)
+      class(dump_input_type), intent(in) :: self
+      character(*), intent(in) :: endings
+      type(job_type), intent(inout) :: job
+      logical, intent(out) :: good
+
+      real(wp), allocatable :: table(:)
+      integer :: first, i, last
+
+      job%places = new_file_positions(job%path)
+      allocate (table(max(0, self%file%extent(run_group//"/places"))))
+      call self%file%read_reals(run_group//"/places", table, good)
+      if (good) good = has_sums(self%file, run_group, &
+         & sums_of_run(job%archive%parameters, endings, table))
+      if (.not. good) return
+      first = 1
+      do i = 1, size(table)/3
+         last = first + index(endings(first:), ending_mark) - 2
+         associate (row => table(3*i - 2:3*i))
+            call job%places%add(job%path//endings(first:last), &
+               & file_position_type(amount=nint(row(1), &
+               & int64), interval=row(2), next=nint(row(3), int64)))
+         end associate
+         first = last + 2
+      end do
+   end subroutine read_places
+
+   !> The decks, word for word
+   subroutine read_decks(self, archive, good)
+      class(dump_input_type), intent(in) :: self
+      type(archive_type), intent(inout) :: archive
+      logical, intent(out) :: good
+
+      type(bundle_type) :: bundle
+      character(:), allocatable :: group
+      integer :: d
+
+      good = self%file%has(deck_group)
+      allocate (archive%bundles(0))
+      do while (good)
+         group = deck_group//"/"//text(size(archive%bundles) + 1)
+         if (.not. self%file%has(group)) exit
+         if (allocated(bundle%documents)) deallocate (bundle%documents)
+         allocate (bundle%documents(0))
+         d = 1
+         do while (self%file%has(group//"/"//text(d)))
+            call read_document(self, group//"/"//text(d), bundle, good)
+            if (.not. good) return
+            d = d + 1
+         end do
+         call archive%add_bundle(bundle)
+      end do
+      good = good .and. size(archive%bundles) > 0
+      if (good) good = size(archive%bundles(1)%documents) > 0
+   end subroutine read_decks
+
+   !> A deck, or a file that it includes
+   subroutine read_document(self, name, bundle, good)
+      class(dump_input_type), intent(in) :: self
+      character(*), intent(in) :: name
+      type(bundle_type), intent(inout) :: bundle
+      logical, intent(out) :: good
+
+      character(:), allocatable :: content, path
+
+      call self%file%read_bytes(name, content, good)
+      if (good) good = has_sums(self%file, name, sums_of(content))
+      if (.not. good) return
+      call self%file%read_text(name, "path", path, good)
+      call bundle%add_document(path, content)
+   end subroutine read_document
+
+   !> Read the state and close the file; all ranks must come here
+   subroutine read_state(self, parts, with_conditions, state, error)
+      class(dump_input_type), intent(inout) :: self
+      !> Which places of the arrays this rank reads
+      type(state_layout_type), intent(in) :: parts
+      !> Whether supports and loads are those of the file; if not, they are left alone
+      logical, intent(in) :: with_conditions
+      !> The state, with the arrays of the model allocated; those that are not take any length
+      type(state_type), intent(inout) :: state
+      !> The file is damaged or not for this model; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      self%parts = parts
+      self%with_conditions = with_conditions
+      call exchange_state(self, state)
+      call self%file%close()
+      if (allocated(self%error)) call move_alloc(self%error, error)
+      call parts%comm%share(error)
+   end subroutine read_state
+
+   !> Read an array, unless something went wrong before
+   subroutine read_reals(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), allocatable, intent(inout) :: values(:)
+
+      logical :: good
+
+      if (.not. self%with_conditions .and. any(conditions == name)) return
+      if (self%parts%is_divided(name)) then
+         call read_part(self, name, values)
+         return
+      end if
+      if (allocated(self%error)) return
+      if (.not. allocated(values)) then
+         allocate (values(max(0, self%file%extent(state_group//"/"//name))))
+      end if
+      call self%file%read_reals(state_group//"/"//name, values, good)
+      if (.not. good) call complain(self, name)
+      call compare(self, name, sums_of(values, 0))
+   end subroutine read_reals
+
+   !> Read a band of an array, and get from other ranks what this one has. After an error, too: all
+   !> ranks bring their bands to those that wait for them
+   subroutine read_part(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), intent(inout), contiguous :: values(:)
+
+      real(wp), allocatable :: band(:, :)
+      integer(int64) :: sums(2, 1)
+      type(part_type) :: part
+      type(hyperslab_type) :: slab
+      logical :: good
+
+      part = self%parts%part(name)
+      slab = part%slab()
+      allocate (band(1, slab%count), source=0.0_wp)
+      if (.not. allocated(self%error)) then
+         good = self%file%extent(state_group//"/"//name) == slab%whole
+         if (good) call self%file%read_slab(state_group//"/"//name, 0_int64, slab, band, good)
+         if (.not. good) call complain(self, name)
+      end if
+      sums(:, 1) = sums_of(band(1, :), slab%first)
+      call self%parts%comm%add_up(sums)
+      call compare(self, name, sums(:, 1))
+      call part%had%scatter(band(1, :), values)
+   end subroutine read_part
+
+   !> Read an array, unless something went wrong before
+   subroutine read_integers(self, name, values)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      integer, allocatable, intent(inout) :: values(:)
+
+      logical :: good
+
+      if (allocated(self%error)) return
+      if (.not. allocated(values)) then
+         allocate (values(max(0, self%file%extent(state_group//"/"//name))))
+      end if
+      call self%file%read_integers(state_group//"/"//name, values, good)
+      if (.not. good) call complain(self, name)
+      call compare(self, name, sums_of(values))
+   end subroutine read_integers
+
+   !> Whether an object of the file has the sums that it was written with
+   logical function has_sums(file, place, sums)
+      type(hdf5_input_type), intent(in) :: file
+      !> Path of the object
+      character(*), intent(in) :: place
+      !> Of what was read
+      integer(int64), intent(in) :: sums(2)
+
+      character(:), allocatable :: written
+
+      call file%read_text(place, sum_name, written, has_sums)
+      if (has_sums) has_sums = written == sum_text(sums)
+   end function has_sums
+
+   !> Refuse an array whose numbers are not those that were written, unless it could not be read
+   subroutine compare(self, name, sums)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      !> Of what was read
+      integer(int64), intent(in) :: sums(2)
+
+      if (allocated(self%error)) return
+      if (.not. has_sums(self%file, state_group//"/"//name, sums)) call fail(self%error, &
+         & exit_input, self%path//" is damaged: the "//name//" is not what was written; go on " &
+         & //"from another restart file")
+   end subroutine compare
+
+   !> An array that cannot be read
+   subroutine complain(self, name)
+      class(dump_input_type), intent(inout) :: self
+      character(*), intent(in) :: name
+
+      call fail(self%error, exit_input, self%path//" does not hold the "//name//" of the model " &
+         & //"that its deck describes: it is damaged, or of another version of plydyn")
+   end subroutine complain
+
+end module plydyn_io_checkpoint_dump_input

@@ -1,0 +1,189 @@
+!> Which places of the arrays in a restart file a rank has: the arrays are those of the whole model,
+!> and no rank ever has one of them.
+!>
+!> One rank alone has its arrays in the order of the whole model: nothing is divided.
+module plydyn_io_checkpoint_state_layout
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_columns, only : front
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_subdomain, only : subdomain_type
+   use plydyn_io_hdf5_output, only : hyperslab_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_distributed_array, only : new_distributed_array, distributed_array_type
+   implicit none
+   private
+
+   public :: new_state_layout
+
+   !> Kinds of arrays that ranks have parts of
+   integer, parameter :: motion = 1, history = 2, supports = 3, moved = 4, undivided = 0
+
+   !> An array of the whole model
+   type, public :: part_type
+      !> Places that this rank counts, and all that it has
+      type(distributed_array_type) :: counted, had
+   contains
+      procedure :: slab
+   end type part_type
+
+   !> Arrays of the whole model, by their names in `exchange_state`
+   type, public :: state_layout_type
+      !> The ranks
+      type(comm_type) :: comm
+      !> The kinds of arrays; of no use with one rank
+      type(part_type), private :: parts(4)
+   contains
+      procedure :: is_divided
+      procedure :: part
+   end type state_layout_type
+
+contains
+
+   !> Prepare for a domain. All ranks must come here
+   function new_state_layout(domain, share) result(self)
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> What this rank has of the whole model
+      type(subdomain_type), intent(in) :: share
+      type(state_layout_type) :: self
+
+      integer :: held, i, moving
+      integer, allocatable :: number(:), support(:, :)
+      logical, allocatable :: own(:)
+
+      self%comm = domain%comm
+      if (self%comm%ranks == 1) return
+      self%parts(motion) = new_part(self%comm, front + domain%columns%height*share%columns, &
+         & column_pieces(domain%columns%height, share%column), share%own)
+      self%parts(history) = new_part(self%comm, share%histories, share%history, &
+         & spread(.true., 1, size(share%history, 2)))
+      call number_supports(domain, share, number, own, held)
+      moving = sum(domain%motions%all)
+      allocate (support(3, size(number)))
+      support(1, :) = [(i, i=1, size(number))]
+      support(2, :) = number
+      support(3, :) = 1
+      self%parts(supports) = new_part(self%comm, held + moving, support, own)
+      associate (here => size(domain%held))
+         support(1, :) = support(1, :) - here
+         support(2, :) = support(2, :) - held
+         self%parts(moved) = new_part(self%comm, moving, support(:, here + 1:), own(here + 1:))
+      end associate
+   end function new_state_layout
+
+   !> The pieces of one array
+   function new_part(comm, whole, piece, own) result(self)
+      type(comm_type), intent(in) :: comm
+      !> Length of the array
+      integer, intent(in) :: whole
+      !> As for `new_distributed_array`, and whether this rank counts each of them
+      integer, intent(in) :: piece(:, :)
+      logical, intent(in) :: own(:)
+      type(part_type) :: self
+
+      integer :: i
+
+      self%had = new_distributed_array(comm, whole, piece)
+      self%counted = new_distributed_array(comm, whole, piece(:, pack([(i, i=1, size(own))], own)))
+   end function new_part
+
+   !> What kind of array has a name
+   elemental integer function kind_of(name)
+      character(*), intent(in) :: name
+
+      select case (name)
+      case ("displacement", "velocity", "acceleration")
+         kind_of = motion
+      case ("history")
+         kind_of = history
+      case ("support_force")
+         kind_of = supports
+      case ("support_velocity")
+         kind_of = moved
+      case default
+         kind_of = undivided
+      end select
+   end function kind_of
+
+   !> Whether ranks have parts of an array; else all of them have it alike
+   pure logical function is_divided(self, name)
+      class(state_layout_type), intent(in) :: self
+      !> Name of the array
+      character(*), intent(in) :: name
+
+      is_divided = self%comm%ranks > 1 .and. kind_of(name) /= undivided
+   end function is_divided
+
+   !> The parts of an array that is divided
+   function part(self, name)
+      class(state_layout_type), intent(in) :: self
+      !> Name of the array
+      character(*), intent(in) :: name
+      type(part_type) :: part
+
+      part = self%parts(kind_of(name))
+   end function part
+
+   !> The band of this rank
+   pure type(hyperslab_type) function slab(self)
+      class(part_type), intent(in) :: self
+
+      slab = hyperslab_type(whole=self%had%whole, first=self%had%first, count=self%had%count)
+   end function slab
+
+   !> Places of supports in the list of the whole model: held points column by column, then those of
+   !> each motion
+   subroutine number_supports(domain, share, number, own, held)
+      type(domain_type), intent(in) :: domain
+      type(subdomain_type), intent(in) :: share
+      !> Place of each
+      integer, allocatable, intent(out) :: number(:)
+      !> Whether it is counted here
+      logical, allocatable, intent(out) :: own(:)
+      !> Held points of the whole model
+      integer, intent(out) :: held
+
+      integer :: before(share%columns + 1), c, column(size(domain%held)), i, m
+      real(wp) :: points(share%columns)
+
+      column(:) = domain%columns%column_of(domain%held)
+      points(:) = 0.0_wp
+      do i = 1, size(column)
+         associate (there => share%column(column(i)))
+            points(there) = points(there) + 1.0_wp
+         end associate
+      end do
+      call domain%comm%find_greatest(points)
+      before(1) = 0
+      do c = 1, size(points)
+         before(c + 1) = before(c) + nint(points(c))
+      end do
+      held = before(size(before))
+      allocate (number(size(column)))
+      do i = 1, size(column)
+         associate (next => before(share%column(column(i))))
+            next = next + 1
+            number(i) = next
+         end associate
+      end do
+      own = share%own(column)
+      i = held
+      do m = 1, size(domain%motions)
+         number = [number, i + domain%motions(m)%number]
+         own = [own, domain%motions(m)%own]
+         i = i + domain%motions(m)%all
+      end do
+   end subroutine number_supports
+
+   !> Pieces of the arrays of motion, a column each
+   pure function column_pieces(height, column) result(piece)
+      integer, intent(in) :: height, column(:)
+      integer :: piece(3, size(column))
+      integer :: i
+
+      do i = 1, size(column)
+         piece(:, i) = [front + height*(i - 1) + 1, front + height*(column(i) - 1) + 1, height]
+      end do
+   end function column_pieces
+
+end module plydyn_io_checkpoint_state_layout

@@ -1,0 +1,362 @@
+!> Histories: columns of numbers over time, as comma-separated values with one line of heads.
+!>
+!> A number has ten significant digits; a whole number of up to ten digits is written as such. The
+!> same run writes the same bytes. Lines reach the disk about once a second and on closing.
+module plydyn_io_csv_history_file
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : secure_file
+   use plydyn_base_precision, only : wp
+   use plydyn_io_checkpoint_file_positions, only : file_position_type, file_positions_type
+   use plydyn_io_csv_text_file, only : close_text, continue_text, create_text, secure_text
+   implicit none
+   private
+
+   public :: heads_of, number_text
+
+   !> Longest text of a number
+   integer, parameter :: number_length = 18
+   !> Significant digits of a number
+   integer, parameter :: significant = 10
+   !> Share of an interval by which an instant may come too early
+   real(wp), parameter :: slack = 1.0e-6_wp
+   !> Whole numbers below this are written without exponent
+   real(wp), parameter :: whole_limit = 1.0e10_wp
+   !> Numbers below and from here on have exponents of three digits, by rounding perhaps
+   real(wp), parameter :: short_from = 1.0e-99_wp, short_to = 9.999999999e99_wp
+   !> Seconds between two visits to the disk
+   real(wp), parameter :: seconds_in_memory = 1.0_wp
+
+   !> Instants at equal intervals: the first call, then the first one at or after each multiple
+   type, public :: schedule_type
+      !> Time between two instants; 0 for every call
+      real(wp) :: interval = 0.0_wp
+      !> Multiple of the interval that comes next; negative before the first call
+      integer(int64), private :: next = -1_int64
+   contains
+      procedure :: due => schedule_due
+      procedure :: advance
+      procedure :: mark => mark_schedule
+      procedure :: resume
+   end type schedule_type
+
+   !> A file of histories being written
+   type, public :: history_type
+      private
+      !> Path of the file
+      character(:), allocatable :: path
+      !> Its unit
+      integer :: unit = -1
+      !> Instants of the lines
+      type(schedule_type) :: schedule
+      !> Numbers in a line
+      integer :: columns = 0
+      !> Line in the making
+      character(:), allocatable :: line
+      !> Clock at the last visit to the disk
+      integer(int64) :: secured = 0_int64
+      !> True between `open` and `close`
+      logical :: opened = .false.
+   contains
+      procedure :: open => open_history
+      procedure :: is_open
+      procedure :: due
+      procedure :: record
+      procedure :: mark => mark_history
+      procedure :: flush => flush_history
+      procedure :: close => close_history
+   end type history_type
+
+contains
+
+   !> True when an instant has come
+   elemental logical function schedule_due(self, time)
+      !> The instants
+      class(schedule_type), intent(in) :: self
+      !> Time now
+      real(wp), intent(in) :: time
+
+      schedule_due = self%interval <= 0.0_wp .or. self%next < 0 &
+         & .or. time >= (self%next - slack)*self%interval
+   end function schedule_due
+
+   !> Note that the instant was used: the next one is later than this time
+   elemental subroutine advance(self, time)
+      !> The instants
+      class(schedule_type), intent(inout) :: self
+      !> Time now
+      real(wp), intent(in) :: time
+
+      if (self%interval > 0.0_wp) self%next = floor(time/self%interval + slack, int64) + 1
+   end subroutine advance
+
+   !> The instants as they are
+   elemental type(file_position_type) function mark_schedule(self, amount) result(place)
+      !> The instants
+      class(schedule_type), intent(in) :: self
+      !> What was written so far
+      integer(int64), intent(in) :: amount
+
+      place = file_position_type(amount=amount, interval=self%interval, next=self%next)
+   end function mark_schedule
+
+   !> Go on with instants from an earlier run, unless their interval is another one
+   elemental subroutine resume(self, place)
+      !> The instants, with their interval
+      class(schedule_type), intent(inout) :: self
+      !> As from `mark`
+      type(file_position_type), intent(in) :: place
+
+      if (abs(place%interval - self%interval) <= 0.0_wp) then
+         self%next = place%next
+      else if (place%next >= 0) then
+         call self%advance(place%interval*(place%next - 1))
+      end if
+   end subroutine resume
+
+   !> Create the file and write the heads, such as `force [N]`; or go on with it
+   subroutine open_history(self, path, names, units, interval, places, error)
+      !> The history
+      class(history_type), intent(inout) :: self
+      !> Path of the file; a file that was there is replaced
+      character(*), intent(in) :: path
+      !> Names of the columns
+      character(*), intent(in) :: names(:)
+      !> Unit of each column; blank for none
+      character(*), intent(in) :: units(:)
+      !> Time between two lines; 0 for every step
+      real(wp), intent(in) :: interval
+      !> Where to go on with files of an earlier run; a file that is not there is created
+      type(file_positions_type), intent(in) :: places
+      !> Why the file could not be created, or there is no going on with it
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: heads
+      type(file_position_type) :: place
+
+      self%path = trim(path)
+      if (size(names) /= size(units) .or. size(names) == 0) then
+         call fail(error, exit_output, self%path//": each column must have a name and a unit")
+         return
+      end if
+      heads = heads_of(names, units)
+      self%schedule = schedule_type(interval)
+      place = places%at(self%path)
+      if (place%amount < 0) then
+         call create_text(self%path, self%unit, error)
+         if (allocated(error)) return
+         write (self%unit, "(a)") heads
+      else
+         call continue_text(self%path, heads, place%amount, self%unit, error)
+         if (allocated(error)) return
+         call self%schedule%resume(place)
+      end if
+      self%columns = size(names)
+      if (allocated(self%line)) deallocate (self%line)
+      allocate (character((number_length + 1)*self%columns) :: self%line)
+      self%opened = .true.
+      call self%flush(error)
+   end subroutine open_history
+
+   !> The line of heads
+   pure function heads_of(names, units) result(heads)
+      !> As for `open`
+      character(*), intent(in) :: names(:), units(:)
+      character(:), allocatable :: heads
+
+      integer :: i
+
+      heads = head(names(1), units(1))
+      do i = 2, size(names)
+         heads = heads//","//head(names(i), units(i))
+      end do
+   end function heads_of
+
+   !> True between `open` and `close`
+   pure logical function is_open(self)
+      !> The history
+      class(history_type), intent(in) :: self
+
+      is_open = self%opened
+   end function is_open
+
+   !> True when a line should be recorded
+   pure logical function due(self, time)
+      !> The history
+      class(history_type), intent(in) :: self
+      !> Time now
+      real(wp), intent(in) :: time
+
+      due = self%opened .and. self%schedule%due(time)
+   end function due
+
+   !> Write a line, due or not; several lines may have the same time
+   subroutine record(self, time, values, error)
+      !> The history
+      class(history_type), intent(inout) :: self
+      !> Time now: what is due next counts from here
+      real(wp), intent(in) :: time
+      !> All columns, the time among them
+      real(wp), intent(in) :: values(:)
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: now, rate
+      integer :: i, length, status
+
+      if (size(values) /= self%columns) then
+         call fail(error, exit_output, self%path//": a line must have a value for each column")
+         return
+      end if
+      length = 0
+      do i = 1, self%columns
+         call add_number(values(i), self%line, length)
+      end do
+      ! the comma after the last number is left out
+      write (self%unit, "(a)", iostat=status) self%line(:length - 1)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot write to "//self%path//": its disk must have " &
+            & //"room, and no other run the same job")
+         return
+      end if
+      call self%schedule%advance(time)
+      call system_clock(now, rate)
+      if (now - self%secured > seconds_in_memory*rate) call self%flush(error)
+   end subroutine record
+
+   !> Put all lines on the disk, and note how far the file goes
+   subroutine mark_history(self, places, error)
+      !> The history
+      class(history_type), intent(inout) :: self
+      !> Places in all files
+      type(file_positions_type), intent(inout) :: places
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: bytes
+      logical :: good
+
+      if (.not. self%opened) return
+      call self%flush(error)
+      if (allocated(error)) return
+      inquire (file=self%path, size=bytes)
+      call secure_file(self%path, good)
+      if (good) then
+         call places%add(self%path, self%schedule%mark(bytes))
+      else
+         call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
+      end if
+   end subroutine mark_history
+
+   !> Put all lines on the disk
+   subroutine flush_history(self, error)
+      !> The history
+      class(history_type), intent(inout) :: self
+      !> Why they are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. self%opened) return
+      call secure_text(self%path, self%unit, error)
+      self%opened = .not. allocated(error)
+      call system_clock(self%secured)
+   end subroutine flush_history
+
+   !> Put all lines on the disk and close the file; nothing happens when it is not open
+   subroutine close_history(self, error)
+      !> The history
+      class(history_type), intent(inout) :: self
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. self%opened) return
+      self%opened = .false.
+      call close_text(self%path, self%unit, error)
+   end subroutine close_history
+
+   !> Head of a column
+   pure function head(name, unit)
+      !> Name of the column
+      character(*), intent(in) :: name
+      !> Its unit; blank for none
+      character(*), intent(in) :: unit
+      character(:), allocatable :: head
+
+      head = trim(name)
+      if (len_trim(unit) > 0) head = head//" ["//trim(unit)//"]"
+   end function head
+
+   !> Add a number and a comma to a line
+   pure subroutine add_number(value, line, length)
+      !> The number
+      real(wp), intent(in) :: value
+      !> The line, with room for the number
+      character(:), allocatable, intent(inout) :: line
+      !> Length of the text in the line
+      integer, intent(inout) :: length
+
+      character(number_length) :: word
+      integer :: first
+
+      word = number_text(value)
+      first = verify(word, " ")
+      line(length + 1:length + number_length - first + 2) = word(first:)//","
+      length = length + number_length - first + 2
+   end subroutine add_number
+
+   !> A number with ten significant digits, to the right
+   pure function number_text(value) result(word)
+      !> The number
+      real(wp), intent(in) :: value
+      character(number_length) :: word
+
+      real(wp) :: magnitude
+
+      if (.not. ieee_is_finite(value)) then
+         write (word, "(f18.0)") value
+         return
+      end if
+      magnitude = abs(value)
+      if (magnitude < whole_limit .and. abs(value - anint(value)) <= 0.0_wp) then
+         write (word, "(i18)") int(value, int64)
+      else if (magnitude < short_from .or. magnitude >= short_to) then
+         write (word, "(es18.9e3)") value
+      else
+         word = short_text(value)
+      end if
+   end function number_text
+
+   !> A number with an exponent of two digits, by integers: what Fortran's own formatting does for
+   !> many more digits would take most of a short run
+   pure function short_text(value) result(word)
+      !> The number, not zero
+      real(wp), intent(in) :: value
+      character(number_length) :: word
+
+      integer, parameter :: ten = 10, zero = iachar("0"), point = 5, mark = 15
+      integer(int64) :: digits
+      integer :: exponent, i, rest
+
+      exponent = floor(log10(abs(value)))
+      digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      if (digits >= int(ten, int64)**significant) then
+         exponent = exponent + 1
+         digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      else if (digits < int(ten, int64)**(significant - 1)) then
+         exponent = exponent - 1
+         digits = nint(abs(value)*10.0_wp**(significant - 1 - exponent), int64)
+      end if
+      word = ""
+      do i = mark - 1, point - 1, -1
+         if (i == point) cycle
+         word(i:i) = achar(zero + int(mod(digits, int(ten, int64))))
+         digits = digits/ten
+      end do
+      word(point:point) = "."
+      if (value < 0.0_wp) word(point - 2:point - 2) = "-"
+      rest = abs(exponent)
+      word(mark:) = merge("E-", "E+", exponent < 0)//achar(zero + rest/ten) &
+         & //achar(zero + mod(rest, ten))
+   end function short_text
+
+end module plydyn_io_csv_history_file

@@ -1,0 +1,320 @@
+!> Displacement, strain and stress through the thickness at a place of the plane, as a CSV file:
+!> written by the root, to which each rank tells what its quads at the place say.
+module plydyn_io_csv_profile
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_plate, only : plate_type
+   use plydyn_element_quad, only : plane_table
+   use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
+   use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
+      & thickness_interpolation
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_model_control, only : profile_type, total_lagrangian, units_type
+   use plydyn_io_checkpoint_file_positions, only : file_positions_type
+   use plydyn_io_csv_history_recorder, only : history_recorder_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> A profile being written: blocks of rows from the bottom up, one block for each time
+   type, public, extends(history_recorder_type) :: profile_file_type
+      private
+      !> The ranks
+      type(comm_type) :: comm
+      !> Points in each layer
+      integer :: points = 0
+      !> Quads of this rank that meet at the place: plate and quad, and where the place is in each
+      integer, allocatable :: quad(:, :)
+      real(wp), allocatable :: local(:, :)
+      !> Which of all that meet there each of them is, in the order of the mesh
+      integer, allocatable :: number(:)
+      !> How many all ranks have
+      integer :: all_quads = 0
+   contains
+      procedure :: open => open_profile
+      procedure :: record
+   end type profile_file_type
+
+   !> Time, height, ply, displacement; stress, strain and ply stress follow
+   integer, parameter :: columns = 6 + 18
+   !> Values behind time, height and ply
+   integer, parameter :: quantities = columns - 3
+   character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
+      & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
+      & "s11", "s22", "s33", "s12", "s13", "s23"]
+
+   !> How far outside of its square a place may be and still belong to the quad
+   real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
+   !> Newton steps to find a place in a quad
+   integer, parameter :: newton_steps = 20
+
+   public :: check_profiles
+
+contains
+
+   !> Profiles must be asked for on the plate. All ranks must come here, and come to the same
+   subroutine check_profiles(profiles, domain, error)
+      !> What the deck asks for
+      type(profile_type), intent(in) :: profiles(:)
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> A place outside of the plate
+      type(error_type), allocatable, intent(out) :: error
+
+      type(profile_file_type) :: file
+      logical :: is_beside
+      integer :: i
+
+      do i = 1, size(profiles)
+         file = profile_file_type()
+         call find_quads(file, domain, profiles(i)%position)
+         is_beside = size(file%quad, 2) == 0
+         call domain%comm%agree(is_beside)
+         if (.not. is_beside) cycle
+         call fail(error, exit_input, "error: "//profiles(i)%place//": *DATABASE_PROFILE X: the " &
+            & //"place ("//text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
+            & //") is not on the plate: give one within an element")
+         return
+      end do
+   end subroutine check_profiles
+
+   !> Find the place, and let the root create the file
+   subroutine open_profile(self, path, profile, units, domain, places, error)
+      class(profile_file_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> What the deck asks for, on the plate
+      type(profile_type), intent(in) :: profile
+      !> Names of the units
+      type(units_type), intent(in) :: units
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> Where to go on with files of an earlier run
+      type(file_positions_type), intent(in) :: places
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      character(8) :: unit(columns)
+
+      self%comm = domain%comm
+      self%points = profile%points
+      call find_quads(self, domain, profile%position)
+      call number_quads(self, domain)
+      if (.not. self%comm%is_root()) return
+      unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
+      unit(7:12) = units%stress
+      unit(13:18) = "-"
+      unit(19:24) = units%stress
+      call self%history%open(path, names, unit, profile%interval, places, error)
+   end subroutine open_profile
+
+   !> All quads that contain a place, on a border more than one
+   subroutine find_quads(self, domain, position)
+      type(profile_file_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: position(2)
+
+      integer :: e, p
+      logical :: found
+      real(wp) :: local(2)
+
+      allocate (self%quad(2, 0), self%local(2, 0))
+      do p = 1, size(domain%plates)
+         do e = 1, size(domain%plates(p)%quad)
+            call find_local(domain%plates(p), domain%position(1:2, domain%plates(p)%node(:, e)), &
+               & position, local, found)
+            if (.not. found) cycle
+            self%quad = reshape([self%quad, p, e], [2, size(self%quad, 2) + 1])
+            self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
+         end do
+      end do
+   end subroutine find_quads
+
+   !> Number the quads of all ranks at the place
+   subroutine number_quads(self, domain)
+      type(profile_file_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: counts(self%comm%ranks), own(size(self%quad, 2))
+      real(wp), allocatable :: all_ranks(:)
+      integer :: i, r
+
+      call self%comm%collect([real(size(own), wp)], [(1, r=1, size(counts))], counts)
+      self%all_quads = nint(sum(counts))
+      own(:) = [(real(domain%plates(self%quad(1, i))%quad(self%quad(2, i)), wp), i=1, size(own))]
+      allocate (all_ranks(self%all_quads))
+      call self%comm%collect(own, nint(counts), all_ranks)
+      all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
+      self%number = [(minloc(abs(all_ranks - own(i)), 1), i=1, size(own))]
+   end subroutine number_quads
+
+   !> Newton's method for the local coordinates of a place
+   pure subroutine find_local(plate, xy, position, local, found)
+      type(plate_type), intent(in) :: plate
+      real(wp), intent(in) :: xy(:, :), position(2)
+      real(wp), intent(out) :: local(2)
+      logical, intent(out) :: found
+
+      real(wp) :: area, jacobian(2, 2), miss(2), slope(2, size(xy, 2)), value(size(xy, 2))
+      integer :: pass
+
+      local(:) = 0.0_wp
+      area = 0.0_wp
+      found = all(position >= minval(xy, 2) - (maxval(xy, 2) - minval(xy, 2))) &
+         & .and. all(position <= maxval(xy, 2) + (maxval(xy, 2) - minval(xy, 2)))
+      if (.not. found) return
+      do pass = 1, newton_steps
+         call plane_table(plate%side, local(1), local(2), value, slope)
+         miss(:) = position - matmul(xy, value)
+         jacobian(:, :) = matmul(xy, transpose(slope))
+         area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
+         ! far outside a quad its map may fold: the place is not in it
+         if (area <= 0.0_wp) exit
+         local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
+            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)]/area
+         local(:) = max(-2.0_wp, min(2.0_wp, local))
+      end do
+      found = area > 0.0_wp .and. all(abs(local) <= inside)
+   end subroutine find_local
+
+   !> Write a block of rows. All ranks must come here
+   subroutine record(self, domain, state, error)
+      class(profile_file_type), intent(inout) :: self
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> Its state
+      type(state_type), intent(in) :: state
+      !> Why it could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: part, values(quantities, self%all_quads, self%points, size(domain%layers%order))
+      integer :: i, k
+
+      call find_values(self, domain, state, values)
+      if (self%comm%is_root()) then
+         write_rows: do k = 1, size(values, 4)
+            do i = 1, self%points
+               part = share_of(self, i)
+               call self%history%record(state%time, [state%time, (1.0_wp - part) &
+                  & *domain%layers%bottom(k) + part*domain%layers%top(k), &
+                  & real(domain%layers%ply(k), wp), mean(values(:, :, i, k))], error)
+               if (allocated(error)) exit write_rows
+            end do
+         end do write_rows
+      end if
+      call self%comm%tell(error)
+   end subroutine record
+
+   !> Height of a point in its layer, from 0 to 1
+   pure real(wp) function share_of(self, point)
+      type(profile_file_type), intent(in) :: self
+      integer, intent(in) :: point
+
+      share_of = real(point - 1, wp)/real(self%points - 1, wp)
+   end function share_of
+
+   !> Mean of what the quads say, in their order
+   pure function mean(values)
+      !> (quantities, quads)
+      real(wp), intent(in) :: values(:, :)
+      real(wp) :: mean(size(values, 1))
+      integer :: i
+
+      mean(:) = 0.0_wp
+      do i = 1, size(values, 2)
+         mean(:) = mean + values(:, i)
+      end do
+      mean(:) = mean/real(size(values, 2), wp)
+   end function mean
+
+   !> What the quads of all ranks say
+   subroutine find_values(self, domain, state, values)
+      type(profile_file_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      !> (quantities, quads, points, layers)
+      real(wp), intent(out) :: values(:, :, :, :)
+
+      logical :: is_known(quantities, self%all_quads, self%points, size(values, 4))
+      real(wp), allocatable :: flat(:)
+      type(plane_shares_type) :: shares
+      integer :: k, q
+
+      values(:, :, :, :) = 0.0_wp
+      is_known(:, :, :, :) = .false.
+      is_known(:, self%number, :, :) = .true.
+      do q = 1, size(self%number)
+         shares = new_plane_shares(domain%plates(self%quad(1, q))%side, self%local(:, q:q))
+         do k = 1, size(values, 4)
+            values(:, self%number(q), :, k) = layer_profile(self, domain, state, q, k, shares)
+         end do
+      end do
+      flat = reshape(values, [size(values)])
+      call self%comm%unite(reshape(is_known, [size(values)]), flat)
+      values(:, :, :, :) = reshape(flat, shape(values))
+   end subroutine find_values
+
+   !> Displacement, stress, strain and ply stress of a quad at the points of a layer
+   function layer_profile(self, domain, state, q, layer, shares) result(values)
+      type(profile_file_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      !> The quad among those of this rank at the place
+      integer, intent(in) :: q, layer
+      !> Shares of its Gauss points at the place
+      type(plane_shares_type), intent(in) :: shares
+      real(wp) :: values(quantities, self%points)
+
+      real(wp) :: all_values(recovered, 1), height
+      real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
+      integer :: i
+
+      associate (plate => domain%plates(self%quad(1, q)), e => self%quad(2, q), &
+         & home => domain%columns%home(:, layer))
+         at_gauss = reshape(layer_values(plate, home(1), home(2), home(3), e, &
+            & domain%control%kinematics == total_lagrangian, state%displacement, &
+            & state%history), [recovered*size(plate%node, 1), domain%columns%levels(layer)])
+         do i = 1, self%points
+            height = 2.0_wp*share_of(self, i) - 1.0_wp
+            at_level = reshape(matmul(at_gauss, thickness_interpolation( &
+               & plate%batches(home(1)), height)), [recovered, size(plate%node, 1)])
+            all_values(:, :) = plane_values(plate, e, layer, shares, at_level)
+            values(1:3, i) = displacement_at(domain, state, plate, e, layer, self%local(:, q), &
+               & height)
+            values(4:9, i) = all_values(stress_at + 1:stress_at + 6, 1)
+            values(10:15, i) = all_values(strain_at + 1:strain_at + 6, 1)
+            values(16:21, i) = all_values(ply_stress_at + 1:ply_stress_at + 6, 1)
+         end do
+      end associate
+   end function layer_profile
+
+   !> Displacement at a place of a quad and a height of a layer
+   function displacement_at(domain, state, plate, e, layer, local, height) result(u)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(plate_type), intent(in) :: plate
+      integer, intent(in) :: e, layer
+      real(wp), intent(in) :: local(2), height
+      real(wp) :: u(3)
+
+      real(wp) :: plane(size(plate%node, 1)), plane_slope(2, size(plate%node, 1))
+      real(wp) :: share(domain%columns%levels(layer)), slope(domain%columns%levels(layer))
+      integer :: c, t
+
+      call plane_table(plate%side, local(1), local(2), plane, plane_slope)
+      call lagrange(plate%batches(domain%columns%home(1, layer))%expansion%node, height, share, &
+         & slope)
+      u(:) = 0.0_wp
+      do c = 1, 3
+         do t = 1, size(share)
+            u(c) = u(c) + share(t)*dot_product(plane, &
+               & state%displacement(domain%columns%freedom(layer, t, c, plate%node(:, e))))
+         end do
+      end do
+   end function displacement_at
+
+end module plydyn_io_csv_profile

@@ -1,0 +1,175 @@
+!> Text files whose last line is known to be on the disk.
+!>
+!> The run-time library of gfortran tells nobody when the disk is full: what it holds back is
+!> dropped without an error. So a file is closed now and then, its size on the disk is compared
+!> with what was written, and it is opened again at its end.
+module plydyn_io_csv_text_file
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type, exit_output, fail
+   use plydyn_base_files, only : cut_file
+   implicit none
+   private
+
+   public :: append_to, close_text, continue_text, create_text, end_text, has_head, secure_text, &
+      & try_text
+
+contains
+
+   !> Create a text file, in place of one that was there
+   subroutine create_text(path, unit, error)
+      !> Path of the file; its folder must exist
+      character(*), intent(in) :: path
+      !> Unit to write lines to
+      integer, intent(out) :: unit
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      character(256) :: reason
+      integer :: status
+
+      open (newunit=unit, file=path, status="replace", action="write", access="stream", &
+         & form="formatted", iostat=status, iomsg=reason)
+      if (status /= 0) call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
+   end subroutine create_text
+
+   !> Fortran's own opening tells why a path is no good, in words
+   subroutine try_text(path, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Why it cannot be written
+      type(error_type), allocatable, intent(out) :: error
+
+      character(256) :: reason
+      integer :: unit, status
+
+      open (newunit=unit, file=path, action="readwrite", iostat=status, iomsg=reason)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
+         return
+      end if
+      close (unit)
+   end subroutine try_text
+
+   !> Go on with a text file behind some byte; what stands after it is dropped
+   subroutine continue_text(path, head, length, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Its first line
+      character(*), intent(in) :: head
+      !> Bytes that stay
+      integer(int64), intent(in) :: length
+      !> Unit to write lines to
+      integer, intent(out) :: unit
+      !> Why there is no going on
+      type(error_type), allocatable, intent(out) :: error
+
+      call end_text(path, length, error, head)
+      if (.not. allocated(error)) call append_to(path, unit, error)
+   end subroutine continue_text
+
+   !> Drop what stands behind some byte of a text file
+   subroutine end_text(path, length, error, head)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Bytes that stay
+      integer(int64), intent(in) :: length
+      !> Why they do not
+      type(error_type), allocatable, intent(out) :: error
+      !> What its first line must be
+      character(*), intent(in), optional :: head
+
+      integer(int64) :: kept
+      integer :: status, unit
+      logical :: good
+
+      open (newunit=unit, file=path, status="old", action="readwrite", access="stream", &
+         & form="formatted", iostat=status)
+      if (status /= 0) then
+         call fail(error, exit_output, "cannot go on with "//path//": it must be there and " &
+            & //"writable, as the run left it")
+         return
+      end if
+      inquire (unit=unit, size=kept)
+      close (unit)
+      good = .true.
+      if (present(head)) good = has_head(path, head)
+      good = good .and. kept >= length
+      if (good) call cut_file(path, length, good)
+      if (.not. good) call fail(error, exit_output, "cannot go on with "//path//": it must have " &
+         & //"the columns and all lines that it had when the restart file was written")
+   end subroutine end_text
+
+   !> Whether a text file is there and begins with some line
+   logical function has_head(path, head)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> The line
+      character(*), intent(in) :: head
+
+      ! one character more than the head shows whether the line is longer
+      character(len(head) + 1) :: found
+      integer :: status, unit
+
+      has_head = .false.
+      open (newunit=unit, file=path, status="old", action="read", access="stream", &
+         & form="formatted", iostat=status)
+      if (status /= 0) return
+      read (unit, "(a)", iostat=status) found
+      close (unit)
+      has_head = status == 0 .and. found == head
+   end function has_head
+
+   !> Open a text file at its end
+   subroutine append_to(path, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Unit to write lines to
+      integer, intent(out) :: unit
+      !> Why it cannot be opened
+      type(error_type), allocatable, intent(out) :: error
+
+      character(256) :: reason
+      integer :: status
+
+      open (newunit=unit, file=path, status="unknown", position="append", action="write", &
+         & access="stream", form="formatted", iostat=status, iomsg=reason)
+      if (status /= 0) call fail(error, exit_output, "cannot go on with "//path//": "//trim(reason))
+   end subroutine append_to
+
+   !> Put all lines written so far on the disk, and see that they are there
+   subroutine secure_text(path, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Unit of the file, another one afterwards
+      integer, intent(inout) :: unit
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      call close_text(path, unit, error)
+      if (.not. allocated(error)) call append_to(path, unit, error)
+   end subroutine secure_text
+
+   !> Close a text file and see that all its lines are on the disk
+   subroutine close_text(path, unit, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Unit of the file
+      integer, intent(in) :: unit
+      !> Why the lines are not all there
+      type(error_type), allocatable, intent(out) :: error
+
+      integer(int64) :: written, kept
+      integer :: status
+      logical :: exists
+
+      inquire (unit=unit, pos=written)
+      written = written - 1
+      close (unit, iostat=status)
+      inquire (file=path, exist=exists, size=kept)
+      ! a file that somebody removed meanwhile is no failure of ours
+      if (status == 0 .and. (kept >= written .or. .not. exists)) return
+      call fail(error, exit_output, "cannot write to "//path//": its disk must have room, " &
+         & //"and no other run the same job")
+   end subroutine close_text
+
+end module plydyn_io_csv_text_file

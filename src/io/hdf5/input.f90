@@ -1,0 +1,284 @@
+!> A file of HDF5 being read: datasets whole or by slabs, and attributes of the kinds that
+!> `plydyn_io_hdf5_output` writes.
+module plydyn_io_hdf5_input
+   use, intrinsic :: iso_c_binding, only : c_char, c_loc, c_ptr
+   use hdf5, only : h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, h5dclose_f, &
+      & h5dget_space_f, h5dont_atexit_f, h5dopen_f, h5dread_f, h5eset_auto_f, h5f_acc_rdonly_f, &
+      & h5f_close_strong_f, h5fclose_f, h5fopen_f, h5lexists_f, h5oclose_f, h5oopen_f, h5open_f, &
+      & h5p_file_access_f, h5pclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
+      & h5pset_file_locking_f, h5sclose_f, &
+      & h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
+      & h5tclose_f, h5tget_size_f, hid_t, &
+      & hsize_t, size_t
+   use plydyn_base_precision, only : wp
+   use plydyn_io_hdf5_numbers, only : is_byte, is_integer, is_real, hyperslab_type
+   use plydyn_io_hdf5_raw, only : select_slab, type_in_memory
+   implicit none
+   private
+
+   !> A file being read
+   type, public :: hdf5_input_type
+      private
+      !> Handle of the file
+      integer(hid_t) :: id = -1_hid_t
+   contains
+      procedure :: open => open_input
+      procedure :: has
+      procedure :: extent
+      procedure :: read_bytes
+      procedure :: read_integers
+      procedure :: read_reals
+      procedure :: read_slab
+      procedure :: read_number
+      procedure :: read_text
+      procedure :: close => close_input
+   end type hdf5_input_type
+
+contains
+
+   !> Open a file
+   subroutine open_input(self, path, good)
+      class(hdf5_input_type), intent(inout) :: self
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> False when it is not there, no file of HDF5, or not whole
+      logical, intent(out) :: good
+
+      integer(hid_t) :: access
+      integer :: status(7)
+
+      ! the end of the program is not to tidy up, as for files being written
+      call h5dont_atexit_f(status(1))
+      call h5open_f(status(1))
+      call h5eset_auto_f(0, status(2))
+      call h5pcreate_f(h5p_file_access_f, access, status(3))
+      call h5pset_fclose_degree_f(access, h5f_close_strong_f, status(4))
+      call h5pset_file_locking_f(access, .false., .true., status(5))
+      call h5fopen_f(path, h5f_acc_rdonly_f, self%id, status(6), access)
+      call h5pclose_f(access, status(7))
+      good = all(status >= 0)
+   end subroutine open_input
+
+   !> Whether there is a group or dataset
+   logical function has(self, name)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path in the file; the groups above it exist
+      character(*), intent(in) :: name
+
+      integer :: status
+
+      call h5lexists_f(self%id, name, has, status)
+      has = has .and. status >= 0
+   end function has
+
+   !> Numbers in a dataset; negative when there is none
+   integer function extent(self, name)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+
+      integer(hid_t) :: dataset, space
+      integer(hsize_t) :: most(2), rows(2)
+      integer :: rank, status(6)
+
+      extent = -1
+      call h5dopen_f(self%id, name, dataset, status(1))
+      if (status(1) < 0) return
+      rank = 0
+      status(4) = -1
+      rows(:) = 1
+      call h5dget_space_f(dataset, space, status(2))
+      call h5sget_simple_extent_ndims_f(space, rank, status(3))
+      if (rank == 1 .or. rank == 2) call h5sget_simple_extent_dims_f(space, rows, most, status(4))
+      call h5sclose_f(space, status(5))
+      call h5dclose_f(dataset, status(6))
+      if (all(status >= 0) .and. product(rows) <= huge(extent)) extent = int(product(rows))
+   end function extent
+
+   !> Read a dataset of characters
+   subroutine read_bytes(self, name, content, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> What is in it
+      character(:), allocatable, intent(out), target :: content
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: length
+
+      length = self%extent(name)
+      good = length >= 0
+      allocate (character(max(0, length)) :: content)
+      if (length > 0) call read_all(self%id, name, is_byte, c_loc(content), good)
+   end subroutine read_bytes
+
+   !> Read a dataset of integers
+   subroutine read_integers(self, name, values, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> What is in it, which must be as many as there are
+      integer, intent(inout), target, contiguous :: values(:)
+      !> True when all went well
+      logical, intent(out) :: good
+
+      good = self%extent(name) == size(values)
+      if (good .and. size(values) > 0) call read_all(self%id, name, is_integer, c_loc(values), good)
+   end subroutine read_integers
+
+   !> Read a dataset of reals
+   subroutine read_reals(self, name, values, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> What is in it, which must be as many as there are
+      real(wp), intent(inout), target, contiguous :: values(:)
+      !> True when all went well
+      logical, intent(out) :: good
+
+      good = self%extent(name) == size(values)
+      if (good .and. size(values) > 0) call read_all(self%id, name, is_real, c_loc(values), good)
+   end subroutine read_reals
+
+   !> Read a dataset
+   subroutine read_all(id, name, number, address, good)
+      integer(hid_t), intent(in) :: id
+      character(*), intent(in) :: name
+      !> One of `is_…`
+      integer, intent(in) :: number
+      !> Room for all numbers
+      type(c_ptr), intent(in) :: address
+      logical, intent(out) :: good
+
+      integer(hid_t) :: dataset
+      type(c_ptr) :: room
+      integer :: status(3)
+
+      room = address
+      call h5dopen_f(id, name, dataset, status(1))
+      call h5dread_f(dataset, type_in_memory(number), room, status(2))
+      call h5dclose_f(dataset, status(3))
+      good = all(status >= 0)
+   end subroutine read_all
+
+   !> Read a slab of the rows of a table, or of the numbers of a list
+   subroutine read_slab(self, name, before, slab, values, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> Rows before all levels of the slab
+      integer(hsize_t), intent(in) :: before
+      !> The slab
+      type(hyperslab_type), intent(in) :: slab
+      !> What is in it, (width, rows); of width 1 for a list
+      real(wp), intent(inout), target, contiguous :: values(:, :)
+      !> False when there are not as many rows
+      logical, intent(out) :: good
+
+      integer(hsize_t) :: most(2), rows(2)
+      integer(hid_t) :: dataset, memory, space
+      type(c_ptr) :: address
+      integer :: rank, status(8)
+
+      good = .false.
+      call h5dopen_f(self%id, name, dataset, status(1))
+      if (status(1) < 0) return
+      call h5dget_space_f(dataset, space, status(2))
+      call h5sget_simple_extent_ndims_f(space, rank, status(3))
+      if (rank < 1 .or. rank > 2) return
+      call h5sget_simple_extent_dims_f(space, rows, most, status(4))
+      good = rows(rank) >= before + slab%whole*slab%levels .and. all(status(:4) >= 0)
+      if (rank == 2) good = good .and. rows(1) == size(values, 1)
+      if (.not. good) return
+      call select_slab(space, before, slab, memory, status(5))
+      address = c_loc(values)
+      call h5dread_f(dataset, type_in_memory(is_real), address, status(6), memory, space)
+      call h5sclose_f(memory, status(7))
+      call h5sclose_f(space, status(8))
+      call h5dclose_f(dataset, status(1))
+      good = all(status([1, 5, 6, 7, 8]) >= 0)
+   end subroutine read_slab
+
+   !> Read an attribute of one integer
+   subroutine read_number(self, place, name, value, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the group or dataset that has the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      integer, intent(inout), target :: value
+      !> True when there is such a number
+      logical, intent(out) :: good
+
+      integer(hid_t) :: attribute, object
+      type(c_ptr) :: address
+      integer :: status(5)
+
+      good = .false.
+      call h5oopen_f(self%id, place, object, status(1))
+      if (status(1) < 0) return
+      call h5aopen_f(object, name, attribute, status(2))
+      if (status(2) >= 0) then
+         address = c_loc(value)
+         call h5aread_f(attribute, type_in_memory(is_integer), address, status(3))
+         call h5aclose_f(attribute, status(4))
+         good = all(status(3:4) >= 0)
+      end if
+      call h5oclose_f(object, status(5))
+   end subroutine read_number
+
+   !> Read an attribute of text
+   subroutine read_text(self, place, name, value, good)
+      class(hdf5_input_type), intent(in) :: self
+      !> Path of the group or dataset that has the attribute
+      character(*), intent(in) :: place
+      !> Name of the attribute
+      character(*), intent(in) :: name
+      !> Its value
+      character(:), allocatable, intent(out) :: value
+      !> True when there is such a text
+      logical, intent(out) :: good
+
+      integer(hid_t) :: attribute, object, string
+      integer(size_t) :: length
+      character(kind=c_char), allocatable, target :: bytes(:)
+      type(c_ptr) :: address
+      integer :: i, status(7)
+
+      good = .false.
+      value = ""
+      call h5oopen_f(self%id, place, object, status(1))
+      if (status(1) < 0) return
+      call h5aopen_f(object, name, attribute, status(2))
+      if (status(2) >= 0) then
+         call h5aget_type_f(attribute, string, status(3))
+         call h5tget_size_f(string, length, status(4))
+         allocate (bytes(max(1_size_t, length)))
+         address = c_loc(bytes)
+         call h5aread_f(attribute, string, address, status(5))
+         value = repeat(" ", size(bytes))
+         do i = 1, size(bytes)
+            value(i:i) = bytes(i)
+         end do
+         call h5tclose_f(string, status(6))
+         call h5aclose_f(attribute, status(7))
+         good = all(status(3:) >= 0)
+         if (value == achar(0)) value = ""
+      end if
+      call h5oclose_f(object, status(7))
+   end subroutine read_text
+
+   !> Close the file; nothing happens when it is not open
+   subroutine close_input(self)
+      class(hdf5_input_type), intent(inout) :: self
+
+      integer :: status
+
+      if (self%id < 0) return
+      call h5fclose_f(self%id, status)
+      self%id = -1_hid_t
+   end subroutine close_input
+
+end module plydyn_io_hdf5_input

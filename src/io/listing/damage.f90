@@ -1,0 +1,243 @@
+!> The section of the listing on plies that are damaged: strengths, strains, crack bands.
+module plydyn_io_listing_damage
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : crack_band_type, domain_type
+   use plydyn_law_ply_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
+   use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
+      & ply_constants_type, snap_drop
+   use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
+   use plydyn_model_control, only : units_type
+   use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
+   use plydyn_model_model, only : model_type
+   use plydyn_io_listing_table, only : table_type, write_section
+   implicit none
+   private
+
+   public :: write_damage
+
+contains
+
+   !> One section for each material with damage
+   subroutine write_damage(unit, model, domain)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      integer :: i
+
+      if (.not. any(model%materials%is_damaged())) return
+      do i = 1, size(domain%bands)
+         if (.not. model%materials(i)%is_damaged()) cycle
+         call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
+            & //model%materials(i)%title)
+         if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
+            & domain%neighbours(:, i), model%control%units)
+         if (model%materials(i)%law == law_strain_damage) then
+            call write_strains(unit, model%materials(i)%strains, domain%bands(i), &
+               & model%control%units)
+            cycle
+         end if
+         call write_bands(unit, model%materials(i), domain%bands(i), model%control%units)
+         call write_modes(unit, model%materials(i)%ply, domain%bands(i), model%control%units)
+         call write_snap_back(unit, model%materials(i), domain%bands(i))
+      end do
+   end subroutine write_damage
+
+   !> The ellipse of the average over neighbours
+   subroutine write_average(unit, material, points, units)
+      integer, intent(in) :: unit
+      type(material_type), intent(in) :: material
+      !> Fewest and most points in it
+      integer, intent(in) :: points(2)
+      type(units_type), intent(in) :: units
+
+      write (unit, "(2(a,es12.5),2a)") "strains averaged within ", material%radius(1), &
+         & " along the fibres and ", material%radius(2), " across them ", trim(units%length)
+      write (unit, "(2(a,i0),/)") "  Gauss points in the ellipse ", points(1), " to ", points(2)
+   end subroutine write_average
+
+   !> Rule and widths of the crack band
+   subroutine write_bands(unit, material, band, units)
+      integer, intent(in) :: unit
+      type(material_type), intent(in) :: material
+      type(crack_band_type), intent(in) :: band
+      type(units_type), intent(in) :: units
+
+      write (unit, "(2a)") "width of the crack band       ", rule_words(material)
+      write (unit, "(a,2(es12.5,a))") "  across broken fibres       ", band%narrowest(1), " to", &
+         & band%widest(1), " "//trim(units%length)
+      write (unit, "(a,2(es12.5,a),/)") "  across matrix cracks       ", band%narrowest(2), " to", &
+         & band%widest(2), " "//trim(units%length)
+   end subroutine write_bands
+
+   !> The rule in words
+   function rule_words(material) result(words)
+      type(material_type), intent(in) :: material
+      character(:), allocatable :: words
+
+      if (material%ply%band_width > 0.0_wp) then
+         words = "given (LSTAR)"
+         return
+      else if (material%averages()) then
+         words = "1.4 radii of the average, or what the quad has where that is wider"
+         return
+      end if
+      select case (material%ply%band_rule)
+      case (rule_gauss_point); words = "length of the Gauss point along the direction"
+      case (rule_root_point); words = "root of the area of the Gauss point"
+      case (rule_root_quad); words = "root of the area of the quad"
+      case default; words = "share of the length of the quad along the direction"
+      end select
+   end function rule_words
+
+   !> Strengths and strains of each mode in uniaxial stress, at the narrowest and widest band
+   subroutine write_modes(unit, ply, band, units)
+      integer, intent(in) :: unit
+      type(ply_constants_type), intent(in) :: ply
+      type(crack_band_type), intent(in) :: band
+      type(units_type), intent(in) :: units
+
+      type(table_type) :: table
+      real(wp) :: early(2), longest(modes), modulus(modes), strength(modes), width(2)
+      integer :: direction, k, mode
+
+      call start_table(unit, units, table)
+      strength(:) = [ply%fibre_strength, ply%matrix_strength, ply%shear_strength]
+      modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
+      longest(:) = ply%longest_lengths()
+      do mode = 1, modes
+         direction = merge(1, 2, mode <= in_compression)
+         width(:) = [band%narrowest(direction), band%widest(direction)]
+         early(:) = early_share(ply, longest(mode), width)
+         call table%put(trim(mode_names(mode)))
+         call table%put(strength(mode))
+         call table%put(longest(mode)/ply%snap_ratio)
+         call table%put(strength(mode)*minval(early))
+         call table%put(strength(mode)*early(1)/modulus(mode))
+         do k = 1, 2
+            call table%put(last_share(ply, mode, end_share(longest(mode), width(k), early(k)), &
+               & early(k))*strength(mode)/modulus(mode))
+         end do
+         call table%put(band%too_wide(mode))
+      end do
+   end subroutine write_modes
+
+   !> Heads of the table of modes
+   subroutine start_table(unit, units, table)
+      integer, intent(in) :: unit
+      type(units_type), intent(in) :: units
+      type(table_type), intent(out) :: table
+
+      call table%start(unit)
+      call table%add_column("mode", 18, "a")
+      call table%add_column("strength ["//trim(units%stress)//"]", 12, "g12.5")
+      call table%add_column("widest band ["//trim(units%length)//"]", 12, "g12.5")
+      call table%add_column("least strength ["//trim(units%stress)//"]", 12, "g12.5")
+      call table%add_column("onset strain", 12, "es12.5")
+      call table%add_column("end, narrow band", 12, "es12.5")
+      call table%add_column("end, wide band", 12, "es12.5")
+      call table%add_column("points too wide", 8, "i0")
+      call table%write_heads()
+   end subroutine start_table
+
+   !> Share of the strength at which damage starts in uniaxial stress: 1 where the band is narrow
+   !> enough, else that of the strength sqrt(2 E G/(ratio band))
+   pure function early_share(ply, longest, width) result(share)
+      type(ply_constants_type), intent(in) :: ply
+      real(wp), intent(in) :: longest, width(2)
+      real(wp) :: share(2)
+
+      share(:) = 1.0_wp
+      if (ply%snap_back == snap_drop) return
+      share(:) = min(1.0_wp, sqrt(longest/(ply%snap_ratio*width)))
+   end function early_share
+
+   !> Strain at which the line of softening meets zero, over that of the strength
+   pure real(wp) function end_share(longest, width, early) result(share)
+      real(wp), intent(in) :: longest, width, early
+
+      share = max(longest/(width*early), early)
+   end function end_share
+
+   !> Strain at which no stress is left, likewise: where the stress drops, that of the drop
+   pure real(wp) function last_share(ply, mode, share, early) result(last)
+      type(ply_constants_type), intent(in) :: ply
+      integer, intent(in) :: mode
+      !> Share where the line of softening would meet zero, and that at onset
+      real(wp), intent(in) :: share, early
+
+      last = share
+      if (mode == in_compression) last = (share + ply%brittle*early)/(1.0_wp + ply%brittle)
+   end function last_share
+
+   !> What is done where the band is too wide
+   subroutine write_snap_back(unit, material, band)
+      integer, intent(in) :: unit
+      type(material_type), intent(in) :: material
+      type(crack_band_type), intent(in) :: band
+
+      if (all(band%too_wide == 0)) return
+      if (material%ply%snap_back == snap_drop) then
+         write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
+            & //"wide the stress drops at once and more than the toughness is dissipated (SNAP 2)"
+      else
+         write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
+            & //"wide damage starts early and the toughness stays right (SNAP 0)"
+      end if
+   end subroutine write_snap_back
+
+   !> Strains of each mode of damage between given strains, and what a crack costs in uniaxial
+   !> stress at the narrowest and widest band of the mesh
+   subroutine write_strains(unit, ply, band, units)
+      integer, intent(in) :: unit
+      type(strain_constants_type), intent(in) :: ply
+      type(crack_band_type), intent(in) :: band
+      type(units_type), intent(in) :: units
+
+      integer, parameter :: mechanism(modes) = [by_fibres, by_fibres, by_matrix, &
+         & by_matrix, by_matrix]
+      ! shear counts by half, with the strains of tension
+      integer, parameter :: sense(modes) = [1, 2, 1, 2, 1]
+      real(wp), parameter :: factor(modes) = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp]
+      type(table_type) :: table
+      real(wp) :: limits(2), modulus(modes)
+      integer :: direction, mode
+
+      call table%start(unit)
+      call table%add_column("mode", 18, "a")
+      call table%add_column("onset strain", 12, "es12.5")
+      call table%add_column("complete at", 12, "es12.5")
+      call table%add_column("stress at onset ["//trim(units%stress)//"]", 12, "g12.5")
+      call table%add_column("crack, narrow band ["//energy_per_area(units)//"]", 12, "g12.5")
+      call table%add_column("crack, wide band ["//energy_per_area(units)//"]", 12, "g12.5")
+      call table%write_heads()
+      modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
+      do mode = 1, modes
+         direction = merge(1, 2, mode <= in_compression)
+         limits(:) = factor(mode)*[ply%onset(mechanism(mode), sense(mode)), &
+            & ply%finish(mechanism(mode), sense(mode))]
+         call table%put(trim(mode_names(mode)))
+         call table%put(limits(1))
+         call table%put(limits(2))
+         call table%put(modulus(mode)*limits(1))
+         call table%put(0.5_wp*modulus(mode)*product(limits)*band%narrowest(direction))
+         call table%put(0.5_wp*modulus(mode)*product(limits)*band%widest(direction))
+      end do
+      write (unit, "(/,4(a,es12.5))") "locking from a principal strain of", &
+         & ply%onset(by_locking, 1), " to", ply%finish(by_locking, 1), ", in compression of", &
+         & ply%onset(by_locking, 2), " to", ply%finish(by_locking, 2)
+   end subroutine write_strains
+
+   !> Unit of energy over area
+   pure function energy_per_area(units) result(name)
+      type(units_type), intent(in) :: units
+      character(:), allocatable :: name
+
+      name = trim(units%energy)//"/"//trim(units%length)//"2"
+   end function energy_per_area
+
+end module plydyn_io_listing_damage

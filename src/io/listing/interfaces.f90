@@ -1,0 +1,190 @@
+!> The part of the listing that tells of interfaces: their law and the mesh, and what they lost.
+module plydyn_io_listing_interfaces
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_delamination, only : delamination_type
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & normal, &
+      & shear
+   use plydyn_law_cohesive_check, only : final_over_onset
+   use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, &
+      & stiffness_ratio, &
+      & strength_factor
+   use plydyn_model_control, only : units_type
+   use plydyn_model_model, only : model_type
+   use plydyn_io_csv_delamination_history, only : failing_interfaces
+   use plydyn_io_listing_table, only : table_type, write_section
+   implicit none
+   private
+
+   public :: write_interface_laws, write_interface_losses
+
+   !> Strengths that are fitted leave the factor at 1 but for this
+   real(wp), parameter :: rounded = 1.0e-9_wp
+   !> Names of the modes
+   character(*), parameter :: mode_name(2) = [character(7) :: "opening", "sliding"]
+
+contains
+
+   !> Constants, openings at onset and failure, and the zone that softens, of each material that
+   !> fails
+   subroutine write_interface_laws(unit, model)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+
+      type(process_zone_type) :: zone
+      integer :: m
+
+      do m = 1, size(model%interface_materials)
+         associate (material => model%interface_materials(m))
+            if (.not. material%fails) cycle
+            zone = new_process_zone(model, m)
+            if (zone%interfaces == 0) cycle
+            call write_section(unit, "Interface material "//text(material%id)//" "//material%title)
+            call write_options(unit, material%constants, material%nodal, material%fitted)
+            call write_modes(unit, model%control%units, material%constants, zone)
+            call write_notes(unit, model%control%units, material%constants, zone)
+         end associate
+      end do
+   end subroutine write_interface_laws
+
+   !> What the card of the interface chooses
+   subroutine write_options(unit, constants, nodal, fitted)
+      integer, intent(in) :: unit
+      type(cohesive_constants_type), intent(in) :: constants
+      !> Points at the nodes; strengths fitted to the mesh
+      logical, intent(in) :: nodal, fitted
+
+      write (unit, "(2a)") "points                        ", &
+         & trim(merge("nodes       ", "Gauss points", nodal))
+      write (unit, "(2a)") "stiffness of closed faces     ", &
+         & trim(merge("falls with damage", "stays whole      ", constants%falling_penalty))
+      write (unit, "(2a)") "friction of failed faces      ", text(constants%friction, 3)
+      if (constants%consistent) write (unit, "(a)") "shear stiffness               " &
+         & //"fitted to the energy"
+      if (fitted) write (unit, "(a)") "strengths                     fitted to the mesh"
+   end subroutine write_options
+
+   !> A line for each mode
+   subroutine write_modes(unit, units, constants, zone)
+      integer, intent(in) :: unit
+      type(units_type), intent(in) :: units
+      type(cohesive_constants_type), intent(in) :: constants
+      !> Zone, with the strengths that count
+      type(process_zone_type), intent(in) :: zone
+
+      type(cohesive_constants_type) :: used
+      type(cohesive_type) :: law
+      type(table_type) :: table
+      real(wp) :: onset
+      integer :: mode
+
+      used = constants
+      used%strength(:) = zone%strength
+      law = new_cohesive(used)
+      call start_table(table, unit, units)
+      do mode = normal, shear
+         onset = zone%strength(mode)/law%stiffness(mode)
+         call table%put(mode_name(mode))
+         call table%put(law%stiffness(mode))
+         call table%put(zone%strength(mode))
+         call table%put(constants%toughness(mode))
+         call table%put(onset)
+         call table%put(onset*final_over_onset(law, real(mode - normal, wp)))
+         call table%put(zone%length(mode))
+         call table%put(zone%length(mode)/zone%spacing)
+      end do
+   end subroutine write_modes
+
+   !> Heads of the table of modes
+   subroutine start_table(table, unit, units)
+      type(table_type), intent(inout) :: table
+      integer, intent(in) :: unit
+      type(units_type), intent(in) :: units
+
+      call table%start(unit)
+      call table%add_column("mode", 7, "a")
+      call table%add_column("stiffness", 12, "g12.5")
+      call table%add_column("strength", 11, "g11.4")
+      call table%add_column("toughness", 11, "g11.4")
+      call table%add_column("onset ["//trim(units%length)//"]", 11, "g11.4")
+      call table%add_column("failure ["//trim(units%length)//"]", 12, "g12.4")
+      call table%add_column("zone ["//trim(units%length)//"]", 11, "g11.4")
+      call table%add_column("spacings", 8, "f8.2")
+      call table%write_heads()
+   end subroutine start_table
+
+   !> What the mesh or the stiffness cannot do
+   subroutine write_notes(unit, units, constants, zone)
+      integer, intent(in) :: unit
+      type(units_type), intent(in) :: units
+      type(cohesive_constants_type), intent(in) :: constants
+      type(process_zone_type), intent(in) :: zone
+
+      character(:), allocatable :: remedy
+      real(wp) :: factor, ratio
+      integer :: mode
+
+      factor = strength_factor(zone%across, constants%toughness, zone%strength, zone%spacing)
+      remedy = "smaller quads help"
+      if (factor < 1.0_wp - rounded) remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
+      do mode = normal, shear
+         if (zone%length(mode) >= real(least_points, wp)*zone%spacing) cycle
+         write (unit, "(10a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
+            & text(zone%length(mode), 3), " "//trim(units%length)//", spans ", &
+            & text(zone%length(mode)/zone%spacing, 2), " distances between nodes, fewer than ", &
+            & text(least_points), ": cracks may need too much force; ", remedy
+      end do
+      ratio = stiffness_ratio(constants%stiffness(normal), zone%across, zone%thickness)
+      if (ratio < least_stiffness_ratio) then
+         write (unit, "(5a)") "note: the opening stiffness is ", text(ratio, 3), &
+            & " moduli over the thickness beside it, less than ", text(least_stiffness_ratio, 2), &
+            & ": the interface softens the laminate"
+      end if
+   end subroutine write_notes
+
+   !> Area and energy of every interface that can fail
+   subroutine write_interface_losses(unit, model, domain, lost)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> What each interface has lost in the whole model
+      type(delamination_type), intent(in) :: lost(:)
+
+      type(table_type) :: table
+      integer, allocatable :: interfaces(:)
+      integer :: i
+
+      interfaces = failing_interfaces(domain)
+      if (size(interfaces) == 0) return
+      call write_section(unit, "Interfaces at the end")
+      associate (u => model%control%units)
+         call table%start(unit)
+         call table%add_column("interface", 9, "i0")
+         call table%add_column("damaged ["//trim(u%length)//"2]", 14, "g12.5")
+         call table%add_column("failed ["//trim(u%length)//"2]", 13, "g12.5")
+         call table%add_column("fracture ["//trim(u%energy)//"]", 14, "g12.5")
+         call table%add_column("penalty ["//trim(u%energy)//"]", 13, "g12.5")
+         call table%add_column("friction ["//trim(u%energy)//"]", 14, "g12.5")
+      end associate
+      call table%write_heads()
+      do i = 1, size(interfaces)
+         call table%put(interfaces(i))
+         associate (here => lost(interfaces(i)))
+            call table%put(here%begun)
+            call table%put(here%failed)
+            call table%put(here%fracture)
+            call table%put(here%closing)
+            call table%put(here%friction)
+         end associate
+      end do
+   end subroutine write_interface_losses
+
+end module plydyn_io_listing_interfaces

@@ -1,0 +1,328 @@
+!> The listing of a run: what was read, what was made of it, and how it ended.
+module plydyn_io_listing_listing
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text, text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
+   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
+   use plydyn_model_model, only : model_type
+   use plydyn_io_listing_damage, only : write_damage
+   use plydyn_io_vtkhdf_field_size, only : fields_bytes, interfaces_bytes
+   use plydyn_io_job, only : job_type, no_unit
+   use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
+   use plydyn_io_listing_progress_line, only : duration_text
+   use plydyn_io_csv_global_history, only : global_history_type
+   use plydyn_io_listing_time_step, only : write_step
+   use plydyn_io_listing_table, only : table_type, write_section
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: write_end, write_listing, write_restart
+
+   !> Bytes in a megabyte
+   real(wp), parameter :: megabyte = 1.0e6_wp
+
+contains
+
+   !> Everything that is known before the first step
+   subroutine write_listing(unit, build, deck, messages, model, domain, seconds_per_step)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> Version and compiler; path of the deck; warnings of the readers
+      character(*), intent(in) :: build, deck, messages
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      !> Measured time of one evaluation of the forces
+      real(wp), intent(in) :: seconds_per_step
+
+      integer :: p
+
+      write (unit, "(a)") build
+      write (unit, "(/,2a)") "deck   ", deck
+      write (unit, "(2a)") "title  ", model%title
+      if (len(messages) > 0) then
+         call write_section(unit, "Messages")
+         write (unit, "(a)") messages
+      end if
+      call write_units(unit, model)
+      do p = 1, size(model%parts)
+         if (model%parts(p)%brick%points == 0) then
+            call write_part(unit, model, model%parts(p))
+         else
+            call write_brick_part(unit, model, p)
+         end if
+      end do
+      call write_damage(unit, model, domain)
+      call write_interface_laws(unit, model)
+      call write_masses(unit, model, domain)
+      call write_step(unit, model, domain)
+      call write_effort(unit, model, domain, seconds_per_step)
+      flush (unit)
+   end subroutine write_listing
+
+   !> Where a run goes on, and what is different from there on
+   subroutine write_restart(job, build, path, written_by, deck, messages, state)
+      !> The job
+      type(job_type), intent(in) :: job
+      !> Version and compiler
+      character(*), intent(in) :: build
+      !> Path of the restart file, and version of the program that wrote it
+      character(*), intent(in) :: path, written_by
+      !> Path of the deck that changes the run, empty for none; warnings of the readers
+      character(*), intent(in) :: deck, messages
+      !> The state
+      type(state_type), intent(in) :: state
+
+      character(:), allocatable :: words
+
+      call write_section(job%listing, "Restart")
+      words = "goes on from "//path//" at cycle "//text(state%cycle)//", time "//text(state%time)
+      write (job%listing, "(a)") build, words
+      if (written_by /= job%version) write (job%listing, "(3a)") "the restart file is of plydyn ", &
+         & written_by, ": the last bits may differ from those of an unbroken run"
+      if (len(deck) > 0) write (job%listing, "(2a)") "changed by ", deck
+      if (len(messages) > 0) write (job%listing, "(a)") messages
+      flush (job%listing)
+      if (job%screen /= no_unit) write (job%screen, "(a)") words
+   end subroutine write_restart
+
+   !> Names of units
+   subroutine write_units(unit, model)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+
+      call write_section(unit, "Units")
+      associate (u => model%control%units)
+         write (unit, "(12a)") trim(u%length), ", ", trim(u%time), ", ", trim(u%mass), ", ", &
+            & trim(u%force), ", ", trim(u%stress), ", ", trim(u%energy)
+      end associate
+   end subroutine write_units
+
+   !> Plies of a part from the bottom up
+   subroutine write_part(unit, model, part)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+
+      real(wp) :: z
+      type(table_type) :: table
+      integer :: k
+
+      call write_section(unit, "Part "//text(part%id)//" "//part%title)
+      associate (length => model%control%units%length)
+         call table%start(unit)
+         call table%add_column("ply", 4, "i0")
+         call table%add_column("angle [deg]", 11, "f9.2")
+         call table%add_column("bottom ["//trim(length)//"]", 12, "g12.5")
+         call table%add_column("top ["//trim(length)//"]", 12, "g12.5")
+         call table%add_column("material", 8, "i0")
+         call table%add_column("order", 5, "i0")
+         call table%add_column("layers", 6, "i0")
+         call table%add_column("above it", 24, "a")
+         call table%write_heads()
+      end associate
+      z = part%bottom_offset*sum(part%plies%thickness)
+      do k = 1, size(part%plies)
+         associate (ply => part%plies(k))
+            call table%put(ply%id)
+            call table%put(ply%angle)
+            call table%put(z)
+            z = z + ply%thickness
+            call table%put(z)
+            call table%put(model%materials(ply%material)%id)
+            call table%put(ply%order)
+            call table%put(ply%layers)
+            call table%put(joint_name(model, part, k))
+         end associate
+      end do
+      call write_laminate(unit, model, part)
+   end subroutine write_part
+
+   !> Stiffness of a part as a plate
+   subroutine write_laminate(unit, model, part)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+
+      real(wp) :: a(3, 3), b(3, 3), d(3, 3), z
+      integer :: k
+
+      a(:, :) = 0.0_wp
+      b(:, :) = 0.0_wp
+      d(:, :) = 0.0_wp
+      z = part%bottom_offset*sum(part%plies%thickness)
+      do k = 1, size(part%plies)
+         associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
+            call add_ply_stiffness(material%young(1:2), material%poisson(1), material%shear(1), &
+               & ply%angle, z, z + ply%thickness, a, b, d)
+            z = z + ply%thickness
+         end associate
+      end do
+      associate (u => model%control%units)
+         write (unit, "(/,11a)") "A [", trim(u%force), "/", trim(u%length), "], B [", &
+            & trim(u%force), "] and D [", trim(u%force), " ", trim(u%length), &
+            & "] of classical laminate theory (xx, yy, xy)"
+      end associate
+      do k = 1, 3
+         write (unit, "(3(3es12.4,3x))") a(k, :), b(k, :), d(k, :)
+      end do
+   end subroutine write_laminate
+
+   !> A part of bricks
+   subroutine write_brick_part(unit, model, p)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: p
+
+      real(wp), allocatable :: angle(:)
+
+      associate (part => model%parts(p), section => model%parts(p)%brick)
+         angle = pack(model%mesh%brick_angle, model%mesh%brick_part == p)
+         call write_section(unit, "Part "//text(part%id)//" "//part%title)
+         write (unit, "(a,i0,a,i0,a)") "bricks                        ", &
+            & count(model%mesh%brick_part == p), " of ", section%points, " points"
+         write (unit, "(a,i0,2a)") "material                      ", &
+            & model%materials(part%plies(1)%material)%id, ", angle [deg] ", &
+            & fixed_text(minval(angle), 2)
+         if (maxval(angle) > minval(angle)) write (unit, "(2a)") "   to ", &
+            & fixed_text(maxval(angle), 2)
+         if (section%points > 1) return
+         write (unit, "(2a)") "hourglass control             ", trim(merge("viscous  ", &
+            & "stiffness", section%control == hourglass_viscous))//", " &
+            & //text(section%coefficient)
+      end associate
+   end subroutine write_brick_part
+
+   !> What joins a ply to the one above it
+   function joint_name(model, part, k) result(name)
+      type(model_type), intent(in) :: model
+      type(part_type), intent(in) :: part
+      integer, intent(in) :: k
+      character(:), allocatable :: name
+
+      name = "face of the laminate"
+      if (k > size(part%joint)) return
+      select case (part%joint(k))
+      case (faces_tied); name = "tied"
+      case (faces_apart); name = "apart"
+      case default
+         name = "interface, material "//text(model%interface_materials(part%joint(k))%id)
+      end select
+   end function joint_name
+
+   !> Sizes and masses
+   subroutine write_masses(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      integer :: i
+
+      call write_section(unit, "Size and mass")
+      if (size(domain%bricks) > 0) then
+         write (unit, "(a,i0)") "nodes                         ", size(model%mesh%node_id)
+         write (unit, "(a,i0)") "bricks                        ", size(model%mesh%brick_id)
+      else
+         write (unit, "(a,i0)") "nodes of the plane            ", size(model%mesh%node_id)
+         write (unit, "(a,i0,a,i0,a)") "quads                         ", &
+            & size(model%mesh%quad_id), " of ", domain%plates(1)%side**2, " nodes"
+         write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
+      end if
+      write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(model, domain)
+      if (domain%control%kinematics == total_lagrangian) then
+         write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"
+      else
+         write (unit, "(a)") "kinematics                    linear strain"
+      end if
+      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%total_mass, &
+         & trim(model%control%units%mass)
+      do i = 1, size(model%impactors)
+         write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", model%impactors(i)%id, &
+            & model%impactors(i)%mass, trim(model%control%units%mass)//", energy ", &
+            & 0.5_wp*model%impactors(i)%mass*sum(model%impactors(i)%velocity**2), &
+            & trim(model%control%units%energy)
+      end do
+   end subroutine write_masses
+
+   !> Freedoms without the second points of tied faces
+   pure integer function independent_freedoms(model, domain) result(freedoms)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) - size(domain%ties))
+   end function independent_freedoms
+
+   !> Memory, sizes of files and time to come
+   subroutine write_effort(unit, model, domain, seconds_per_step)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: seconds_per_step
+
+      real(wp) :: steps
+
+      call write_section(unit, "Effort")
+      steps = domain%control%end_time/domain%step
+      if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
+      write (unit, "(2a)") "steps                         ", fixed_text(steps, 0)
+      write (unit, "(a,i0)") "threads                       ", domain%control%threads
+      ! what several ranks have is in their table
+      if (domain%comm%ranks == 1) write (unit, "(3a)") "memory of mesh and motion     ", &
+         & fixed_text(mesh_bytes(domain)/megabyte, 1), " MB"
+      if (domain%comm%ranks == 1 .and. any_history(domain)) then
+         write (unit, "(3a)") "memory of histories           ", &
+            & fixed_text(history_bytes(domain)/megabyte, 1), " MB"
+      end if
+      write (unit, "(3a)") "file of fields                ", &
+         & fixed_text(fields_bytes(model, domain)/megabyte, 3), " MB"
+      if (size(domain%interfaces) > 0) then
+         write (unit, "(3a)") "file of interfaces            ", &
+            & fixed_text(interfaces_bytes(model, domain)/megabyte, 3), " MB"
+      end if
+      write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
+   end subroutine write_effort
+
+   !> How the run ended
+   subroutine write_end(unit, model, domain, state, rows, seconds, words)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      !> The last state, of any rank
+      type(state_type), intent(in) :: state
+      !> What the whole model has lost
+      type(global_history_type), intent(in) :: rows
+      !> Time that the run took
+      real(wp), intent(in) :: seconds
+      !> Normal end, or what stopped it
+      character(*), intent(in) :: words
+
+      call write_section(unit, "End")
+      write (unit, "(a)") words
+      associate (u => model%control%units, e => state%energies)
+         write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
+         write (unit, "(2a)") "elapsed ", duration_text(seconds)
+         write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
+         write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
+            & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
+            & trim(u%energy), "  dissipated", rows%dissipated, &
+            & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
+            & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
+            & "  added     ", e%added, trim(u%energy), &
+            & "  ripple    ", e%ripple - e%shift, trim(u%energy), &
+            & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
+         write (unit, "(a,es10.2)") "share out of balance ", e%error()
+      end associate
+      call write_interface_losses(unit, model, domain, rows%lost)
+      flush (unit)
+   end subroutine write_end
+
+end module plydyn_io_listing_listing

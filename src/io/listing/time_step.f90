@@ -1,0 +1,196 @@
+!> The part of the listing that tells where the time step comes from.
+module plydyn_io_listing_time_step
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text, text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_model_control, only : all_explicit, implicit_thickness, total_lagrangian
+   use plydyn_model_model, only : model_type
+   use plydyn_io_listing_table, only : table_type, write_section
+   implicit none
+   private
+
+   public :: write_step
+
+   !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
+   real(wp), parameter :: plane_share = 0.5_wp
+   !> Share of its stable step up to which the motion through a ply bears large strains with large
+   !> displacement, and round-off of it
+   real(wp), parameter :: roomy_share = 0.8_wp, slack = 1.0e-6_wp
+
+contains
+
+   !> The stable step, what governs it, and the quads that have the smallest
+   subroutine write_step(unit, model, domain)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      character(:), allocatable :: time
+
+      time = " "//trim(model%control%units%time)
+      call write_section(unit, "Stable step")
+      associate (limit => domain%limit)
+         write (unit, "(a,es12.5,a)") "stable step                  ", limit%step, time
+         write (unit, "(a)") "governed by                   "//governor(domain)
+         write (unit, "(a,es12.5,a)") "plies alone                  ", &
+            & 2.0_wp/sqrt(limit%ply_rate), time
+         if (domain%control%scheme /= implicit_thickness .and. size(domain%bricks) == 0) then
+            write (unit, "(a,es12.5,a)") "thickness implicit, about    ", &
+               & 2.0_wp/sqrt(limit%plane_rate), time
+         end if
+         if (limit%interface_rate > 0.0_wp) then
+            write (unit, "(a,es12.5,2a)") "interfaces alone             ", &
+               & 2.0_wp/sqrt(limit%interface_rate), time, &
+               & trim(merge("; implicit, no limit", "                    ", &
+               & domain%control%scheme /= all_explicit .and. limit%interface_rest <= 0.0_wp))
+         end if
+         write (unit, "(a,es12.5,3a)") "largest step taken           ", domain%step, time, &
+            & ", TSSFAC "//text(domain%control%step_factor), &
+            & trim(merge(", DTMAX or LCTM", "               ", domain%step &
+            & < domain%control%step_factor*limit%step))
+      end associate
+      call write_room(unit, domain)
+      call write_added(unit, model, domain)
+      call write_smallest(unit, model, domain)
+   end subroutine write_step
+
+   !> What governs the step
+   function governor(domain) result(words)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      associate (limit => domain%limit)
+         words = "quad "//text(limit%quad)//", ply "//text(limit%ply)//", "
+         if (size(domain%bricks) > 0) then
+            words = "brick "//text(limit%quad)//", part "//text(limit%ply)
+         else if (limit%interface_rest > limit%ply_rate) then
+            words = "the springs of interfaces"
+         else if (limit%plane_rate < plane_share*limit%ply_rate) then
+            words = words//"its thickness"
+         else
+            words = words//"its size in the plane"
+         end if
+      end associate
+   end function governor
+
+   !> Note where large displacement leaves waves through the plies little room; see section 10 of
+   !> the theory
+   subroutine write_room(unit, domain)
+      integer, intent(in) :: unit
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: share
+
+      associate (limit => domain%limit)
+         share = 0.5_wp*domain%step*sqrt(limit%ply_rate)
+         if (domain%control%kinematics /= total_lagrangian .or. size(domain%bricks) > 0) return
+         if (limit%plane_rate >= plane_share*limit%ply_rate) return
+         if (share <= roomy_share + slack) return
+      end associate
+      write (unit, "(5a)") "note: large displacement, ", fixed_text(share, 3), " of the stable ", &
+         & "step of plies: waves that strain them by some per cent may grow after hard blows; ", &
+         & "a TSSFAC of 0.8 bears 14 %"
+   end subroutine write_room
+
+   !> How much inertia the implicit operators add
+   subroutine write_added(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      character(:), allocatable :: units
+      real(wp) :: lightest
+      integer :: k
+
+      if (domain%control%scheme == all_explicit) return
+      units = " "//trim(model%control%units%mass)//"/"//trim(model%control%units%length)//"2"
+      lightest = huge(1.0_wp)
+      associate (layers => domain%layers, ply => model%parts(1)%plies)
+         do k = 1, size(layers%ply)
+            lightest = min(lightest, model%materials(ply(layers%ply(k))%material)%density &
+               & *ply(layers%ply(k))%thickness)
+         end do
+      end associate
+      write (unit, "(a,es12.5,2a)") "mass of the lightest ply     ", lightest, units
+      if (size(domain%pairs%inertia) > 0) then
+         write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to interfaces  ", &
+            & maxval(domain%pairs%inertia(3, :)), " (opening),", &
+            & maxval(domain%pairs%inertia(1:2, :)), " (sliding)", units
+      end if
+      if (domain%thickness%active) then
+         write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to plies       ", &
+            & largest_stretch(domain, 3), " (stretch),", largest_stretch(domain, 1), " (shear)", &
+            & units
+      end if
+   end subroutine write_added
+
+   !> Largest inertia per area that resists the relative motion of both faces of a layer, linear
+   !> between them
+   pure real(wp) function largest_stretch(domain, direction) result(largest)
+      type(domain_type), intent(in) :: domain
+      !> 1 for x and y, 3 for z
+      integer, intent(in) :: direction
+      integer :: f, p
+
+      largest = 0.0_wp
+      do f = 1, size(domain%thickness%stretches)
+         associate (stretch => domain%thickness%stretches(f), &
+            & z => domain%plates(1)%batches(f)%expansion%node)
+            largest = max(largest, maxval(sum(reshape([(0.25_wp*(z(stretch%level(2, p)) &
+               & - z(stretch%level(1, p)))**2*stretch%inertia(:, p, direction, 1), &
+               & p=1, size(stretch%level, 2))], [size(stretch%inertia, 1), &
+               & size(stretch%level, 2)]), 2)))
+         end associate
+      end do
+   end function largest_stretch
+
+   !> Table of the quads with the smallest steps
+   subroutine write_smallest(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      type(table_type) :: table
+      integer :: i
+
+      write (unit, "(a)") ""
+      call table%start(unit)
+      call table%add_column(element_name(domain), 8, "i0")
+      call table%add_column(layer_name(domain), 6, "i0")
+      call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
+      call table%write_heads()
+      do i = 1, size(domain%limit%slowest)
+         associate (slow => domain%limit%slowest(i))
+            if (size(domain%bricks) > 0) then
+               call table%put(model%mesh%brick_id(slow%element))
+            else
+               call table%put(model%mesh%quad_id(slow%element))
+            end if
+            call table%put(slow%layer)
+            call table%put(2.0_wp/sqrt(slow%rate))
+         end associate
+      end do
+   end subroutine write_smallest
+
+   !> What the elements of a domain are called
+   pure function element_name(domain) result(name)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: name
+
+      name = "quad"
+      if (size(domain%bricks) > 0) name = "brick"
+   end function element_name
+
+   !> What an element is a piece of
+   pure function layer_name(domain) result(name)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: name
+
+      name = "ply"
+      if (size(domain%bricks) > 0) name = "part"
+   end function layer_name
+
+end module plydyn_io_listing_time_step

@@ -1,0 +1,82 @@
+!> What a file of states says about itself: version, deck, units, plies, impactors.
+module plydyn_io_vtkhdf_description
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_model_model, only : model_type
+   use plydyn_io_vtkhdf_vtkhdf, only : vtkhdf_type
+   implicit none
+   private
+
+   public :: describe_file
+
+contains
+
+   !> Attributes and tables of the group /plydyn
+   subroutine describe_file(file, deck, version, model, error)
+      !> The file
+      type(vtkhdf_type), intent(inout) :: file
+      !> Path of the deck, version of the program
+      character(*), intent(in) :: deck, version
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
+         & "length", "time", "mass", "force", "stress", "energy"]
+      character(16), parameter :: ply_columns(6) = [character(16) :: "part", "ply", "ply_id", &
+         & "angle", "bottom", "top"]
+      character(16), parameter :: impactor_columns(6) = [character(16) :: "id", "radius", "mass", &
+         & "x", "y", "z"]
+      character(:), allocatable :: value
+      real(wp), allocatable :: table(:, :)
+      integer :: i
+
+      do i = 1, size(names)
+         associate (units => model%control%units)
+            select case (i)
+            case (1); value = version
+            case (2); value = model%title
+            case (3); value = deck
+            case (4); value = trim(units%length)
+            case (5); value = trim(units%time)
+            case (6); value = trim(units%mass)
+            case (7); value = trim(units%force)
+            case (8); value = trim(units%stress)
+            case default; value = trim(units%energy)
+            end select
+         end associate
+         call file%describe(trim(names(i)), value, error)
+         if (allocated(error)) return
+      end do
+      call file%add_table("plies", ply_columns, ply_table(model), error)
+      if (allocated(error)) return
+      table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%radius, &
+         & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
+         & [6, size(model%impactors)])
+      if (size(table) > 0) call file%add_table("impactors", impactor_columns, table, error)
+   end subroutine describe_file
+
+   !> One row for each ply of each part: part, ply from the bottom, its number, angle, z range
+   pure function ply_table(model) result(table)
+      type(model_type), intent(in) :: model
+      real(wp), allocatable :: table(:, :)
+
+      real(wp) :: z
+      integer :: k, p
+
+      allocate (table(6, 0))
+      do p = 1, size(model%parts)
+         associate (part => model%parts(p))
+            z = part%bottom_offset*sum(part%plies%thickness)
+            do k = 1, size(part%plies)
+               table = reshape([table, real(part%id, wp), real(k, wp), &
+                  & real(part%plies(k)%id, wp), part%plies(k)%angle, z, &
+                  & z + part%plies(k)%thickness], [6, size(table, 2) + 1])
+               z = z + part%plies(k)%thickness
+            end do
+         end associate
+      end do
+   end function ply_table
+
+end module plydyn_io_vtkhdf_description

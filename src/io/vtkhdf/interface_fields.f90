@@ -1,0 +1,294 @@
+!> Field states of the interfaces between plies: a surface for each, with points of its own.
+!>
+!> Points lie surface by surface from the bottom up, in each the nodes of all quads, part by part:
+!> where two parts meet, each has its own. So do cells, in each the quads of the deck that have the
+!> interface.
+module plydyn_io_vtkhdf_interface_fields
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_domain_delamination, only : interface_ply
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_quad, only : quad_node_area, tensor_order
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
+   use plydyn_io_vtkhdf_field_file, only : field_file_type
+   use plydyn_io_vtkhdf_plate_grid, only : band_of_rows, plate_quads
+   use plydyn_io_vtkhdf_interface_values, only : at_damage, at_dissipated, at_mixity, &
+      & damage_values, &
+      & interface_values
+   use plydyn_io_vtkhdf_output_nodes, only : new_accumulators, number_sites, accumulators_type
+   use plydyn_io_vtkhdf_vtkhdf, only : piece_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> Components of the fields: displacement, opening, damage, mix of modes, energy; and all of them
+   integer, parameter :: components(5) = [3, 3, 1, 1, 1]
+   integer, parameter, public :: interface_numbers = sum(components)
+   !> VTK's cells: quads of 4 and of 9 nodes
+   integer, parameter :: linear_cell = 9, quadratic_cell = 28
+
+   !> The file of interface states
+   type, public, extends(field_file_type) :: interface_fields_type
+      private
+      !> Layer below each interface, and its ply, from the bottom up
+      integer, allocatable :: layer(:), ply(:)
+      !> Batch and lane of each interface in each plate, 0 for none, (2, interfaces, plates)
+      integer, allocatable :: batch(:, :, :)
+      !> Sites of the quads of this rank, nodes in tensor order
+      type(accumulators_type) :: slots
+      !> Plate and quad of the plate of each of these, (2, quads)
+      integer, allocatable :: home(:, :)
+      !> Interface, and quad of the mesh, of each cell that this rank writes
+      integer, allocatable :: cell(:), quad(:)
+   contains
+      procedure :: create_grid
+      procedure :: add_cell_fields
+      procedure :: write => write_state
+   end type interface_fields_type
+
+contains
+
+   !> Create the file, if there are interfaces
+   subroutine create_grid(self, path, model, domain, error)
+      class(interface_fields_type), intent(inout) :: self
+      character(*), intent(in) :: path
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      integer, allocatable :: node(:), site(:, :)
+      integer :: i
+      type(piece_type) :: piece
+
+      if (size(domain%interfaces) == 0) return
+      self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
+         & "dissipated"]
+      self%components = components
+      call arrange(self, domain)
+      associate (mesh => model%mesh)
+         call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
+         self%home = plate_quads(domain)
+         self%slots = new_accumulators(domain%comm, site, [(domain%plates(self%home(1, i))%quad( &
+            & self%home(2, i)), i=1, size(self%home, 2))], size(self%layer))
+         self%slots%slot(:, :) = self%slots%slot(tensor_order(domain%plates(1)%side), :)
+         piece%points = self%slots%points()
+         call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
+            & piece%points%first + piece%points%count)), self, piece)
+         call make_cells(domain, mesh, site, self, piece)
+      end associate
+      call self%file%create(path, domain%comm, piece, error)
+   end subroutine create_grid
+
+   !> Find the interfaces, from the bottom up
+   subroutine arrange(self, domain)
+      type(interface_fields_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      integer :: b, k, l, layer(maxval(domain%layers%ply)), number(maxval(domain%layers%ply))
+
+      layer(:) = 0
+      do b = 1, size(domain%interfaces)
+         associate (batch => domain%interfaces(b))
+            do l = 1, lanes
+               if (batch%lower(l) == 0) cycle
+               layer(interface_ply(domain, batch, l)) = batch%lower(l)
+            end do
+         end associate
+      end do
+      self%ply = pack([(k, k=1, size(layer))], layer > 0)
+      self%layer = layer(self%ply)
+      number(self%ply) = [(k, k=1, size(self%ply))]
+      allocate (self%batch(2, size(self%layer), size(domain%plates)))
+      self%batch(:, :, :) = 0
+      do b = 1, size(domain%interfaces)
+         associate (batch => domain%interfaces(b))
+            do l = 1, lanes
+               if (batch%lower(l) == 0) cycle
+               self%batch(:, number(interface_ply(domain, batch, l)), batch%plate) = [b, l]
+            end do
+         end associate
+      end do
+   end subroutine arrange
+
+   !> Positions of the points that this rank writes
+   pure subroutine place_points(domain, position, self, piece)
+      type(domain_type), intent(in) :: domain
+      !> Positions of the nodes of its sites, (3, sites)
+      real(wp), intent(in) :: position(:, :)
+      type(interface_fields_type), intent(in) :: self
+      type(piece_type), intent(inout) :: piece
+
+      integer :: k, sites
+
+      sites = size(position, 2)
+      allocate (piece%position(3, sites*size(self%layer)))
+      do k = 1, size(self%layer)
+         piece%position(:, (k - 1)*sites + 1:k*sites) = position
+         piece%position(3, (k - 1)*sites + 1:k*sites) = position(3, :) &
+            & + domain%layers%top(self%layer(k))
+      end do
+   end subroutine place_points
+
+   !> The cells that this rank writes
+   pure subroutine make_cells(domain, mesh, site, self, piece)
+      type(domain_type), intent(in) :: domain
+      type(mesh_type), intent(in) :: mesh
+      !> Sites of all quads
+      integer, intent(in) :: site(:, :)
+      type(interface_fields_type), intent(inout) :: self
+      type(piece_type), intent(inout) :: piece
+
+      integer, allocatable :: own(:)
+      integer :: before, corners, first, i, k, last
+
+      corners = size(site, 1)
+      piece%cells = band_of_rows(domain, sum([(count(self%batch(1, k, mesh%quad_part) > 0), &
+         & k=1, size(self%layer))]))
+      allocate (self%cell(0), self%quad(0))
+      before = 0
+      do k = 1, size(self%layer)
+         own = pack([(i, i=1, size(site, 2))], self%batch(1, k, mesh%quad_part) > 0)
+         first = max(1, piece%cells%first - before + 1)
+         last = min(size(own), piece%cells%first + piece%cells%count - before)
+         self%cell = [self%cell, (k, i=first, last)]
+         self%quad = [self%quad, own(first:last)]
+         before = before + size(own)
+      end do
+      associate (cells => piece%cells)
+         piece%before = corners*cells%first
+         piece%all_ends = corners*cells%whole
+         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
+            & - merge(0, 1, cells%first + cells%count == cells%whole))]
+         piece%kind = spread(merge(linear_cell, quadratic_cell, corners == 4), 1, cells%count)
+         piece%connectivity = [(site(:, self%quad(i)) - 1 + self%slots%sites*(self%cell(i) - 1), &
+            & i=1, cells%count)]
+      end associate
+   end subroutine make_cells
+
+   !> What does not change: interface, plies, angles, element
+   subroutine add_cell_fields(self, model, domain, error)
+      class(interface_fields_type), intent(inout) :: self
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp), dimension(size(self%cell)) :: above, below
+      integer, dimension(size(self%cell)) :: number, ply_above, ply_below
+      integer :: i
+
+      number(:) = self%ply(self%cell)
+      do i = 1, size(number)
+         associate (plies => model%parts(model%mesh%quad_part(self%quad(i)))%plies)
+            ply_below(i) = plies(number(i))%id
+            ply_above(i) = plies(number(i) + 1)%id
+            below(i) = plies(number(i))%angle
+            above(i) = plies(number(i) + 1)%angle
+         end associate
+      end do
+      call self%file%add_cell_data("interface", number, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("ply_below", ply_below, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("ply_above", ply_above, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("angle_below", below, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("angle_above", above, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("element", &
+         & model%mesh%quad_id(self%quad), error)
+   end subroutine add_cell_fields
+
+   !> Write the present state; it is whole in the file when this returns
+   subroutine write_state(self, domain, state, error)
+      class(interface_fields_type), intent(inout) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The state
+      type(state_type), intent(in) :: state
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp), allocatable :: motion(:, :), values(:, :)
+
+      if (.not. self%file%is_open()) return
+      call self%file%begin_step(state%time, error)
+      if (allocated(error)) return
+      motion = face_motion(self, domain, state)
+      values = point_values(self, domain, state)
+      call self%file%write_point_data("displacement", motion(:3, :), error)
+      if (allocated(error)) return
+      call self%file%write_point_data("opening", motion(4:, :), error)
+      if (allocated(error)) return
+      call self%file%write_point_data("damage", values(at_damage, :), error)
+      if (allocated(error)) return
+      call self%file%write_point_data("mode_mixity", values(at_mixity, :), error)
+      if (allocated(error)) return
+      call self%file%write_point_data("dissipated", values(at_dissipated, :), error)
+      if (allocated(error)) return
+      call self%file%end_step(error)
+   end subroutine write_state
+
+   !> Mean and difference of the motion of both faces at the points of this rank, (6, points)
+   function face_motion(self, domain, state) result(motion)
+      type(interface_fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      real(wp), allocatable :: motion(:, :)
+
+      real(wp) :: at_slot(6, size(self%layer), self%slots%count)
+      integer :: c, i, k
+
+      do i = 1, size(self%home, 2)
+         associate (node => domain%plates(self%home(1, i))%node(:, self%home(2, i)), &
+            & slot => self%slots%slot(:, i), columns => domain%columns, u => state%displacement)
+            do k = 1, size(self%layer)
+               do c = 1, 3
+                  associate (below => u(columns%freedom(self%layer(k), &
+                     & columns%levels(self%layer(k)), c, node)), &
+                     & above => u(columns%freedom(self%layer(k) + 1, 1, c, node)))
+                     at_slot(c, k, slot) = 0.5_wp*(above + below)
+                     at_slot(c + 3, k, slot) = above - below
+                  end associate
+               end do
+            end do
+         end associate
+      end do
+      allocate (motion(6, self%slots%own_points()))
+      call self%slots%hand_over(at_slot, motion)
+   end function face_motion
+
+   !> Damage, mix of modes and energy at the points of this rank: of the nearest point of each quad,
+   !> averaged by area over the quads of its part that meet there, (values, points)
+   function point_values(self, domain, state) result(values)
+      type(interface_fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      real(wp), allocatable :: values(:, :)
+
+      real(wp) :: area(size(self%slots%slot, 1)), here(damage_values, size(self%slots%slot, 1))
+      real(wp) :: sums(damage_values + 1, size(self%layer), self%slots%count)
+      integer :: i, k, q
+
+      sums(:, :, :) = 0.0_wp
+      do i = 1, size(self%home, 2)
+         associate (p => self%home(1, i), e => self%home(2, i))
+            area(:) = quad_node_area(domain%plates(p)%side, &
+               & domain%position(1:2, domain%plates(p)%node(:, e)))
+            do k = 1, size(self%layer)
+               if (self%batch(1, k, p) == 0) cycle
+               here(:, :) = interface_values(domain, state, [self%batch(:, k, p), e])
+               do q = 1, size(area)
+                  associate (total => sums(:, k, self%slots%slot(q, i)))
+                     total(:damage_values) = total(:damage_values) + area(q)*here(:, q)
+                     total(damage_values + 1) = total(damage_values + 1) + area(q)
+                  end associate
+               end do
+            end do
+         end associate
+      end do
+      allocate (values(damage_values, self%slots%own_points()))
+      call self%slots%mean(sums, values)
+      ! round-off of the shares
+      values(:, :) = max(values, 0.0_wp)
+      values(at_damage, :) = min(values(at_damage, :), 1.0_wp)
+      values(at_mixity, :) = min(values(at_mixity, :), 1.0_wp)
+   end function point_values
+
+end module plydyn_io_vtkhdf_interface_fields

@@ -1,0 +1,185 @@
+!> Where the values of elements come together: the nodes of each part, as the whole model numbers
+!> them, and what a rank has of them.
+module plydyn_io_vtkhdf_output_nodes
+   use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_io_vtkhdf_vtkhdf, only : hyperslab_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_parallel_owner_reduction, only : owner_reduction_type, new_owner_reduction
+   implicit none
+   private
+
+   public :: new_accumulators, number_sites
+
+   !> The sites at which the elements of a rank have nodes. What elements add to a site is summed
+   !> in rising order of their numbers: here where this rank has all of them, else by the rank that
+   !> writes the site
+   type, public :: accumulators_type
+      !> Where each node of each element adds to, (nodes, elements)
+      integer, allocatable :: slot(:, :)
+      !> How many slots there are
+      integer :: count = 0
+      !> Levels of points above a site
+      integer :: levels = 1
+      !> Sites of the whole model
+      integer :: sites = 0
+      !> How what is in the slots gets to the rank that writes it
+      type(owner_reduction_type) :: delivery
+   contains
+      procedure :: points
+      procedure :: own_points
+      procedure :: mean
+      procedure :: hand_over
+   end type accumulators_type
+
+contains
+
+   !> Number the nodes of each part in their order, one part after the other
+   pure subroutine number_sites(part, element_node, nodes, site, node)
+      !> Part of each element, from 1
+      integer, intent(in) :: part(:)
+      !> Nodes of the elements, (nodes of an element, elements), and how many nodes there are
+      integer, intent(in) :: element_node(:, :), nodes
+      !> Site of each node of each element
+      integer, allocatable, intent(out) :: site(:, :)
+      !> Node of each site
+      integer, allocatable, intent(out) :: node(:)
+
+      integer :: e, first, i, last, n, number(nodes), order(size(part))
+      integer, allocatable :: own(:)
+
+      order(:) = sorted_order(part)
+      allocate (site(size(element_node, 1), size(part)), node(0))
+      first = 1
+      do while (first <= size(order))
+         last = first - 1 + count(part(order(first:)) == part(order(first)))
+         number(:) = 0
+         do i = first, last
+            number(element_node(:, order(i))) = 1
+         end do
+         own = pack([(n, n=1, nodes)], number > 0)
+         number(own) = size(node) + [(n, n=1, size(own))]
+         node = [node, own]
+         do i = first, last
+            e = order(i)
+            site(:, e) = number(element_node(:, e))
+         end do
+         first = last + 1
+      end do
+   end subroutine number_sites
+
+   !> Prepare for the elements of a rank
+   function new_accumulators(comm, site, element, levels) result(self)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> Sites of all elements of the model, (nodes of an element, elements)
+      integer, intent(in) :: site(:, :)
+      !> Elements of this rank, in rising order
+      integer, intent(in) :: element(:)
+      !> Levels of points above a site
+      integer, intent(in) :: levels
+      type(accumulators_type) :: self
+
+      integer :: all_parts(maxval(site)), i, n, number(maxval(site)), own_parts(maxval(site))
+      integer :: key(size(site, 1)*size(element)), row(size(site, 1)*size(element))
+
+      self%sites = maxval(site)
+      self%levels = levels
+      call count_parts(site, [(i, i=1, size(site, 2))], all_parts)
+      call count_parts(site, element, own_parts)
+      allocate (self%slot(size(site, 1), size(element)))
+      number(:) = 0
+      do i = 1, size(element)
+         do n = 1, size(site, 1)
+            associate (s => site(n, element(i)))
+               if (number(s) == 0 .or. own_parts(s) < all_parts(s)) then
+                  self%count = self%count + 1
+                  number(s) = self%count
+                  row(self%count) = s
+                  key(self%count) = element(i)
+               end if
+               self%slot(n, i) = number(s)
+            end associate
+         end do
+      end do
+      self%delivery = new_owner_reduction(comm, self%sites, row(:self%count), key(:self%count))
+   end function new_accumulators
+
+   !> How often elements have a node at each site
+   pure subroutine count_parts(site, element, parts)
+      integer, intent(in) :: site(:, :), element(:)
+      integer, intent(out) :: parts(:)
+
+      integer :: i, n
+
+      parts(:) = 0
+      do i = 1, size(element)
+         do n = 1, size(site, 1)
+            parts(site(n, element(i))) = parts(site(n, element(i))) + 1
+         end do
+      end do
+   end subroutine count_parts
+
+   !> Points that this rank writes, among those of all: level by level the sites
+   pure type(hyperslab_type) function points(self)
+      class(accumulators_type), intent(in) :: self
+
+      points = hyperslab_type(whole=self%sites, levels=self%levels, first=self%delivery%first, &
+         & count=self%delivery%count)
+   end function points
+
+   !> How many they are
+   pure integer function own_points(self)
+      class(accumulators_type), intent(in) :: self
+
+      own_points = self%levels*self%delivery%count
+   end function own_points
+
+   !> Weighted mean at the points that this rank writes of some consecutive levels; 0 where there is
+   !> no weight. All ranks must come here
+   subroutine mean(self, values, means)
+      class(accumulators_type), intent(in) :: self
+      !> Sums of weight times value and, last, of weights, (components + 1, levels, slots)
+      real(wp), intent(in) :: values(:, :, :)
+      !> The means, (components, sites of this rank times levels), level by level
+      real(wp), intent(out) :: means(:, :)
+
+      real(wp), allocatable :: sums(:, :)
+      integer :: i, last, s, t
+
+      allocate (sums(size(values, 1)*size(values, 2), self%delivery%count))
+      call self%delivery%add_up(reshape(values, [size(sums, 1), size(values, 3)]), sums)
+      do t = 1, size(values, 2)
+         last = size(values, 1)*t
+         do s = 1, self%delivery%count
+            i = self%delivery%count*(t - 1) + s
+            means(:, i) = 0.0_wp
+            if (sums(last, s) > 0.0_wp) means(:, i) = &
+               & sums(last - size(means, 1):last - 1, s)/sums(last, s)
+         end do
+      end do
+   end subroutine mean
+
+   !> Values at the points that this rank writes, where all elements have them alike. All ranks must
+   !> come here
+   subroutine hand_over(self, values, taken)
+      class(accumulators_type), intent(in) :: self
+      !> Values, (components, levels, slots)
+      real(wp), intent(in) :: values(:, :, :)
+      !> The same, (components, points), level by level
+      real(wp), intent(out) :: taken(:, :)
+
+      real(wp), allocatable :: rows(:, :)
+      integer :: s, t
+
+      allocate (rows(size(values, 1)*size(values, 2), self%delivery%count))
+      call self%delivery%hand_over(reshape(values, [size(rows, 1), size(values, 3)]), rows)
+      do t = 1, size(values, 2)
+         do s = 1, self%delivery%count
+            taken(:, self%delivery%count*(t - 1) + s) = &
+               & rows(size(values, 1)*(t - 1) + 1:size(values, 1)*t, s)
+         end do
+      end do
+   end subroutine hand_over
+
+end module plydyn_io_vtkhdf_output_nodes

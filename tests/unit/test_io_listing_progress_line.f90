@@ -1,0 +1,72 @@
+!> The line of life: its text, durations, and the distance of lines.
+program test_io_listing_progress_line
+   use plydyn_base_precision, only : wp
+   use plydyn_io_listing_progress_line, only : duration_text, progress_heads, progress_line, &
+      & progress_type, progress_sample_type
+   use testing, only : begin, check, finish
+   implicit none
+
+   call durations()
+   call line_of_life()
+   call distances()
+   call finish()
+
+contains
+
+   !> Durations
+   subroutine durations()
+      call begin("duration_text")
+      call check(duration_text(0.4_wp) == "0:00:00", "rounds to seconds")
+      call check(duration_text(3599.6_wp) == "1:00:00", "carries to hours")
+      call check(duration_text(1.0e5_wp) == "27:46:40", "hours go on past a day")
+      call check(duration_text(-1.0_wp) == "-", "unknown")
+      call check(duration_text(1.0e300_wp) == "-", "beyond a year")
+   end subroutine durations
+
+   !> The line and its heads
+   subroutine line_of_life()
+      type(progress_type) :: progress
+      character(:), allocatable :: line, heads
+
+      call begin("progress_line")
+      progress%end_time = 4.0e-3_wp
+      line = progress_line(progress, 0.0_wp)
+      call check(line(len(line):) == "-", "nothing is left to tell at the start")
+      progress%cycle = 1200
+      progress%time = 1.0e-3_wp
+      progress%step = 2.5e-8_wp
+      progress%cause = "element 12 ply 3"
+      progress%energy_error = -0.0012_wp
+      progress%force = -3456.0_wp
+      line = progress_line(progress, 60.0_wp)
+      heads = progress_heads("s", "N")
+      call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3        " &
+         & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "says all: "//line)
+      call check(len(line), len(heads), "heads are as wide as the line")
+      call check(index(heads, "force [N]") + len("force [N]"), &
+         & index(line, "-3.456E+03") + len("-3.456E+03"), "a head ends where its numbers end")
+      progress%energy_error = -1.0e-17_wp
+      line = progress_line(progress, 60.0_wp)
+      call check(index(line, "  0.00%") > 0, "no sign at zero")
+      progress%start_time = 1.0e-3_wp
+      progress%time = 2.0e-3_wp
+      line = progress_line(progress, 60.0_wp)
+      call check(line(len(line) - 6:) == "0:02:00", "a run that starts late has less to go")
+   end subroutine line_of_life
+
+   !> Distances of lines
+   subroutine distances()
+      type(progress_sample_type) :: pulse
+
+      call begin("pulse")
+      call check(pulse%elapsed(), 0.0_wp, 0.0_wp, "no time before the start")
+      call pulse%start()
+      call check(pulse%elapsed() >= 0.0_wp, "time passes")
+      call check(pulse%due(0.0_wp), "the first line is due at once")
+      call pulse%advance(0.0_wp)
+      call check(.not. pulse%due(0.9_wp) .and. pulse%due(1.0_wp), "then each second")
+      call pulse%advance(1000.0_wp)
+      call check(.not. pulse%due(1019.0_wp) .and. pulse%due(1020.0_wp), "later less often")
+   end subroutine distances
+
+end program test_io_listing_progress_line
