@@ -4,15 +4,15 @@ module plydyn_solver_explicit
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_accelerations, only : begin_accelerations, can_go_ahead, &
+   use plydyn_method_accelerations, only : begin_accelerations, can_go_ahead, &
       & count_accelerations, find_accelerations
-   use plydyn_solver_contacts, only : contacts_type
-   use plydyn_solver_crew, only : crew_type, new_crew
-   use plydyn_solver_energies, only : balance, begin_work, change_step
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_energy, only : balance, begin_work, change_step
    use plydyn_solver_health, only : check_health
    use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_motion, only : advance, step_back
-   use plydyn_solver_supports, only : move_supports
+   use plydyn_method_central_difference, only : advance, step_back
+   use plydyn_method_supports, only : move_supports
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -40,9 +40,9 @@ contains
       !> What stopped the run
       type(error_type), allocatable, intent(out) :: error
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
 
-      call new_crew(domain, crew)
+      call new_thread_team(domain, team)
       if (state%cycle == 0) then
          call begin_accelerations(domain, state)
          call balance(domain, state)
@@ -54,10 +54,10 @@ contains
       state%halts = .true.
 
       do while (.not. state%is_finished())
-         call begin_step(domain, contacts, crew, state)
+         call begin_step(domain, contacts, team, state)
          !$omp parallel default(shared)
          !$omp master
-         call crew%close()
+         call team%close()
          !$omp end master
          !$omp barrier
          ! motion, where it was not made with the accelerations
@@ -68,10 +68,10 @@ contains
          call contacts%enforce(domain, state)
          call begin_work(domain, state)
          call end_step(state)
-         call crew%open()
+         call team%open()
          !$omp end master
          ! forces over masses (eq. 6); of chunks that contact does not reach beside it
-         call find_accelerations(domain, crew, state%step, state)
+         call find_accelerations(domain, team, state%step, state)
          !$omp end parallel
          call count_accelerations(domain, state)
          state%is_ahead = state%goes_ahead
@@ -96,12 +96,12 @@ contains
 
    !> What is known of a step before it: how long it is, and the one after it; the impactors without
    !> contact; the chunks that must wait for contact
-   subroutine begin_step(domain, contacts, crew, state)
+   subroutine begin_step(domain, contacts, team, state)
       !> As in `run`
       type(domain_type), intent(in) :: domain
       type(contacts_type), intent(inout) :: contacts
       !> The threads
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       type(state_type), intent(inout) :: state
 
       state%step = next_step(domain, state, state%time, state%cycle)
@@ -110,8 +110,8 @@ contains
       state%goes_ahead = can_go_ahead(domain) .and. .not. state%halts
       call change_step(domain, state)
       call contacts%approach(domain, state)
-      call crew%let_wait(domain, contacts%reached)
-      call crew%begin(contacts%reaches_all)
+      call team%let_wait(domain, contacts%reached)
+      call team%begin(contacts%reaches_all)
    end subroutine begin_step
 
    !> The step to come is made

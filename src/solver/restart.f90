@@ -5,10 +5,10 @@ module plydyn_solver_restart
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
-   use plydyn_solver_accelerations, only : begin_accelerations
-   use plydyn_solver_energies, only : balance
+   use plydyn_method_accelerations, only : begin_accelerations
+   use plydyn_method_energy, only : balance
    use plydyn_solver_setup, only : run_type
-   use plydyn_solver_supports, only : support_points
+   use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type
    implicit none
    private

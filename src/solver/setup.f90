@@ -15,7 +15,7 @@ module plydyn_solver_setup
    use plydyn_io_listing_ranks, only : rank_numbers
    use plydyn_io_checkpoint_state_layout, only : new_state_layout, state_layout_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_solver_contacts, only : contacts_type, new_contacts
+   use plydyn_method_contact_step, only : contacts_type, new_contacts
    use plydyn_solver_start, only : new_state
    use plydyn_state_state, only : state_type
    implicit none

@@ -6,7 +6,7 @@ module plydyn_solver_start
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
-   use plydyn_solver_supports, only : support_points
+   use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type, tally_sums
    implicit none
    private

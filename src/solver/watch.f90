@@ -10,7 +10,7 @@ module plydyn_solver_watch
    use plydyn_io_job, only : job_type
    use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_solver_contacts, only : contacts_type
+   use plydyn_method_contact_step, only : contacts_type
    use plydyn_solver_journal, only : journal_type
    use plydyn_solver_requests, only : requests_type, take_requests
    use plydyn_state_state, only : attention_sum, halt_sum, state_type

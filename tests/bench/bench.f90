@@ -11,9 +11,9 @@ program bench
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
-   use plydyn_solver_crew, only : crew_type, new_crew
-   use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
-   use plydyn_solver_motion, only : accelerate, advance, count_sums
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_method_central_difference, only : accelerate, advance, count_sums
    use plydyn_solver_threads, only : set_threads
    use plydyn_state_state, only : state_type, tally_sums
    implicit none
@@ -29,7 +29,7 @@ program bench
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
 
    type(domain_type) :: domain
-   type(crew_type) :: crew
+   type(thread_team_type) :: team
    type(state_type) :: state
    real(wp), allocatable :: displacement(:), force(:), history(:)
    real(wp) :: vectors(lanes, chains)
@@ -118,7 +118,7 @@ contains
       if (allocated(state%chunk_sums)) deallocate (state%chunk_sums)
       allocate (state%chunk_sums(size(domain%chunks)))
       state%tally = new_exact_sums(tally_sums)
-      call new_crew(domain, crew)
+      call new_thread_team(domain, team)
    end subroutine rest
 
    !> Do a piece of work
@@ -130,10 +130,10 @@ contains
       case (probe)
          call multiply_add(vectors)
       case (internal)
-         call crew%begin(.false.)
-         call crew%close()
-         call crew%open()
-         call find_internal_forces(domain, crew, 0.0_wp, displacement, displacement, history, &
+         call team%begin(.false.)
+         call team%close()
+         call team%open()
+         call find_internal_forces(domain, team, 0.0_wp, displacement, displacement, history, &
             & force)
       case (joints)
          call add_interface_forces(domain, domain%chunks(1), displacement, history, force)

@@ -3,7 +3,7 @@ module acceleration
    use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_motion, only : accelerate, count_sums
+   use plydyn_method_central_difference, only : accelerate, count_sums
    use plydyn_state_state, only : state_type, sums_of, sums_type, tally_sums
    implicit none
    private

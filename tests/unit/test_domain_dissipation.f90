@@ -11,8 +11,8 @@ program test_domain_dissipation
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_material, only : law_plastic_kinematic, material_type, plasticity_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_crew, only : crew_type, new_crew
-   use plydyn_solver_forces, only : find_internal_forces
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_forces, only : find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -154,13 +154,13 @@ contains
       real(wp), intent(in) :: strain
       real(wp), intent(inout) :: history(:)
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       real(wp), allocatable :: force(:)
 
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 1.0e-6_wp, stretched(domain, strain), &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 1.0e-6_wp, stretched(domain, strain), &
             & 0.0_wp*stretched(domain, strain), history, force)
    end subroutine strain_plate
 

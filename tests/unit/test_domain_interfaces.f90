@@ -9,7 +9,7 @@ program test_domain_interfaces
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_forces, only : add_interface_forces
+   use plydyn_method_forces, only : add_interface_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none

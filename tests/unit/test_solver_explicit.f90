@@ -12,11 +12,11 @@ program test_solver_explicit
    use plydyn_io_job, only : job_type
    use plydyn_io_checkpoint_file_positions, only : new_file_positions
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_solver_crew, only : crew_type, new_crew
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
    use plydyn_solver_explicit, only : run
-   use plydyn_solver_forces, only : find_internal_forces
+   use plydyn_method_forces, only : find_internal_forces
    use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_motion, only : advance
+   use plydyn_method_central_difference, only : advance
    use plydyn_solver_setup, only : run_type, set_up
    use plydyn_solver_watch, only : watch_type
    use plydyn_state_state, only : state_type
@@ -173,7 +173,7 @@ contains
       type(model_type), intent(in) :: model
       type(state_type), intent(in) :: state
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       type(domain_type) :: domain
       type(error_type), allocatable :: error
       real(wp), allocatable :: force(:)
@@ -182,8 +182,8 @@ contains
       call build_domain(model, domain, error)
       allocate (force(domain%columns%forces))
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 0.0_wp, state%displacement, &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 0.0_wp, state%displacement, &
             & 0.0_wp*state%displacement, history, force)
       energy = -0.5_wp*dot_product(state%displacement, force(:domain%columns%freedoms))
    end function stored_energy

@@ -1,5 +1,5 @@
 !> Inertia through the thickness: closed forms, symmetry, momentum, supports, sums.
-program test_solver_column_inertia
+program test_method_implicit_column_inertia
    use acceleration, only : accelerate_points
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -11,9 +11,9 @@ program test_solver_column_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type
-   use plydyn_solver_crew, only : crew_type, new_crew
-   use plydyn_solver_forces, only : find_internal_forces
-   use plydyn_solver_supports, only : resist_columns
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_forces, only : find_internal_forces
+   use plydyn_method_supports, only : resist_columns
    use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -184,7 +184,7 @@ contains
       real(wp) :: k, stretch(0:steps)
       integer :: i, n
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       call begin("thickness vibration")
       model = stack([1], 0.0_wp)
       model%holds = [hold_type(nodes=[(n, n=1, 15)], direction=[.true., .true., .false.], &
@@ -196,8 +196,8 @@ contains
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
       do i = 0, steps
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
-         call new_crew(domain, crew)
-         call find_internal_forces(domain, crew, 0.0_wp, u, v, history, a)
+         call new_thread_team(domain, team)
+         call find_internal_forces(domain, team, 0.0_wp, u, v, history, a)
          a(domain%held) = 0.0_wp
          call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
@@ -239,4 +239,4 @@ contains
       call check(sums%momentum(3), mass - sum(support), 1.0e-13_wp*mass, "momentum")
    end subroutine test_held
 
-end program test_solver_column_inertia
+end program test_method_implicit_column_inertia

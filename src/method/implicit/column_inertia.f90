@@ -1,5 +1,5 @@
 !> Inertia through the thickness at work: accelerations of free points to those of coupled columns.
-module plydyn_solver_column_inertia
+module plydyn_method_implicit_column_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_column_inertia, only : column_inertia_type, together
    use plydyn_domain_columns, only : columns_type
@@ -191,4 +191,4 @@ contains
       end do
    end subroutine pull_column
 
-end module plydyn_solver_column_inertia
+end module plydyn_method_implicit_column_inertia

@@ -7,16 +7,16 @@
 !>
 !> Chunks that contact may reach wait for it; the others need not. A chunk moves its points as soon
 !> as the forces on them are there, whoever makes them: no thread waits while there is such a chunk.
-module plydyn_solver_crew
+module plydyn_method_thread_team
    use omp_lib, only : omp_get_max_threads, omp_get_thread_num, omp_init_lock, omp_lock_kind, &
       & omp_set_lock, omp_unset_lock
    use plydyn_domain_domain, only : domain_type
    use plydyn_parallel_halo, only : messages_type
-   use plydyn_solver_turns, only : line, turns_type
+   use plydyn_method_work_queue, only : line, work_queue_type
    implicit none
    private
 
-   public :: new_crew
+   public :: new_thread_team
 
    !> Lists of chunks: those whose forces other ranks need, and the others
    integer, parameter, public :: outer = 1, inner = 2, lists = 2
@@ -25,9 +25,9 @@ module plydyn_solver_crew
    integer, parameter :: made = 1, moved = 2
 
    !> Threads and their chunks
-   type, public :: crew_type
+   type, public :: thread_team_type
       !> Lists of chunks to make the forces of, and all of them to move
-      type(turns_type) :: makers(lists), movers
+      type(work_queue_type) :: makers(lists), movers
       !> How many threads there are
       integer, private :: threads = 1
       !> Whether each chunk waits for contact
@@ -55,16 +55,16 @@ module plydyn_solver_crew
       procedure :: has_forces
       procedure :: note_moved
       procedure :: has_moved
-   end type crew_type
+   end type thread_team_type
 
 contains
 
    !> Threads with all chunks before them, and no contact
-   subroutine new_crew(domain, self)
+   subroutine new_thread_team(domain, self)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads of the coming parallel regions
-      type(crew_type), intent(out) :: self
+      type(thread_team_type), intent(out) :: self
 
       integer :: c, chunks
 
@@ -77,11 +77,11 @@ contains
       call arrange(self, domain)
       call self%begin(.false.)
       self%is_open = .true.
-   end subroutine new_crew
+   end subroutine new_thread_team
 
    !> Let other chunks wait for contact than in the step before; no other thread may be at work
    pure subroutine let_wait(self, domain, waits)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Whether each chunk waits
@@ -95,7 +95,7 @@ contains
 
    !> Give the chunks to the threads
    pure subroutine arrange(self, domain)
-      type(crew_type), intent(inout) :: self
+      type(thread_team_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
       associate (first => domain%order(domain%outer:1:-1), &
@@ -107,7 +107,7 @@ contains
 
    !> A new step; no other thread may be at work
    pure subroutine begin(self, all_wait)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
       !> Whether all chunks wait for contact
       logical, intent(in) :: all_wait
 
@@ -125,14 +125,14 @@ contains
 
    !> Contact is to be done by this thread; no other may ask yet whether it is
    subroutine close_gate(self)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
 
       call omp_set_lock(self%gate)
    end subroutine close_gate
 
    !> Contact is done
    subroutine open_gate(self)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
 
       !$omp atomic write seq_cst
       self%is_open = .true.
@@ -141,7 +141,7 @@ contains
 
    !> Whether contact is done
    logical function has_opened(self)
-      class(crew_type), intent(in) :: self
+      class(thread_team_type), intent(in) :: self
 
       !$omp atomic read seq_cst
       has_opened = self%is_open
@@ -150,7 +150,7 @@ contains
    !> The next of a list of chunks for this thread; waits for contact when nothing else is left. 0
    !> when nothing is
    integer function take(self, list) result(chunk)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
       !> `outer` or `inner`
       integer, intent(in) :: list
 
@@ -165,7 +165,7 @@ contains
 
    !> Wait until contact is done
    subroutine await_contact(self)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
 
       call omp_set_lock(self%gate)
       call omp_unset_lock(self%gate)
@@ -173,7 +173,7 @@ contains
 
    !> The forces of a chunk are made
    subroutine note_made(self, chunk)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
       !> The chunk
       integer, intent(in) :: chunk
 
@@ -186,7 +186,7 @@ contains
 
    !> Whether all forces of some chunks are there
    logical function has_forces(self, makers)
-      class(crew_type), intent(in) :: self
+      class(thread_team_type), intent(in) :: self
       !> The chunks; 0 for those of other ranks
       integer, intent(in) :: makers(:)
 
@@ -202,7 +202,7 @@ contains
 
    !> A chunk has moved its points ahead of the others
    pure subroutine note_moved(self, chunk)
-      class(crew_type), intent(inout) :: self
+      class(thread_team_type), intent(inout) :: self
       !> The chunk
       integer, intent(in) :: chunk
 
@@ -211,11 +211,11 @@ contains
 
    !> Whether a chunk has; when all forces are made
    pure logical function has_moved(self, chunk)
-      class(crew_type), intent(in) :: self
+      class(thread_team_type), intent(in) :: self
       !> The chunk
       integer, intent(in) :: chunk
 
       has_moved = self%done(moved, chunk) == self%step
    end function has_moved
 
-end module plydyn_solver_crew
+end module plydyn_method_thread_team

@@ -1,13 +1,13 @@
 !> Accelerations: forces of plies, interfaces and loads over the masses (the paper's eq. 6).
-module plydyn_solver_accelerations
+module plydyn_method_accelerations
    use omp_lib, only : omp_get_thread_num
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_crew, only : crew_type, inner, new_crew
-   use plydyn_solver_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
+   use plydyn_method_thread_team, only : thread_team_type, inner, new_thread_team
+   use plydyn_method_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
       & make_chunk_forces, make_outer_forces, push_messages_on
-   use plydyn_solver_motion, only : accelerate, accelerate_chunk, count_sums
-   use plydyn_solver_supports, only : hold_points, hold_supports, resist_columns
+   use plydyn_method_central_difference, only : accelerate, accelerate_chunk, count_sums
+   use plydyn_method_supports, only : hold_points, hold_supports, resist_columns
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -23,11 +23,11 @@ contains
       !> Accelerations, and what is counted of them
       type(state_type), intent(inout) :: state
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
 
-      call new_crew(domain, crew)
+      call new_thread_team(domain, team)
       !$omp parallel default(shared)
-      call find_accelerations(domain, crew, state%step_before, state)
+      call find_accelerations(domain, team, state%step_before, state)
       !$omp end parallel
       call count_accelerations(domain, state)
    end subroutine begin_accelerations
@@ -41,11 +41,11 @@ contains
    end function can_go_ahead
 
    !> Accelerations of all points, by all threads together
-   subroutine find_accelerations(domain, crew, step, state)
+   subroutine find_accelerations(domain, team, step, state)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads, which have begun
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> The step just made
       real(wp), intent(in) :: step
       !> Accelerations, and the sums over the points of each chunk
@@ -53,12 +53,12 @@ contains
 
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
          if (can_go_ahead(domain)) then
-            call make_outer_forces(domain, crew, step, u, v, state%history, force)
-            call make_and_move(domain, crew, step, state)
-            call await_forces(domain, crew, force)
-            call move_rest(domain, crew, step, state)
+            call make_outer_forces(domain, team, step, u, v, state%history, force)
+            call make_and_move(domain, team, step, state)
+            call await_forces(domain, team, force)
+            call move_rest(domain, team, step, state)
          else
-            call find_internal_forces(domain, crew, step, u, v, state%history, force)
+            call find_internal_forces(domain, team, step, u, v, state%history, force)
             call add_loads(domain, state%time, state%load_factor, force)
             call hold_supports(domain, state%time, force, state%support_force)
             call accelerate(domain, step, state)
@@ -68,9 +68,9 @@ contains
 
    !> Forces of chunks, and after each the motion of those of this thread that now have all theirs,
    !> while these are in the cache
-   subroutine make_and_move(domain, crew, step, state)
+   subroutine make_and_move(domain, team, step, state)
       type(domain_type), intent(in) :: domain
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
 
@@ -80,28 +80,28 @@ contains
       place = 1
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
          do
-            chunk = crew%take(inner)
+            chunk = team%take(inner)
             if (chunk == 0) exit
-            call make_chunk_forces(domain, crew, chunk, step, u, v, state%history, force)
-            call push_messages_on(domain, crew, force)
+            call make_chunk_forces(domain, team, chunk, step, u, v, state%history, force)
+            call push_messages_on(domain, team, force)
             do
-               call move_ahead(domain, crew, place, step, state, is_moved)
+               call move_ahead(domain, team, place, step, state, is_moved)
                if (.not. is_moved) exit
                place = place + 1
             end do
          end do
       end associate
       ! whatever else has its forces, while the other threads make theirs
-      do while (crew%movers%own(omp_get_thread_num(), place) > 0)
-         call move_ahead(domain, crew, place, step, state, is_moved)
+      do while (team%movers%own(omp_get_thread_num(), place) > 0)
+         call move_ahead(domain, team, place, step, state, is_moved)
          place = place + 1
       end do
    end subroutine make_and_move
 
    !> Move a chunk of this thread ahead of the others, if there is one with all its forces
-   subroutine move_ahead(domain, crew, place, step, state, is_moved)
+   subroutine move_ahead(domain, team, place, step, state, is_moved)
       type(domain_type), intent(in) :: domain
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> Its place among those of this thread
       integer, intent(in) :: place
       real(wp), intent(in) :: step
@@ -113,28 +113,28 @@ contains
 
       is_moved = .false.
       ! contact asks where points are that it may not push in the end
-      if (.not. crew%has_opened()) return
-      chunk = crew%movers%own(omp_get_thread_num(), place)
+      if (.not. team%has_opened()) return
+      chunk = team%movers%own(omp_get_thread_num(), place)
       if (chunk == 0) return
-      is_moved = crew%has_forces(domain%chunks(chunk)%makers)
+      is_moved = team%has_forces(domain%chunks(chunk)%makers)
       if (.not. is_moved) return
       call move_chunk(domain, chunk, step, state)
-      call crew%note_moved(chunk)
+      call team%note_moved(chunk)
    end subroutine move_ahead
 
    !> All other chunks, whoever takes them
-   subroutine move_rest(domain, crew, step, state)
+   subroutine move_rest(domain, team, step, state)
       type(domain_type), intent(in) :: domain
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
 
       integer :: chunk
 
       do
-         chunk = crew%movers%take(omp_get_thread_num(), .true.)
+         chunk = team%movers%take(omp_get_thread_num(), .true.)
          if (chunk == 0) exit
-         if (crew%has_moved(chunk)) cycle
+         if (team%has_moved(chunk)) cycle
          call move_chunk(domain, chunk, step, state)
       end do
    end subroutine move_rest
@@ -166,4 +166,4 @@ contains
       call resist_columns(domain, state%acceleration, state%support_force)
    end subroutine count_accelerations
 
-end module plydyn_solver_accelerations
+end module plydyn_method_accelerations

@@ -1,5 +1,5 @@
 !> Impactors and their contact with the plate, step by step.
-module plydyn_solver_contacts
+module plydyn_method_contact_step
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -9,8 +9,8 @@ module plydyn_solver_contacts
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
-   use plydyn_solver_column_inertia, only : pull_column
-   use plydyn_solver_supports, only : is_active
+   use plydyn_method_implicit_column_inertia, only : pull_column
+   use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : contact_power_sum, contact_sum, state_type
    implicit none
    private
@@ -387,4 +387,4 @@ contains
       end associate
    end subroutine push_impactor
 
-end module plydyn_solver_contacts
+end module plydyn_method_contact_step

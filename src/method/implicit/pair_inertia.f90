@@ -1,5 +1,5 @@
 !> Inertia across interfaces at work: accelerations of free points to those of coupled pairs.
-module plydyn_solver_pair_inertia
+module plydyn_method_implicit_pair_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
@@ -163,4 +163,4 @@ contains
       end do
    end subroutine add_family
 
-end module plydyn_solver_pair_inertia
+end module plydyn_method_implicit_pair_inertia

@@ -1,5 +1,5 @@
 !> Inertia across interfaces: closed forms, symmetry, momentum, and what it does to springs.
-program test_solver_pair_inertia
+program test_method_implicit_pair_inertia
    use acceleration, only : accelerate_points
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -10,7 +10,7 @@ program test_solver_pair_inertia
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_forces, only : add_interface_forces
+   use plydyn_method_forces, only : add_interface_forces
    use plydyn_state_state, only : sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -258,4 +258,4 @@ contains
       end do
    end function spread_mass
 
-end program test_solver_pair_inertia
+end program test_method_implicit_pair_inertia

@@ -1,5 +1,5 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
-module plydyn_solver_forces
+module plydyn_method_forces
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
@@ -10,7 +10,7 @@ module plydyn_solver_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_halo, only : messages_type
-   use plydyn_solver_crew, only : crew_type, inner, outer
+   use plydyn_method_thread_team, only : thread_team_type, inner, outer
    implicit none
    private
 
@@ -21,11 +21,11 @@ contains
 
    !> Internal forces of plies and interfaces, or of bricks, on all points. All threads come here
    !> together
-   subroutine find_internal_forces(domain, crew, step, displacement, velocity, history, force)
+   subroutine find_internal_forces(domain, team, step, displacement, velocity, history, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads, which have begun
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> The step just made
       real(wp), intent(in) :: step
       !> Displacement of all points, and their velocity half a step before
@@ -37,14 +37,14 @@ contains
 
       integer :: c, chunk
 
-      call make_outer_forces(domain, crew, step, displacement, velocity, history, force)
+      call make_outer_forces(domain, team, step, displacement, velocity, history, force)
       do
-         chunk = crew%take(inner)
+         chunk = team%take(inner)
          if (chunk == 0) exit
-         call make_chunk_forces(domain, crew, chunk, step, displacement, velocity, history, force)
-         call push_messages_on(domain, crew, force)
+         call make_chunk_forces(domain, team, chunk, step, displacement, velocity, history, force)
+         call push_messages_on(domain, team, force)
       end do
-      call await_forces(domain, crew, force)
+      call await_forces(domain, team, force)
       !$omp do schedule(static)
       do c = size(domain%chunks), 1, -1
          call add_borders(domain, domain%chunks(c)%borders, force)
@@ -54,10 +54,10 @@ contains
 
    !> Internal forces of the chunks that hold what other ranks need, which is then on its way. All
    !> threads come here together
-   subroutine make_outer_forces(domain, crew, step, displacement, velocity, history, force)
+   subroutine make_outer_forces(domain, team, step, displacement, velocity, history, force)
       !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       real(wp), intent(in) :: step
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
       real(wp), intent(inout), contiguous :: history(:)
@@ -80,30 +80,30 @@ contains
       end if
       if (domain%outer == 0) return
       do
-         chunk = crew%take(outer)
+         chunk = team%take(outer)
          if (chunk == 0) exit
-         call make_chunk_forces(domain, crew, chunk, step, displacement, velocity, history, force)
+         call make_chunk_forces(domain, team, chunk, step, displacement, velocity, history, force)
       end do
       !$omp barrier
       !$omp master
-      call domain%halo%start(force, crew%messages)
+      call domain%halo%start(force, team%messages)
       !$omp end master
    end subroutine make_outer_forces
 
    !> Wait until the forces of all chunks are there, and those of other ranks. All threads come here
    !> together
-   subroutine await_forces(domain, crew, force)
+   subroutine await_forces(domain, team, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       !$omp barrier
       if (domain%outer == 0) return
       !$omp master
-      call domain%halo%finish(force, crew%messages)
+      call domain%halo%finish(force, team%messages)
       !$omp end master
       !$omp barrier
    end subroutine await_forces
@@ -120,17 +120,17 @@ contains
    end subroutine borrow_strains
 
    !> Let the forces for other ranks get on while chunks are taken
-   subroutine push_messages_on(domain, crew, force)
+   subroutine push_messages_on(domain, team, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       if (domain%outer == 0) return
       !$omp master
-      call domain%halo%push_on(force, crew%messages)
+      call domain%halo%push_on(force, team%messages)
       !$omp end master
    end subroutine push_messages_on
 
@@ -150,10 +150,10 @@ contains
    end subroutine find_chunk_averages
 
    !> Internal forces of one chunk that a thread has taken, on columns of its own
-   subroutine make_chunk_forces(domain, crew, number, step, displacement, velocity, history, force)
+   subroutine make_chunk_forces(domain, team, number, step, displacement, velocity, history, force)
       !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
-      type(crew_type), intent(inout) :: crew
+      type(thread_team_type), intent(inout) :: team
       !> Which chunk
       integer, intent(in) :: number
       real(wp), intent(in) :: step
@@ -174,7 +174,7 @@ contains
             call add_interface_forces(domain, chunk, displacement, history, force)
          end if
       end associate
-      call crew%note_made(number)
+      call team%note_made(number)
    end subroutine make_chunk_forces
 
    !> Set some columns to zero
@@ -313,4 +313,4 @@ contains
       end do
    end subroutine count_load_power
 
-end module plydyn_solver_forces
+end module plydyn_method_forces

@@ -1,5 +1,5 @@
 !> Points that do not move, and points that move as told.
-module plydyn_solver_supports
+module plydyn_method_supports
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type, prescribed_type
@@ -193,4 +193,4 @@ contains
       end do
    end subroutine count_support_power
 
-end module plydyn_solver_supports
+end module plydyn_method_supports

@@ -1,5 +1,5 @@
 !> Patch tests and rigid motions of the plate kernels, through domain and solver.
-program test_solver_forces
+program test_method_forces
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
@@ -12,8 +12,8 @@ program test_solver_forces
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_crew, only : crew_type, new_crew
-   use plydyn_solver_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_forces, only : add_interface_forces, find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -48,7 +48,7 @@ contains
    subroutine test_patch(side, orders, kinematics)
       integer, intent(in) :: side, orders(3), kinematics
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       type(domain_type) :: domain
       real(wp), allocatable :: displacement(:), force(:)
       real(wp) :: e(3, 3), expected(6), strain(6), values(recovered, side*side, orders(3) + 1)
@@ -59,8 +59,8 @@ contains
       displacement = linear_field(domain, gradient)
       allocate (force(size(displacement)))
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 0.0_wp, displacement, &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force)
       call check(largest_inside(domain, force)/maxval(abs(force)) < 1.0e-11_wp, &
          & "no force inside of the body")
@@ -82,7 +82,7 @@ contains
    subroutine test_rigid_motion(side, orders)
       integer, intent(in) :: side, orders(3)
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       type(domain_type) :: domain
       real(wp), allocatable :: force(:)
       real(wp), parameter :: c = cos(2.0_wp), s = sin(2.0_wp)
@@ -102,20 +102,20 @@ contains
       end do
       ! the force that a strain of one would make
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 0.0_wp, linear_field(domain, gradient), &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, gradient), &
             & 0.0_wp*linear_field(domain, gradient), history, force)
       scale = maxval(abs(force))/norm2(gradient)
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 0.0_wp, linear_field(domain, h), &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, h), &
             & 0.0_wp*linear_field(domain, h), history, force)
       call check(maxval(abs(force)) < 1.0e-11_wp*scale, "a large rotation makes no force")
 
       call make(side, orders, linear_strain, domain)
       force(:) = 0.0_wp
-      call new_crew(domain, crew)
-      call find_internal_forces(domain, crew, 0.0_wp, linear_field(domain, spin), &
+      call new_thread_team(domain, team)
+      call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, spin), &
             & 0.0_wp*linear_field(domain, spin), history, force)
       call check(maxval(abs(force)) < 1.0e-10_wp*scale, "a spin makes no linear strain")
    end subroutine test_rigid_motion
@@ -124,7 +124,7 @@ contains
    subroutine test_law_path(side, order)
       integer, intent(in) :: side, order
 
-      type(crew_type) :: crew
+      type(thread_team_type) :: team
       type(domain_type) :: domain
       type(error_type), allocatable :: error
       type(model_type) :: model
@@ -141,12 +141,12 @@ contains
          displacement = 1.0e-2_wp*sin(real([(i, i=1, domain%columns%freedoms)], wp))
          allocate (force(domain%columns%freedoms, 2))
          force(:, :) = 0.0_wp
-         call new_crew(domain, crew)
-         call find_internal_forces(domain, crew, 0.0_wp, displacement, &
+         call new_thread_team(domain, team)
+         call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force(:, 1))
          call set_laws(domain)
-         call new_crew(domain, crew)
-         call find_internal_forces(domain, crew, 0.0_wp, displacement, &
+         call new_thread_team(domain, team)
+         call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force(:, 2))
          call check(maxval(abs(force(:, 2) - force(:, 1))) < 1.0e-12_wp*maxval(abs(force)), &
             & "the elastic law point by point gives the same forces")
@@ -284,4 +284,4 @@ contains
       is_border = any(abs(x(1:2)*(x(1:2) - [6.0_wp, 4.0_wp])) < 1.0e-9_wp)
    end function is_border
 
-end program test_solver_forces
+end program test_method_forces

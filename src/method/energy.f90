@@ -5,12 +5,13 @@
 !> v_n = v_n-1/2 + 1/2 dt a_n, which is never negative. It differs from the conserved form by the
 !> ripple, 1/8 dt^2 a M a: the balance takes it out, and the guard of stability watches it. Where
 !> the step changes, as it does at the start, the ripple does too.
-module plydyn_solver_energies
+module plydyn_method_energy
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_forces, only : count_load_power
-   use plydyn_solver_motion, only : new_stride, stride_type
-   use plydyn_solver_supports, only : count_support_power
+   use plydyn_method_forces, only : count_load_power
+   use plydyn_method_central_difference, only : new_leapfrog_coefficients, &
+      & leapfrog_coefficients_type
+   use plydyn_method_supports, only : count_support_power
    use plydyn_state_state, only : attention_sum, contact_power_sum, contact_sum, impactors_sum, &
       & halt_sum, output_sum, power_after_sum, power_before_sum, rows_sum, speed_sum, state_type, &
       & sums_of, support_sum
@@ -30,9 +31,9 @@ contains
       !> The step to come, and the one just made
       type(state_type), intent(inout) :: state
 
-      type(stride_type) :: stride
+      type(leapfrog_coefficients_type) :: stride
 
-      stride = new_stride(domain%control%damping, state%step_before, state%step)
+      stride = new_leapfrog_coefficients(domain%control%damping, state%step_before, state%step)
       associate (e => state%energies, sums => state%sums, before => state%step_before, &
          & keep => stride%keep, middle => stride%middle)
          e%shift = e%shift + 0.125_wp*sums%pull*(state%step**2 - before**2)
@@ -108,4 +109,4 @@ contains
       end associate
    end subroutine balance
 
-end module plydyn_solver_energies
+end module plydyn_method_energy

@@ -1,7 +1,7 @@
 !> Turns of threads: every chunk once, the own stretch first, and those that wait not too early.
-program test_solver_turns
+program test_method_work_queue
    use omp_lib, only : omp_get_thread_num, omp_set_num_threads
-   use plydyn_solver_turns, only : turns_type
+   use plydyn_method_work_queue, only : work_queue_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -16,7 +16,7 @@ contains
    !> One thread after the other: the stretches are those of a static schedule, and what is left is
    !> taken by whoever asks
    subroutine check_alone()
-      type(turns_type) :: none, turns
+      type(work_queue_type) :: none, turns
       logical :: waits(11)
       integer :: i
 
@@ -41,7 +41,7 @@ contains
 
    !> Backward, every stretch begins with its end
    subroutine check_backward()
-      type(turns_type) :: turns
+      type(work_queue_type) :: turns
       logical :: waits(7)
       integer :: i
 
@@ -58,7 +58,7 @@ contains
 
    !> Chunks that wait are passed over, and then come first in their stretch
    subroutine check_waiting()
-      type(turns_type) :: turns
+      type(work_queue_type) :: turns
       logical :: waits(6)
       integer :: i
 
@@ -76,7 +76,7 @@ contains
    !> All threads at once, for several numbers of them
    subroutine check_together()
       integer, parameter :: chunks = 1000
-      type(turns_type) :: turns(5)
+      type(work_queue_type) :: turns(5)
       logical :: waits(chunks)
       integer :: chunk, i, taken(chunks), threads
 
@@ -99,4 +99,4 @@ contains
       end do
    end subroutine check_together
 
-end program test_solver_turns
+end program test_method_work_queue

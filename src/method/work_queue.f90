@@ -9,7 +9,7 @@
 !>
 !> Some chunks may have to wait. They are the first of their stretch once they need not any more,
 !> and are passed over until then.
-module plydyn_solver_turns
+module plydyn_method_work_queue
    implicit none
    private
 
@@ -19,7 +19,7 @@ module plydyn_solver_turns
    integer, parameter :: waiting = 1, free = 2
 
    !> What is left of a list
-   type, public :: turns_type
+   type, public :: work_queue_type
       private
       !> The list; first in each stretch what waits
       integer, allocatable :: list(:)
@@ -34,13 +34,13 @@ module plydyn_solver_turns
       procedure :: begin
       procedure :: take
       procedure :: own
-   end type turns_type
+   end type work_queue_type
 
 contains
 
    !> Give each thread of the coming parallel regions a stretch of a list; then `begin`
    pure subroutine arrange(self, list, waits, threads)
-      class(turns_type), intent(inout) :: self
+      class(work_queue_type), intent(inout) :: self
       !> The chunks
       integer, intent(in) :: list(:)
       !> Whether each of all chunks waits
@@ -91,7 +91,7 @@ contains
 
    !> Nothing is taken any more
    pure subroutine begin(self, is_backward)
-      class(turns_type), intent(inout) :: self
+      class(work_queue_type), intent(inout) :: self
       !> Take the parts from their ends
       logical, intent(in) :: is_backward
 
@@ -101,7 +101,7 @@ contains
 
    !> The next chunk for a thread; 0 when nothing is left
    integer function take(self, thread, is_open) result(chunk)
-      class(turns_type), intent(inout) :: self
+      class(work_queue_type), intent(inout) :: self
       !> The thread, from 0
       integer, intent(in) :: thread
       !> Whether the chunks that wait may be taken too
@@ -127,7 +127,7 @@ contains
 
    !> Some chunk of the stretch of a thread, taken or not; 0 behind the last
    pure integer function own(self, thread, k) result(chunk)
-      class(turns_type), intent(in) :: self
+      class(work_queue_type), intent(in) :: self
       !> The thread, from 0
       integer, intent(in) :: thread
       !> Which, from 1
@@ -142,4 +142,4 @@ contains
       chunk = self%list(place)
    end function own
 
-end module plydyn_solver_turns
+end module plydyn_method_work_queue

@@ -1,25 +1,25 @@
 !> The central difference scheme (de Borst et al., 2012), column by column.
-module plydyn_solver_motion
+module plydyn_method_central_difference
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
-   use plydyn_solver_column_inertia, only : couple_column
-   use plydyn_solver_pair_inertia, only : add_pair_energy, couple_pairs
+   use plydyn_method_implicit_column_inertia, only : couple_column
+   use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
    use plydyn_state_state, only : added_sum, kinetic_sum, momentum_sum, power_sum, pull_sum, &
       & speed_sum, state_type, sums_type
    implicit none
    private
 
-   public :: accelerate, accelerate_chunk, advance, count_sums, new_stride, step_back
+   public :: accelerate, accelerate_chunk, advance, count_sums, new_leapfrog_coefficients, step_back
 
    !> What a step makes of accelerations: v = keep v + middle a, u = u + step v
-   type, public :: stride_type
+   type, public :: leapfrog_coefficients_type
       !> Damping over half of the time from middle to middle, and what it leaves of the velocity
       real(wp) :: brake = 0.0_wp, keep = 1.0_wp
       !> Time from the middle of the step before to that of this one, less for damping; the step
       real(wp) :: middle = 0.0_wp, step = 0.0_wp
-   end type stride_type
+   end type leapfrog_coefficients_type
 
    !> Sums of a block, lane by lane: momentum along x, y, z, then these; at last no sum but a bound
    integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, fastest_at = 7, parts = 7
@@ -29,7 +29,8 @@ module plydyn_solver_motion
 contains
 
    !> What a step makes of accelerations, with damping as a share of the velocity at the full step
-   pure type(stride_type) function new_stride(damping, step_before, step) result(self)
+   pure type(leapfrog_coefficients_type) function new_leapfrog_coefficients(damping, step_before, &
+      & step) result(self)
       !> Of the mass, per time
       real(wp), intent(in) :: damping
       !> The step before, and this one
@@ -42,7 +43,7 @@ contains
       self%keep = (1.0_wp - self%brake)/(1.0_wp + self%brake)
       self%middle = middle_step/(1.0_wp + self%brake)
       self%step = step
-   end function new_stride
+   end function new_leapfrog_coefficients
 
    !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). All
    !> threads come here together, and wait for each other
@@ -52,10 +53,10 @@ contains
       !> Velocity and displacement
       type(state_type), intent(inout) :: state
 
-      type(stride_type) :: stride
+      type(leapfrog_coefficients_type) :: stride
       integer :: c
 
-      stride = new_stride(domain%control%damping, state%step_before, state%step)
+      stride = new_leapfrog_coefficients(domain%control%damping, state%step_before, state%step)
       ! the thread that accelerates a chunk advances it: it still has its accelerations
       !$omp do schedule(static)
       do c = size(domain%chunks), 1, -1
@@ -69,7 +70,7 @@ contains
    pure subroutine advance_columns(domain, columns, stride, state)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: columns(:)
-      type(stride_type), intent(in) :: stride
+      type(leapfrog_coefficients_type), intent(in) :: stride
       type(state_type), intent(inout) :: state
 
       integer :: i, k
@@ -84,7 +85,7 @@ contains
    !> `advance` for one column
    pure subroutine advance_column(height, keep, middle, step, a, v, u)
       integer, intent(in) :: height
-      !> As in `stride_type`
+      !> As in `leapfrog_coefficients_type`
       real(wp), intent(in) :: keep, middle, step
       !> Acceleration, velocity, displacement
       real(wp), intent(in) :: a(height)
@@ -106,10 +107,10 @@ contains
       !> Velocity and displacement
       type(state_type), intent(inout) :: state
 
-      type(stride_type) :: stride
+      type(leapfrog_coefficients_type) :: stride
 
       if (.not. state%is_ahead) return
-      stride = new_stride(domain%control%damping, state%step, state%step_after)
+      stride = new_leapfrog_coefficients(domain%control%damping, state%step, state%step_after)
       associate (u => state%displacement, v => state%velocity)
          u(:) = u - stride%step*v
          v(:) = (v - stride%middle*state%acceleration(:size(v)))/stride%keep
@@ -174,12 +175,12 @@ contains
       type(state_type), intent(inout) :: state
       type(sums_type), intent(inout) :: sums
 
-      type(stride_type) :: stride
+      type(leapfrog_coefficients_type) :: stride
       real(wp) :: part(lanes, parts), reach
       integer :: i
       logical :: is_coupled
 
-      stride = new_stride(domain%control%damping, step, state%step_after)
+      stride = new_leapfrog_coefficients(domain%control%damping, step, state%step_after)
       is_coupled = domain%thickness%active .or. domain%pairs%active
       reach = (1.0_wp + room)*domain%step
       part(:, :) = 0.0_wp
@@ -360,4 +361,4 @@ contains
       end do
    end subroutine divide
 
-end module plydyn_solver_motion
+end module plydyn_method_central_difference
