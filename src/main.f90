@@ -19,12 +19,12 @@ program plydyn
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_broadcast_archive, only : broadcast_archive
-   use plydyn_solver_explicit, only : run, seconds_per_step
-   use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_restart, only : resume
-   use plydyn_solver_setup, only : run_type, set_up
-   use plydyn_solver_threads, only : choose_threads, set_threads
-   use plydyn_solver_watch, only : watch_type
+   use plydyn_run_loop, only : run, seconds_per_step
+   use plydyn_run_output_manager, only : output_manager_type
+   use plydyn_run_restart, only : resume
+   use plydyn_run_setup, only : run_type, set_up
+   use plydyn_run_threads, only : choose_threads, set_threads
+   use plydyn_run_run_control, only : run_control_type
    use plydyn_version, only : build_text, version
    implicit none
 
@@ -234,17 +234,18 @@ contains
 
       character(:), allocatable :: words
       type(error_type), allocatable :: close_error
-      type(journal_type) :: journal
-      type(watch_type) :: watch
+      type(output_manager_type) :: journal
+      type(run_control_type) :: run_control
 
       call broadcast_job(comm, job)
       associate (model => parts%model, domain => parts%domain, state => parts%state)
-         call watch%start(comm, job, model%request, most_seconds)
+         call run_control%start(comm, job, model%request, most_seconds)
          call journal%open(job, model, domain, parts%state_parts, error)
          if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
             call journal%begin(domain, state, error)
          end if
-         if (.not. allocated(error)) call run(domain, parts%contacts, state, journal, watch, error)
+         if (.not. allocated(error)) call run(domain, parts%contacts, state, journal, &
+            & run_control, error)
          call journal%close(close_error)
          if (.not. allocated(error)) call move_alloc(close_error, error)
          words = "normal end"

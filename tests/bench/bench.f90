@@ -14,7 +14,7 @@ program bench
    use plydyn_method_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : add_interface_forces, find_internal_forces
    use plydyn_method_central_difference, only : accelerate, advance, count_sums
-   use plydyn_solver_threads, only : set_threads
+   use plydyn_run_threads, only : set_threads
    use plydyn_state_state, only : state_type, tally_sums
    implicit none
 

@@ -1,13 +1,13 @@
 !> Words to a running job.
-program test_solver_requests
+program test_run_control_file
    use plydyn_base_files, only : remove_file
    use plydyn_base_precision, only : wp
-   use plydyn_solver_requests, only : requests_type, take_requests
+   use plydyn_run_control_file, only : control_requests_type, take_requests
    use testing, only : begin, check, finish, write_lines
    implicit none
 
-   character(*), parameter :: path = "test_solver_requests.ctl"
-   type(requests_type) :: requests
+   character(*), parameter :: path = "test_run_control_file.ctl"
+   type(control_requests_type) :: requests
    logical :: exists, found
 
    call begin("take_requests")
@@ -33,4 +33,4 @@ program test_solver_requests
    call remove_file(path//".read")
    call finish()
 
-end program test_solver_requests
+end program test_run_control_file

@@ -1,5 +1,5 @@
 !> The explicit impact solver: the loop.
-module plydyn_solver_explicit
+module plydyn_run_loop
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -9,11 +9,11 @@ module plydyn_solver_explicit
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_energy, only : balance, begin_work, change_step
-   use plydyn_solver_health, only : check_health
-   use plydyn_solver_journal, only : journal_type
+   use plydyn_run_stability_monitor, only : check_health
+   use plydyn_run_output_manager, only : output_manager_type
    use plydyn_method_central_difference, only : advance, step_back
    use plydyn_method_supports, only : move_supports
-   use plydyn_solver_watch, only : watch_type
+   use plydyn_run_run_control, only : run_control_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -26,7 +26,7 @@ module plydyn_solver_explicit
 contains
 
    !> From the state at time zero, or from where a run was left, to the end
-   subroutine run(domain, contacts, state, journal, watch, error)
+   subroutine run(domain, contacts, state, journal, run_control, error)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts and their work space
@@ -34,9 +34,9 @@ contains
       !> The state
       type(state_type), intent(inout) :: state
       !> What writes the results
-      type(journal_type), intent(inout) :: journal
+      type(output_manager_type), intent(inout) :: journal
       !> What looks after the run
-      type(watch_type), intent(inout) :: watch
+      type(run_control_type), intent(inout) :: run_control
       !> What stopped the run
       type(error_type), allocatable, intent(out) :: error
 
@@ -78,7 +78,7 @@ contains
 
          ! energies, and what is to be written
          call journal%announce(state)
-         call watch%announce(state)
+         call run_control%announce(state)
          call balance(domain, state)
          call journal%record(domain, state, error)
          if (allocated(error)) exit
@@ -88,7 +88,7 @@ contains
             call journal%conclude(domain, state)
             exit
          end if
-         call watch%look(domain, contacts, state, journal, error)
+         call run_control%look(domain, contacts, state, journal, error)
          if (allocated(error)) exit
       end do
       if (allocated(error)) call step_back(domain, state)
@@ -176,4 +176,4 @@ contains
       end do
    end function seconds_per_step
 
-end module plydyn_solver_explicit
+end module plydyn_run_loop

@@ -1,5 +1,5 @@
 !> Looks after a run from outside of it: restart files, and requests to stop.
-module plydyn_solver_watch
+module plydyn_run_run_control
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_stopped, fail
    use plydyn_base_precision, only : wp
@@ -11,14 +11,14 @@ module plydyn_solver_watch
    use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_step, only : contacts_type
-   use plydyn_solver_journal, only : journal_type
-   use plydyn_solver_requests, only : requests_type, take_requests
+   use plydyn_run_output_manager, only : output_manager_type
+   use plydyn_run_control_file, only : control_requests_type, take_requests
    use plydyn_state_state, only : attention_sum, halt_sum, state_type
    implicit none
    private
 
    !> What looks after a run
-   type, public :: watch_type
+   type, public :: run_control_type
       private
       !> The job; counts its restart files
       type(job_type) :: job
@@ -34,12 +34,12 @@ module plydyn_solver_watch
       !> What was found in this step: whether anything, who asks the run to stop, and what else
       logical :: is_asked = .false.
       character(:), allocatable :: asked_by
-      type(requests_type) :: requests
+      type(control_requests_type) :: requests
    contains
       procedure :: start
       procedure :: announce
       procedure :: look
-   end type watch_type
+   end type run_control_type
 
    !> Seconds between two looks for requests in a file
    real(wp), parameter :: seconds_per_look = 0.25_wp
@@ -48,7 +48,7 @@ contains
 
    !> Begin to look after a run
    subroutine start(self, comm, job, request, most_seconds)
-      class(watch_type), intent(inout) :: self
+      class(run_control_type), intent(inout) :: self
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> The job, the same on all ranks
@@ -72,7 +72,7 @@ contains
    !> Before the sums of a step are made: let all ranks know that this one is asked for something,
    !> or that a restart file will be due after the next
    subroutine announce(self, state)
-      class(watch_type), intent(inout) :: self
+      class(run_control_type), intent(inout) :: self
       !> The state; the sums are counted
       type(state_type), intent(inout) :: state
 
@@ -90,7 +90,7 @@ contains
    !> After a step: write the restart files that are due, and do what is asked for. Where the points
    !> have gone ahead nothing is due, and what is asked for is done after the next step
    subroutine look(self, domain, contacts, state, journal, error)
-      class(watch_type), intent(inout) :: self
+      class(run_control_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts, which put their memory into the state
@@ -98,12 +98,12 @@ contains
       !> The state; says whether any rank is asked for something
       type(state_type), intent(inout) :: state
       !> What writes the results
-      type(journal_type), intent(inout) :: journal
+      type(output_manager_type), intent(inout) :: journal
       !> The run is to stop, or a restart file could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: asked_by, path
-      type(requests_type) :: requests
+      type(control_requests_type) :: requests
       logical :: is_running, keep
 
       if (state%is_ahead) return
@@ -143,7 +143,7 @@ contains
 
    !> Look for signals, at the clock, and for a file of requests, all but the first on the root
    subroutine find_requests(self, state)
-      class(watch_type), intent(inout) :: self
+      class(run_control_type), intent(inout) :: self
       type(state_type), intent(in) :: state
 
       integer(int64) :: now, rate
@@ -167,11 +167,11 @@ contains
 
    !> What the root was asked for, and who asks the run to stop, a signal to any rank too
    subroutine take_orders(self, comm, asked_by, requests)
-      class(watch_type), intent(inout) :: self
+      class(run_control_type), intent(inout) :: self
       type(comm_type), intent(in) :: comm
       !> Empty when nobody does
       character(:), allocatable, intent(out) :: asked_by
-      type(requests_type), intent(out) :: requests
+      type(control_requests_type), intent(out) :: requests
 
       integer :: orders(5)
       real(wp) :: end_time(1)
@@ -219,7 +219,7 @@ contains
 
    !> Path of the restart file that replaces an older one
    function running_path(self, state) result(path)
-      type(watch_type), intent(in) :: self
+      type(run_control_type), intent(in) :: self
       type(state_type), intent(in) :: state
       character(:), allocatable :: path
 
@@ -230,8 +230,8 @@ contains
 
    !> Bring all results to the disk
    subroutine flush_all(self, journal, error)
-      type(watch_type), intent(in) :: self
-      type(journal_type), intent(inout) :: journal
+      type(run_control_type), intent(in) :: self
+      type(output_manager_type), intent(inout) :: journal
       type(error_type), allocatable, intent(out) :: error
 
       type(file_positions_type) :: places
@@ -240,4 +240,4 @@ contains
       if (.not. allocated(error)) call self%job%note("all results are on the disk")
    end subroutine flush_all
 
-end module plydyn_solver_watch
+end module plydyn_run_run_control

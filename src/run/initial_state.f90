@@ -1,5 +1,5 @@
 !> The state at time zero.
-module plydyn_solver_start
+module plydyn_run_initial_state
    use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
@@ -80,4 +80,4 @@ contains
       velocity(domain%held) = 0.0_wp
    end subroutine set_velocities
 
-end module plydyn_solver_start
+end module plydyn_run_initial_state

@@ -1,5 +1,5 @@
 !> Threads of a run. Results are the same to the last bit for any number of them.
-module plydyn_solver_threads
+module plydyn_run_threads
    use omp_lib, only : omp_get_max_threads, omp_set_dynamic, omp_set_num_threads
    implicit none
    private
@@ -31,4 +31,4 @@ contains
       call omp_set_num_threads(threads)
    end subroutine set_threads
 
-end module plydyn_solver_threads
+end module plydyn_run_threads

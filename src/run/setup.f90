@@ -1,5 +1,5 @@
 !> From the model to all that a run needs, on one rank or on several.
-module plydyn_solver_setup
+module plydyn_run_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_crack_band_widths, only : check_bands
@@ -16,7 +16,7 @@ module plydyn_solver_setup
    use plydyn_io_checkpoint_state_layout, only : new_state_layout, state_layout_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_step, only : contacts_type, new_contacts
-   use plydyn_solver_start, only : new_state
+   use plydyn_run_initial_state, only : new_state
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -95,4 +95,4 @@ contains
       ranks = reshape(all, [rank_numbers, comm%ranks])
    end subroutine count_ranks
 
-end module plydyn_solver_setup
+end module plydyn_run_setup

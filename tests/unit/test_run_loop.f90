@@ -1,5 +1,5 @@
 !> An impact from the first step to the last: momentum, energy, guards.
-program test_solver_explicit
+program test_run_loop
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
@@ -13,12 +13,12 @@ program test_solver_explicit
    use plydyn_io_checkpoint_file_positions, only : new_file_positions
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_thread_team, only : thread_team_type, new_thread_team
-   use plydyn_solver_explicit, only : run
+   use plydyn_run_loop, only : run
    use plydyn_method_forces, only : find_internal_forces
-   use plydyn_solver_journal, only : journal_type
+   use plydyn_run_output_manager, only : output_manager_type
    use plydyn_method_central_difference, only : advance
-   use plydyn_solver_setup, only : run_type, set_up
-   use plydyn_solver_watch, only : watch_type
+   use plydyn_run_setup, only : run_type, set_up
+   use plydyn_run_run_control, only : run_control_type
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
@@ -149,22 +149,22 @@ contains
       type(comm_type) :: alone
       type(error_type), allocatable :: close_error
       type(job_type) :: job
-      type(journal_type) :: journal
+      type(output_manager_type) :: journal
       type(run_type) :: parts
-      type(watch_type) :: watch
+      type(run_control_type) :: run_control
 
       parts%model = model
       call set_up(alone, parts, error)
       if (allocated(error)) return
       state = parts%state
-      job%path = "test_solver_explicit"
+      job%path = "test_run_loop"
       job%deck = "none"
       job%version = "test"
       job%places = new_file_positions(job%path)
       call journal%open(job, model, parts%domain, parts%state_parts, error)
       if (allocated(error)) return
-      call watch%start(alone, job, model%request, huge(1.0_wp))
-      call run(parts%domain, parts%contacts, state, journal, watch, error)
+      call run_control%start(alone, job, model%request, huge(1.0_wp))
+      call run(parts%domain, parts%contacts, state, journal, run_control, error)
       call journal%close(close_error)
    end subroutine run_model
 
@@ -209,4 +209,4 @@ contains
       end do
    end function tie_gap
 
-end program test_solver_explicit
+end program test_run_loop

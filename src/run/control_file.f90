@@ -1,5 +1,5 @@
 !> Words to a running job: the lines of its file JOB.ctl.
-module plydyn_solver_requests
+module plydyn_run_control_file
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_files, only : rename_file
    use plydyn_base_precision, only : wp
@@ -10,7 +10,7 @@ module plydyn_solver_requests
    public :: take_requests
 
    !> What a job is asked for
-   type, public :: requests_type
+   type, public :: control_requests_type
       !> End with a restart file; write a restart file and go on
       logical :: stop = .false., dump = .false.
       !> Write a field state; a line of life; bring histories to the disk
@@ -19,7 +19,7 @@ module plydyn_solver_requests
       real(wp) :: end_time = -1.0_wp
       !> What to tell about the file, a line for each of its lines
       character(:), allocatable :: answer
-   end type requests_type
+   end type control_requests_type
 
    !> Behind the name of a file of requests that was read
    character(*), parameter :: was_read = ".read"
@@ -37,7 +37,7 @@ contains
       !> Time now
       real(wp), intent(in) :: time
       !> What it asks for
-      type(requests_type), intent(out) :: requests
+      type(control_requests_type), intent(out) :: requests
       !> Whether there was such a file
       logical, intent(out) :: found
 
@@ -69,7 +69,7 @@ contains
    subroutine take_line(path, line, time, requests)
       character(*), intent(in) :: path, line
       real(wp), intent(in) :: time
-      type(requests_type), intent(inout) :: requests
+      type(control_requests_type), intent(inout) :: requests
 
       character(:), allocatable :: answer
       integer :: blank
@@ -110,7 +110,7 @@ contains
    subroutine take_end_time(word, time, requests, answer)
       character(*), intent(in) :: word
       real(wp), intent(in) :: time
-      type(requests_type), intent(inout) :: requests
+      type(control_requests_type), intent(inout) :: requests
       character(:), allocatable, intent(inout) :: answer
 
       real(wp) :: wanted
@@ -127,4 +127,4 @@ contains
       end if
    end subroutine take_end_time
 
-end module plydyn_solver_requests
+end module plydyn_run_control_file

@@ -2,7 +2,7 @@
 !>
 !> All ranks come to the same guards, since energies are those of the whole model. Each looks at the
 !> points that it has; of several culprits that of the least number of the user is named.
-module plydyn_solver_health
+module plydyn_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_precision, only : wp
@@ -26,14 +26,14 @@ module plydyn_solver_health
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
    !> A point that may be the culprit
-   type :: suspect_type
+   type :: worst_point_type
       !> Speed, or whatever is looked at; less than none for no point
       real(wp) :: badness = -1.0_wp
       !> The user's number of the node, and layer and direction there
       integer :: node_id = huge(1), layer = 1, direction = 1
    contains
       procedure :: name => suspect_name
-   end type suspect_type
+   end type worst_point_type
 
 contains
 
@@ -119,7 +119,7 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      type(suspect_type) :: suspect
+      type(worst_point_type) :: suspect
       integer :: i
 
       do i = 1, size(state%impactors)
@@ -139,7 +139,7 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      type(suspect_type) :: suspect
+      type(worst_point_type) :: suspect
 
       suspect = worst_point(domain, abs(state%velocity))
       words = ": fastest is the motion along "//suspect%name(domain)//", "//text(suspect%badness)
@@ -147,13 +147,13 @@ contains
 
    !> The point of the whole model with the largest number; of several alike that of the node with
    !> the least number of the user, and there the lowest
-   type(suspect_type) function worst_point(domain, badness) result(worst)
+   type(worst_point_type) function worst_point(domain, badness) result(worst)
       type(domain_type), intent(in) :: domain
       !> Numbers at the places of the arrays of motion
       real(wp), intent(in) :: badness(:)
 
       real(wp) :: greatest(1), place(2)
-      type(suspect_type) :: here
+      type(worst_point_type) :: here
 
       here = worst_here(domain, badness)
       greatest(1) = here%badness
@@ -175,7 +175,7 @@ contains
    end function worst_point
 
    !> The same of the points that this rank has
-   pure type(suspect_type) function worst_here(domain, badness) result(worst)
+   pure type(worst_point_type) function worst_here(domain, badness) result(worst)
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: badness(:)
 
@@ -188,7 +188,7 @@ contains
                   associate (own => badness(domain%columns%freedom(k, t, c, n)))
                      if (own > worst%badness .or. (own >= worst%badness &
                         & .and. domain%node_id(n) < worst%node_id)) then
-                        worst = suspect_type(own, domain%node_id(n), k, c)
+                        worst = worst_point_type(own, domain%node_id(n), k, c)
                      end if
                   end associate
                end do
@@ -199,7 +199,7 @@ contains
 
    !> Direction and place of a point, in the user's numbers
    function suspect_name(self, domain) result(words)
-      class(suspect_type), intent(in) :: self
+      class(worst_point_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       character(:), allocatable :: words
 
@@ -208,4 +208,4 @@ contains
       words = words//", ply "//text(domain%layers%ply(self%layer))//" from the bottom"
    end function suspect_name
 
-end module plydyn_solver_health
+end module plydyn_run_stability_monitor

@@ -1,13 +1,13 @@
 !> Who is named when a run goes wrong.
-program test_solver_health
+program test_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
-   use plydyn_solver_health, only : check_health
-   use plydyn_solver_start, only : new_state
+   use plydyn_run_stability_monitor, only : check_health
+   use plydyn_run_initial_state, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
@@ -57,4 +57,4 @@ program test_solver_health
    call check_error(error, "acceleration along z at node 950, ply 2 from the bottom", &
       & "of two that are no numbers that of the least number")
    call finish()
-end program test_solver_health
+end program test_run_stability_monitor

@@ -1,5 +1,5 @@
 !> A run that goes on from a restart file.
-module plydyn_solver_restart
+module plydyn_run_restart
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -7,7 +7,7 @@ module plydyn_solver_restart
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_method_accelerations, only : begin_accelerations
    use plydyn_method_energy, only : balance
-   use plydyn_solver_setup, only : run_type
+   use plydyn_run_setup, only : run_type
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type
    implicit none
@@ -96,4 +96,4 @@ contains
       end associate
    end subroutine change_conditions
 
-end module plydyn_solver_restart
+end module plydyn_run_restart

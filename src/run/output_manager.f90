@@ -1,6 +1,6 @@
 !> What is written about a run: fields and restart files by all ranks together, histories by the
 !> root, to which the others tell the few numbers that are due.
-module plydyn_solver_journal
+module plydyn_run_output_manager
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
@@ -21,7 +21,7 @@ module plydyn_solver_journal
    private
 
    !> The results of a job, whatever the number of ranks
-   type, public :: journal_type
+   type, public :: output_manager_type
       private
       !> The ranks
       type(comm_type) :: comm
@@ -47,13 +47,13 @@ module plydyn_solver_journal
       procedure :: dump
       procedure :: write_end => write_end_of_run
       procedure :: close => close_journal
-   end type journal_type
+   end type output_manager_type
 
 contains
 
    !> Create all files, or go on with those of an earlier run
    subroutine open_journal(self, job, model, domain, parts, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> The model
@@ -76,7 +76,7 @@ contains
    !> Let all ranks know with the sums of this step whether something is due, and whether anything
    !> of the points will be after the next
    subroutine announce(self, state)
-      class(journal_type), intent(in) :: self
+      class(output_manager_type), intent(in) :: self
       !> The state; the sums are counted
       type(state_type), intent(inout) :: state
 
@@ -97,7 +97,7 @@ contains
 
    !> Write whatever is due at this time
    subroutine record(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state; says what is due
@@ -116,7 +116,7 @@ contains
 
    !> Write all there is before the first step
    subroutine begin(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
@@ -132,7 +132,7 @@ contains
 
    !> Lines of the impactors, which all ranks know
    subroutine record_impactors(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
@@ -143,7 +143,7 @@ contains
 
    !> Lines of sums over the whole model, in which all ranks have a part
    subroutine record_rows(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
@@ -157,7 +157,7 @@ contains
 
    !> Write the fields at this time, if they are not in the file already
    subroutine plot(self, domain, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
@@ -171,7 +171,7 @@ contains
    !> Write the fields of a run that went wrong, if that can be done: what stopped it is worse than
    !> a state that cannot be written
    subroutine conclude(self, domain, state)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
@@ -184,7 +184,7 @@ contains
 
    !> Write the line of life, due or not
    subroutine tell(self, state)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The state
       type(state_type), intent(in) :: state
 
@@ -193,7 +193,7 @@ contains
 
    !> Bring all files to the disk, and note how far each of them goes
    subroutine keep(self, places, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> Gets the places, the same on all ranks
       type(file_positions_type), intent(out) :: places
       !> Why something is not on the disk; the same on all ranks
@@ -209,7 +209,7 @@ contains
 
    !> Write a restart file; all ranks must come here
    subroutine dump(self, path, job, state, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
       !> The job, the same on all ranks
@@ -227,7 +227,7 @@ contains
 
    !> Say in the listing how the run ended
    subroutine write_end_of_run(self, unit, model, domain, state, words)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> Unit of the listing, on the root
       integer, intent(in) :: unit
       !> The model
@@ -248,7 +248,7 @@ contains
 
    !> Close all files, also after an error
    subroutine close_journal(self, error)
-      class(journal_type), intent(inout) :: self
+      class(output_manager_type), intent(inout) :: self
       !> The first file that could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
@@ -260,4 +260,4 @@ contains
       if (.not. allocated(error)) call move_alloc(each, error)
    end subroutine close_journal
 
-end module plydyn_solver_journal
+end module plydyn_run_output_manager
