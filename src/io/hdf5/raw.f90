@@ -3,8 +3,8 @@
 !> `plydyn_io_hdf5_input` those that read. No other module uses the library.
 !>
 !> Each procedure makes one thing in a file and says whether every call went well; the module
-!> `plydyn_io_hdf5_output` turns that into errors. Numbers come as an address, the kind of number that
-!> lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken when
+!> `plydyn_io_hdf5_output` turns that into errors. Numbers come as an address, the kind of number
+!> that lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken when
 !> a thing is made, and never filled in advance: others than the library may bring numbers there.
 module plydyn_io_hdf5_raw
    use, intrinsic :: iso_c_binding, only : c_loc

@@ -1,5 +1,5 @@
 !> What the cohesive law of HTS40/9772, table 6 of the paper, takes on its way; in mm, N, MPa.
-program test_law_cohesive_energy
+program test_law_cohesive_bilinear_energy
    use bond, only : mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, &
@@ -214,4 +214,4 @@ contains
       fracture(:) = history(:, fracture_at)
    end subroutine walk_two_legs
 
-end program test_law_cohesive_energy
+end program test_law_cohesive_bilinear_energy
