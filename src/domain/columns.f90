@@ -9,7 +9,7 @@
 !> Bricks have no plane and no layers: each of their nodes is one point, and a column holds as
 !> many of them as there are lanes, side by side: (lanes, 3).
 !>
-!> Nodes where chunks of quads meet get forces from several of them: `plydyn_domain_decomposition`.
+!> Nodes where chunks of quads meet get forces from several: see `plydyn_domain_decomposition`.
 !> The first chunk adds to the node's own column, the others to columns of their own behind all.
 module plydyn_domain_columns
    use plydyn_base_precision, only : lanes, wp

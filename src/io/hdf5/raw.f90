@@ -4,8 +4,8 @@
 !>
 !> Each procedure makes one thing in a file and says whether every call went well; the module
 !> `plydyn_io_hdf5_output` turns that into errors. Numbers come as an address, the kind of number
-!> that lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken when
-!> a thing is made, and never filled in advance: others than the library may bring numbers there.
+!> that lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken
+!> when a thing is made, and never filled in advance: others than the library may write there.
 module plydyn_io_hdf5_raw
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
