@@ -34,7 +34,7 @@ run_output() {
 }
 
 run_deck() {
-  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck tests/compare
 }
 
 run_debug_deck() {

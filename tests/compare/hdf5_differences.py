@@ -1,0 +1,158 @@
+"""Whether two files of HDF5 hold arrays and attributes of the same bits, under whatever names."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import known_names
+from known_names import reason, renamed
+from report import Report
+
+Data = dict[str, np.ndarray]
+
+
+def compare_hdf5(old: Path, new: Path, report: Report) -> None:
+    """Compare arrays by name, else by what the table says, else by group, shape and content."""
+    mine, others = _read(old, report), _read(new, report)
+    for name in sorted(mine):
+        other = renamed(known_names.RENAMED_DATA, name)
+        if other in others:
+            if other != name:
+                report.note(f"{old.name}: {name} is called {other}")
+            _compare(old.name, name, mine.pop(name), others.pop(other), report)
+    _join_parts(old.name, mine, others, report)
+    _pair_by_content(old.name, mine, others, report)
+    _pair_by_shape(old.name, mine, others, report)
+    _tell_rest(old.name, mine, others, report)
+
+
+def _read(path: Path, report: Report) -> Data:
+    """All arrays and attributes of a file."""
+    found: Data = {}
+
+    def take(name: str, item: h5py.Group | h5py.Dataset) -> None:
+        for key, value in item.attrs.items():
+            found[f"{name}@{key}"] = np.asarray(value)
+        if isinstance(item, h5py.Dataset):
+            found[name] = np.asarray(item[()])
+
+    with h5py.File(path) as file:
+        take("", file)
+        file.visititems(take)
+    for name in list(found):
+        for key, why in known_names.NOT_COMPARED.items():
+            if re.fullmatch(key, name):
+                del found[name]
+                report.note(f"{_kind(path)}: {key} is not compared: {why}")
+    return found
+
+
+def _kind(path: Path) -> str:
+    """A file without the number of its restart."""
+    return re.sub(r"\d+$", "*", path.name)
+
+
+def _compare(file: str, name: str, old: np.ndarray, new: np.ndarray, report: Report) -> None:
+    """Note the first value that differs."""
+    report.numbers += old.size
+    if _is_text(old) or _is_text(new):
+        if old.tolist() != new.tolist():
+            report.note(f"{file}: {name} says {new.tolist()!r}, was {old.tolist()!r}")
+    elif old.dtype != new.dtype or old.size != new.size:
+        report.differ(file, name, "shape", _form(old), _form(new))
+    elif old.tobytes() != new.tobytes():
+        place = int(np.argmax(_bits(old) != _bits(new)))
+        row = tuple(int(i) for i in np.unravel_index(place, old.shape))
+        values = old.reshape(-1)[place], new.reshape(-1)[place]
+        count = int((_bits(old) != _bits(new)).sum())
+        report.differ(file, name, f"{row}, first of {count}", *map(repr, values))
+    elif old.shape != new.shape:
+        report.note(f"{file}: {name} has the shape {new.shape}, was {old.shape}")
+
+
+def _is_text(values: np.ndarray) -> bool:
+    """Whether these are words."""
+    return values.dtype.kind in "SUO"
+
+
+def _form(values: np.ndarray) -> str:
+    """Type and shape."""
+    return f"{values.dtype}{values.shape}"
+
+
+def _bits(values: np.ndarray) -> np.ndarray:
+    """Numbers as their bytes, one row each."""
+    flat = np.ascontiguousarray(values).reshape(-1)
+    return flat.view(np.dtype((np.void, flat.dtype.itemsize)))
+
+
+def _join_parts(file: str, mine: Data, others: Data, report: Report) -> None:
+    """Compare an array with those that hold its values one behind the other."""
+    for name in sorted(mine):
+        for old, parts in known_names.SPLIT_DATA.items():
+            names = [re.sub(old, part, name) for part in parts]
+            if re.fullmatch(old, name) and all(part in others for part in names):
+                joined = np.concatenate([others.pop(part).reshape(-1) for part in names])
+                report.note(f"{file}: {name} is split into {', '.join(names)}")
+                _compare(file, name, mine.pop(name).reshape(-1), joined, report)
+                break
+
+
+def _group(name: str) -> str:
+    """The group of an array, or what an attribute belongs to."""
+    return re.split(r"[@/][^@/]*$", name)[0]
+
+
+def _pair_by_content(file: str, mine: Data, others: Data, report: Report) -> None:
+    """Pair what has the same bits, first within its group."""
+    for near in (True, False):
+        for name in sorted(mine):
+            for other in sorted(others):
+                if near and _group(name) != _group(other):
+                    continue
+                if (near or mine[name].size > 0) and _same(mine[name], others[other]):
+                    report.note(f"{file}: {name} is called {other}: same bits")
+                    report.numbers += mine.pop(name).size
+                    del others[other]
+                    break
+
+
+def _same(old: np.ndarray, new: np.ndarray) -> bool:
+    """Whether two arrays have the same type, size and bits."""
+    if _is_text(old) or _is_text(new):
+        return old.tolist() == new.tolist()
+    return old.dtype == new.dtype and old.size == new.size and old.tobytes() == new.tobytes()
+
+
+def _pair_by_shape(file: str, mine: Data, others: Data, report: Report) -> None:
+    """Compare what is alone of its type and size in its group, and say where it differs."""
+    for name in sorted(mine):
+        alike = [other for other in others if _alike(name, mine[name], other, others[other])]
+        rivals = [rival for rival in mine if _alike(name, mine[name], rival, mine[rival])]
+        if len(alike) == len(rivals) == 1:
+            report.note(f"{file}: {name} is taken for {alike[0]}, the only one of its shape")
+            _compare(file, name, mine.pop(name), others.pop(alike[0]), report)
+
+
+def _alike(name: str, values: np.ndarray, other: str, their: np.ndarray) -> bool:
+    """Whether two arrays may be the same by group, type and size."""
+    same_form = values.dtype == their.dtype and values.size == their.size
+    return _group(name) == _group(other) and same_form
+
+
+def _tell_rest(file: str, mine: Data, others: Data, report: Report) -> None:
+    """What only one of the builds has."""
+    for name, values in sorted(mine.items()):
+        if why := reason(known_names.DROPPED_DATA, name):
+            report.note(f"{file}: {name} is written no longer: {why}")
+        else:
+            report.differ(file, name, "", _form(values), "nothing")
+    for name, values in sorted(others.items()):
+        if why := reason(known_names.ADDED_DATA, name):
+            report.note(f"{file}: {name} is new: {why}")
+        else:
+            report.differ(file, name, "", "nothing", _form(values))

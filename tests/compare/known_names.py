@@ -1,0 +1,52 @@
+"""Names that the newer build has changed on purpose, and what is not compared: the only table.
+
+Names of restart files and fields are paths in the file, `group/dataset`; an attribute is
+`group/dataset@attribute`. All of them are regular expressions that match the whole name. What is
+applied is reported, each time.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+#: Files of a job whose ending is another one in the newer build: old ending, new ending
+RENAMED_FILES: dict[str, str] = {}
+
+#: Files that only one of the builds writes, and why
+ADDED_FILES: dict[str, str] = {}
+DROPPED_FILES: dict[str, str] = {}
+
+#: Columns of histories, `ending: header`, that only one of the builds writes, and why
+ADDED_COLUMNS: dict[str, str] = {}
+DROPPED_COLUMNS: dict[str, str] = {}
+
+#: Old name, new name as in `re.sub`. A new name of the same content needs no line here
+RENAMED_DATA: dict[str, str] = {}
+
+#: Arrays that the newer build keeps in several: old name, new names whose values follow each other
+SPLIT_DATA: dict[str, tuple[str, ...]] = {}
+
+#: Arrays and attributes that only one of the builds writes, and why
+ADDED_DATA: dict[str, str] = {}
+DROPPED_DATA: dict[str, str] = {}
+
+#: What is no number of the model, and why
+NOT_COMPARED: dict[str, str] = {
+    r"run/places": "lengths of result files in bytes, which change with the words of their headers",
+    r"run@format": "number of the layout of restart files",
+    r".*@check sum": "sum of what is compared itself; that of run/places changes with it",
+}
+
+
+def reason(table: Mapping[str, str], name: str) -> str | None:
+    """What a table says of a name."""
+    return next((why for key, why in table.items() if re.fullmatch(key, name)), None)
+
+
+def renamed(table: Mapping[str, str], name: str) -> str:
+    """The new name of an old one."""
+    for old, new in table.items():
+        if re.fullmatch(old, name):
+            return re.sub(old, new, name)
+    return name
