@@ -36,7 +36,7 @@ from plydyn_post.maps import (
     scale_bar,
 )
 from plydyn_post.results import Results
-from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of
+from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of, sheet_of_points
 from plydyn_post.style import INK, WIDE, figure, save
 from plydyn_post.units import readable
 
@@ -75,10 +75,27 @@ def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
         one.number: area_beyond(sheet, DELAMINATED)
         for one, sheet in zip(state.each, sheets, strict=True)
     }
-    worst = np.max([sheet.values for sheet in sheets], axis=0)
-    projected = area_beyond(Sheet(sheets[0].places, sheets[0].triangles, worst), DELAMINATED)
+    projected = area_beyond(_worst(state, sheets), DELAMINATED)
     unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
     return Areas(each, projected, sum(each.values()), unit)
+
+
+def _worst(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
+    """The largest value of all interfaces over each quad, where some may lack an interface."""
+    quads, first = np.unique(
+        np.concatenate([one.elements for one in state.each]), return_index=True
+    )
+    each = [
+        sheet.values.reshape(len(one.elements), -1)
+        for one, sheet in zip(state.each, sheets, strict=True)
+    ]
+    places = [
+        sheet.places.reshape(*values.shape, 2) for sheet, values in zip(sheets, each, strict=True)
+    ]
+    worst = np.zeros((len(quads), each[0].shape[1]))
+    for one, values in zip(state.each, each, strict=True):
+        np.maximum.at(worst, np.searchsorted(quads, one.elements), values)
+    return sheet_of_points(np.concatenate(places)[first], worst)
 
 
 def draw_cscan(

@@ -107,7 +107,7 @@ def running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndar
 
     Half of the window is left at either end, enough to take noise out there, too.
     """
-    if window <= 0.0 or len(time) < 3:
+    if window <= 0.0 or len(time) < 3 or time[-1] <= time[0]:
         return values
     first = np.maximum(time - 0.5 * window, time[0])
     last = np.minimum(time + 0.5 * window, time[-1])

@@ -9,7 +9,7 @@ import numpy as np
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
-from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, save
+from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, save, span
 from plydyn_post.table import Table
 from plydyn_post.units import in_brackets, readable
 
@@ -57,7 +57,7 @@ def draw_dissipation(results: Results, path: Path) -> Path:
         axes.plot(x, whole * energy.factor, color="black", linewidth=0.9)
         axes.set_xlabel(in_brackets("Time", time.unit))
         axes.set_ylabel(in_brackets("Dissipated energy", energy.unit))
-        axes.set_xlim(x[0], x[-1])
+        span(axes, x)
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=66)
         return save(made, path)
@@ -84,7 +84,7 @@ def draw_areas(results: Results, path: Path) -> Path:
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
         axes.set_ylabel(in_brackets("Delaminated area", unit))
-        axes.set_xlim(x[0], x[-1])
+        span(axes, x)
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=64)
         return save(made, path)

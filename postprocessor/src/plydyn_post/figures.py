@@ -21,6 +21,7 @@ from plydyn_post.style import (
     legend_above,
     look_of,
     save,
+    span,
 )
 from plydyn_post.table import Table, read_table
 from plydyn_post.units import Scale, factor, in_brackets, readable
@@ -179,7 +180,7 @@ def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
         lower.axhline(0.0, color="#c8c8c8", linewidth=0.6, zorder=0)
         lower.set(xlabel=in_brackets("Time", time.unit), ylabel="Error [%]")
         lower.margins(y=0.2)
-        lower.set_xlim(x[0], x[-1] if len(x) > 1 else None)
+        span(lower, x)
         made.align_ylabels([upper, lower])
         legend_above(made, upper)
         return save(made, path)

@@ -1,107 +1,65 @@
-"""Fields of a job: states of the VTKHDF file, and what the solver says about them."""
+"""Fields of a job: which states there are, and one of them as a grid."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field
 from pathlib import Path
 
-import h5py
 import numpy as np
 import pyvista as pv
-from vtkmodules.vtkIOHDF import vtkHDFReader
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.table import split_header
+from plydyn_post.vtkhdf import layout_of, read_grid, read_point_field
 
 # Our names of tensor components in the order of VTK's symmetric tensors
 TENSOR = ("xx", "yy", "zz", "xy", "yz", "xz")
 PLY_TENSOR = ("11", "22", "33", "12", "23", "13")
+# Numbers at a point of the fields that the solver writes, 0 for one number
+COMPONENTS = {
+    **dict.fromkeys(("displacement", "velocity", "opening"), 3),
+    **dict.fromkeys(("stress", "strain", "stress_ply", "strain_ply"), 6),
+    **dict.fromkeys(("damage", "damage_fibre", "damage_matrix", "damage_shear"), 0),
+    **dict.fromkeys(("dissipated", "plastic_strain", "mode_mixity", "energy_share"), 0),
+}
+# Fields of one number at a cell
+CELL_NUMBERS = ("angle", "angle_above", "angle_below", "element", "interface", "ply")
 # Share of a run by which an instant may lie outside: the end of a run as people write it
 ROUNDING = 0.01
-# Attributes that name the units
-UNIT_KINDS = ("length", "time", "mass", "force", "stress", "energy")
-
-
-@dataclass(frozen=True)
-class Sphere:
-    """A rigid impactor at time zero."""
-
-    radius: float
-    centre: tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class Header:
-    """What the solver says about a job in group /plydyn."""
-
-    version: str = ""
-    title: str = ""
-    deck: str = ""
-    units: dict[str, str] = field(default_factory=dict)
-    impactors: dict[int, Sphere] = field(default_factory=dict)
-    plies: tuple[dict[str, float], ...] = ()
-
-
-@contextmanager
-def opened(path: Path) -> Iterator[h5py.File]:
-    """Open a file of fields, with errors that name it."""
-    if not path.is_file():
-        raise ResultsError(f"{path}: there is no such file")
-    try:
-        file = h5py.File(path, "r")
-    except OSError as error:
-        raise ResultsError(f"{path} cannot be read: {error}") from error
-    with file:
-        if "VTKHDF" not in file:
-            raise ResultsError(f"{path} is no VTKHDF file: it has no group VTKHDF")
-        yield file
 
 
 def read_times(path: Path) -> np.ndarray:
     """Times of the states, (states,)."""
-    with opened(path) as file:
-        steps = file["VTKHDF"].get("Steps")
-        times = np.array([]) if steps is None else np.asarray(steps["Values"], dtype=float)
-        written = len(times) if steps is None else int(steps.attrs.get("NSteps", len(times)))
-    if min(len(times), written) == 0:
-        raise ResultsError(f"{path} holds no state yet")
-    return times[:written]
-
-
-def read_point_field(path: Path, name: str, step: int) -> np.ndarray:
-    """A field at the points at a state, (points, components)."""
-    with opened(path) as file:
-        root = file["VTKHDF"]
-        known = sorted(root.get("PointData", ()))
-        if name not in known:
-            listed = ", ".join(known) or "none"
-            raise ResultsError(
-                f"{path} has no field {name!r}; it has {listed}. Fields are asked for in the deck"
-                " with *DATABASE_FIELD"
-            )
-        points = int(np.sum(root["NumberOfPoints"][:1]))
-        offsets = root["Steps"].get("PointDataOffsets", {}).get(name)
-        start = 0 if offsets is None else int(offsets[step])
-        return np.asarray(root["PointData"][name][start : start + points], dtype=float)
+    return layout_of(path).times
 
 
 def has_point_field(path: Path, name: str) -> bool:
     """Whether a file of fields is there and has a field at its points."""
-    if not path.is_file():
-        return False
-    with opened(path) as file:
-        return name in file["VTKHDF"].get("PointData", ())
+    return path.is_file() and name in layout_of(path).point_fields
 
 
 def largest_deflection(path: Path) -> int:
     """The state at which a point has moved farthest along z."""
     moved = [
-        float(np.max(np.abs(read_point_field(path, "displacement", step)[:, 2]), initial=0.0))
+        float(np.max(np.abs(read_displacement(path, step)[:, 2]), initial=0.0))
         for step in range(len(read_times(path)))
     ]
     return int(np.argmax(moved))
+
+
+def read_displacement(path: Path, step: int) -> np.ndarray:
+    """Displacement of the points at a state, (points, 3)."""
+    values = read_point_field(path, "displacement", step)
+    _check(path, "displacement", values)
+    return values
+
+
+def _check(path: Path, name: str, values: np.ndarray) -> None:
+    """Refuse a field that has not the numbers at a point that its name promises."""
+    wanted = (COMPONENTS[name],) if COMPONENTS.get(name) else ()
+    if values.shape[1:] != wanted:
+        raise ResultsError(
+            f"{path}: field {name!r} has {values.shape[1:] or 1} numbers at a point, not"
+            f" {COMPONENTS.get(name) or 1}"
+        )
 
 
 def nearest(times: np.ndarray, time: float) -> int:
@@ -114,69 +72,11 @@ def nearest(times: np.ndarray, time: float) -> int:
 
 
 def read_state(path: Path, step: int) -> pv.UnstructuredGrid:
-    """A state of the fields, by VTK's own reader; pyvista's takes no step."""
-    with opened(path):
-        reader = vtkHDFReader()
-    reader.SetFileName(str(path))
-    reader.UpdateInformation()
-    reader.SetStep(step)
-    reader.Update()
-    grid = pv.wrap(reader.GetOutputDataObject(0))
-    if not isinstance(grid, pv.UnstructuredGrid) or grid.n_cells == 0:
-        raise ResultsError(f"{path} holds no cells at state {step + 1}")
+    """A state of the fields, each with the numbers that its name promises."""
+    grid = read_grid(path, step)
+    for name in grid.point_data.keys() & COMPONENTS.keys():
+        _check(path, name, grid.point_data[name])
+    for name, values in grid.cell_data.items():
+        if name in CELL_NUMBERS:
+            _check(path, name, values)
     return grid
-
-
-def read_header(path: Path) -> Header:
-    """What group /plydyn says; empty where the file or an attribute is missing."""
-    if not path.is_file():
-        return Header()
-    with opened(path) as file:
-        group = file.get("plydyn")
-        if group is None:
-            return Header()
-        words = {key: _text(value) for key, value in group.attrs.items() if _is_text(value)}
-        return Header(
-            version=words.get("version", ""),
-            title=words.get("title", ""),
-            deck=words.get("deck", ""),
-            units={kind: words[kind] for kind in UNIT_KINDS if kind in words},
-            impactors=_impactors(group),
-            plies=_rows(group, "plies"),
-        )
-
-
-def _is_text(value: object) -> bool:
-    kind = np.asarray(value).dtype.kind
-    return kind in "SUO"
-
-
-def _text(value: object) -> str:
-    """Text of an attribute, a string or an array of strings."""
-    parts = np.atleast_1d(np.asarray(value)).ravel()
-    words = [part.decode() if isinstance(part, bytes) else str(part) for part in parts]
-    return " ".join(word.strip() for word in words)
-
-
-def _rows(group: h5py.Group, name: str) -> tuple[dict[str, float], ...]:
-    """Rows of a table of numbers with the names of its columns as attribute ``columns``."""
-    data = group.get(name)
-    if not isinstance(data, h5py.Dataset) or "columns" not in data.attrs:
-        return ()
-    names = [column.strip() for column in _text(data.attrs["columns"]).split(",")]
-    values = np.asarray(data, dtype=float).reshape(-1, len(names))
-    return tuple(dict(zip(names, map(float, row), strict=True)) for row in values)
-
-
-def _impactors(group: h5py.Group) -> dict[int, Sphere]:
-    """Spheres from the table ``impactors`` with the columns id, radius, x, y and z."""
-    wanted = {"id", "radius", "x", "y", "z"}
-    rows = (
-        {split_header(name)[0]: one for name, one in row.items()}
-        for row in _rows(group, "impactors")
-    )
-    return {
-        int(row["id"]): Sphere(row["radius"], (row["x"], row["y"], row["z"]))
-        for row in rows
-        if wanted <= row.keys()
-    }

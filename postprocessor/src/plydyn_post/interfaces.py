@@ -8,7 +8,8 @@ import numpy as np
 import pyvista as pv
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import Header, nearest, read_header, read_state, read_times
+from plydyn_post.grid import nearest, read_state, read_times
+from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results
 from plydyn_post.sheets import LATTICES
 from plydyn_post.table import Table
@@ -26,6 +27,7 @@ class Interface:
     angles: tuple[float, float]  # of the ply below and of the one above, degrees
     height: float  # z at time zero
     places: np.ndarray  # (quads, n, n, 2) at time zero
+    elements: np.ndarray  # (quads,) of the deck
     fields: dict[str, np.ndarray]  # (quads, n, n) each
 
     @property
@@ -72,8 +74,9 @@ def _interface(
 ) -> Interface:
     """One of the interfaces of a state."""
     cells = np.flatnonzero(own)
-    if "element" in grid.cell_data:
-        cells = cells[np.argsort(np.asarray(grid.cell_data["element"])[cells], kind="stable")]
+    data = grid.cell_data
+    elements = np.asarray(data["element"]) if "element" in data else _elements(grid, nodes)
+    cells = cells[np.argsort(elements[cells], kind="stable")]
     lattice = nodes[cells][:, LATTICES[_kind(nodes)]]
     points = np.asarray(grid.points, dtype=float)[lattice]
     fields = {
@@ -86,7 +89,13 @@ def _interface(
         for name in ("angle_below", "angle_above")
     )
     height = float(points[..., 2].mean())
-    return Interface(number, angles, height, points[..., :2], fields)
+    return Interface(number, angles, height, points[..., :2], elements[cells], fields)
+
+
+def _elements(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:
+    """Numbers that quads above each other share, (quads,), for files without those of the deck."""
+    middle = np.asarray(grid.points)[nodes][..., :2].mean(axis=1)
+    return np.unique(np.round(middle, 6), axis=0, return_inverse=True)[1].ravel()
 
 
 def _kind(nodes: np.ndarray) -> int:

@@ -12,7 +12,7 @@ from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.tri import Triangulation
 
-from plydyn_post.grid import Header
+from plydyn_post.header import Header
 from plydyn_post.sheets import Sheet
 from plydyn_post.style import DAMAGE_MAP, INK
 from plydyn_post.units import readable

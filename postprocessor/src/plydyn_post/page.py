@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 from urllib.parse import quote
 
-from plydyn_post.grid import Header
+from plydyn_post.header import Header
 from plydyn_post.numbers import Comparison
 from plydyn_post.units import in_brackets
 

@@ -53,12 +53,19 @@ def read_stack(results: Results, time: float | None = None) -> Stack:
     ply = np.asarray(data["ply"]).astype(int) if "ply" in data else np.ones(grid.n_cells, int)
     angle = np.asarray(data["angle"], float) if "angle" in data else np.full(grid.n_cells, np.nan)
     nodes = grid.cells_dict[blocks[0].kind][:, lattice(blocks[0].kind)]
-    order = _columns(grid, nodes)
-    plies = []
+    element = _element(grid, nodes)
+    order = _columns(grid, nodes, element)
+    everywhere = len(np.unique(element))
+    plies: list[PlyCells] = []
     for number in np.unique(ply):
         own = order[ply[order] == number]
-        columns = len(np.unique(_element(grid, nodes)[own]))
-        shaped = nodes[own].reshape(columns, len(own) // columns, *nodes.shape[1:])
+        quads, layers = np.unique(element[own], return_counts=True)
+        if len(quads) < everywhere or np.ptp(layers) > 0:
+            raise ResultsError(
+                f"{results.fields}: ply {number} covers {len(quads)} of {everywhere} quads;"
+                " maps need plies that cover all, with as many cells over each"
+            )
+        shaped = nodes[own].reshape(len(quads), layers[0], *nodes.shape[1:])
         plies.append(PlyCells(int(number), float(angle[own[0]]), shaped))
     return Stack(float(times[step]), grid, tuple(plies))
 
@@ -71,7 +78,7 @@ def _element(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:
     return np.unique(np.round(middle, 6), axis=0, return_inverse=True)[1].ravel()
 
 
-def _columns(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:
+def _columns(grid: pv.UnstructuredGrid, nodes: np.ndarray, element: np.ndarray) -> np.ndarray:
     """Cells column by column, each from the bottom up, (cells,)."""
     height = np.asarray(grid.points)[nodes[:, 0, 0, 0], 2]
-    return np.lexsort((height, _element(grid, nodes)))
+    return np.lexsort((height, element))

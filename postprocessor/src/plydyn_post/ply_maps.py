@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import read_header
+from plydyn_post.header import read_header
 from plydyn_post.maps import (
     damage_bar,
     draw_damage,

@@ -10,7 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import Header, nearest, read_header
+from plydyn_post.grid import nearest
+from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results, labels
 from plydyn_post.style import QUIET, WIDE, figure, legend_above, look_of, save
 from plydyn_post.table import Table, split_header

@@ -10,7 +10,8 @@ from pathlib import Path
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.errors import ResultsError
 from plydyn_post.figures import curves_of, draw_energy, draw_history
-from plydyn_post.grid import has_point_field, read_header
+from plydyn_post.grid import has_point_field
+from plydyn_post.header import read_header
 from plydyn_post.numbers import Comparison, compare, write_numbers
 from plydyn_post.page import Image, Sheet, write_page
 from plydyn_post.picture import draw_picture

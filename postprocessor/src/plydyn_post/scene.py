@@ -10,15 +10,8 @@ from matplotlib.colors import Colormap
 
 from plydyn_post.cut import cut_surface
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import (
-    Header,
-    Sphere,
-    largest_deflection,
-    nearest,
-    read_header,
-    read_state,
-    read_times,
-)
+from plydyn_post.grid import largest_deflection, nearest, read_state, read_times
+from plydyn_post.header import Header, Sphere, read_header
 from plydyn_post.results import Results
 from plydyn_post.shown import Shown, shown
 from plydyn_post.surface import Surface, blocks_of, extent, surface_of

@@ -11,7 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import Header, read_header
+from plydyn_post.header import Header, read_header
 from plydyn_post.hexahedra import finer
 from plydyn_post.interfaces import DELAMINATED, Interfaces, read_interfaces
 from plydyn_post.maps import (

@@ -34,11 +34,14 @@ def sheet_of(places: np.ndarray, values: np.ndarray, parts: int = PARTS) -> Shee
     """
     fine = refine_faces(np.concatenate([places, values[..., None]], axis=3), parts)
     low, high = (end(values, axis=(1, 2))[:, None, None] for end in (np.min, np.max))
-    return Sheet(
-        fine[..., :2].reshape(-1, 2),
-        _triangles(len(fine), parts),
-        np.clip(fine[..., 2], low, high).ravel(),
-    )
+    between = np.clip(fine[..., 2], low, high)
+    return sheet_of_points(fine[..., :2].reshape(len(fine), -1, 2), between.reshape(len(fine), -1))
+
+
+def sheet_of_points(places: np.ndarray, values: np.ndarray) -> Sheet:
+    """A field at the fine points of quads, (quads, points, 2) and (quads, points)."""
+    parts = round(np.sqrt(values.shape[1])) - 1
+    return Sheet(places.reshape(-1, 2), _triangles(len(values), parts), values.ravel())
 
 
 def _triangles(quads: int, parts: int) -> np.ndarray:

@@ -9,7 +9,8 @@ import pyvista as pv
 from matplotlib.colors import Colormap
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import PLY_TENSOR, TENSOR, Header
+from plydyn_post.grid import PLY_TENSOR, TENSOR
+from plydyn_post.header import Header
 from plydyn_post.style import DAMAGE_MAP, PLAIN_MAP, SIGNED_MAP
 
 # Letter of a quantity -> (field of global components, of ply components, symbol, kind of unit)

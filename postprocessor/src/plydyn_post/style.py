@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 
@@ -92,6 +93,12 @@ def save(made: Figure, path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     made.savefig(path)
     return path
+
+
+def span(axes: Axes, x: np.ndarray) -> None:
+    """Let an axis of times begin and end with them; a single instant gets room around it."""
+    if x[-1] > x[0]:
+        axes.set_xlim(x[0], x[-1])
 
 
 def legend_above(made: Figure, axes: Axes, longest: int = 52, title: str | None = None) -> None:

@@ -13,6 +13,9 @@ import numpy as np
 
 from plydyn_post.errors import ResultsError
 
+# No quantity of an impact is larger in any units; squares of larger numbers would overflow
+LARGEST = 1e50
+
 
 @dataclass(frozen=True)
 class Table:
@@ -74,14 +77,46 @@ def _read_once(path: Path, from_solver: bool, stamp: tuple[int, int]) -> Table:
         raise ResultsError(f"{path} is empty: the run wrote nothing to it yet")
     header, _, body = text.partition("\n")
     separator = next((sign for sign in ";\t" if sign in header), ",")
-    labels = next(csv.reader([header.rstrip("\r")], delimiter=separator))
+    names, units = _read_header(path, header, separator)
     body, notes = _without_cut_line(path, body) if from_solver else (body, ())
     if not body.strip():
         raise ResultsError(f"{path} has a header but no rows yet")
-    names, units = zip(*(split_header(label) for label in labels), strict=True)
-    values = _read_numbers(path, body, separator, len(labels))
+    values = _read_numbers(path, body, separator, len(names))
+    _check_numbers(path, names, values, body)
     values.setflags(write=False)
     return Table(path, names, units, values, notes)
+
+
+def _read_header(path: Path, header: str, separator: str) -> tuple[tuple[str, ...], ...]:
+    """Names and units of the columns."""
+    header = header.rstrip("\r")
+    if not header.replace("\t", " ").isprintable():
+        raise ResultsError(f"{path}, line 1: the header is no text: {header!r}")
+    labels = next(csv.reader([header], delimiter=separator), [])
+    names, units = zip(*(split_header(label) for label in labels or [""]), strict=True)
+    twice = [name for name in names if names.count(name) > 1]
+    if not all(names) or twice:
+        what = f"column {twice[0]!r} stands twice" if twice else "a column has no name"
+        raise ResultsError(f"{path}, line 1: {what} in the header")
+    return names, units
+
+
+def _check_numbers(path: Path, names: tuple[str, ...], values: np.ndarray, body: str) -> None:
+    """Refuse numbers that are none, and times that fall."""
+    line = [number for number, text in enumerate(body.splitlines(), start=2) if text.strip()]
+    bad = np.argwhere(~(np.abs(values) <= LARGEST))
+    if len(bad):
+        row, column = bad[0]
+        value = values[row, column]
+        raise ResultsError(f"{path}, line {line[row]}: {names[column]} is {value:g}")
+    if "time" in names:
+        time = values[:, names.index("time")]
+        falls = np.flatnonzero(np.diff(time) < 0.0)
+        if len(falls):
+            row = int(falls[0])
+            raise ResultsError(
+                f"{path}, line {line[row + 1]}: time falls from {time[row]:g} to {time[row + 1]:g}"
+            )
 
 
 def _without_cut_line(path: Path, body: str) -> tuple[str, tuple[str, ...]]:
@@ -103,7 +138,7 @@ def _is_number(field: str) -> bool:
 def _read_numbers(path: Path, body: str, separator: str, columns: int) -> np.ndarray:
     """Numbers of all rows, (rows, columns); the first bad line is named."""
     try:
-        values = np.loadtxt(io.StringIO(body), delimiter=separator, ndmin=2)
+        values = np.loadtxt(io.StringIO(body), delimiter=separator, ndmin=2, comments=None)
         if values.shape[1] == columns:
             return values
     except ValueError:
