@@ -9,40 +9,35 @@ module plydyn_input_check_solid
    implicit none
    private
 
-   public :: check_bricks, refuse_averages, refuse_for_bricks
-
-   !> Keywords that need plies, faces or quads
-   character(*), parameter :: need_plates(*) = [character(32) :: "BOUNDARY_FACE", &
-      & "BOUNDARY_FACE_MOTION", "LOAD_FACE_POINT", "LOAD_FACE_LINE", "LOAD_FACE_PRESSURE", &
-      & "LOAD_SHELL_SET", "SET_SHELL_LIST", "SECTION_LAYERWISE", "INTERFACE_COHESIVE", &
-      & "DATABASE_PROFILE", "DATABASE_DELAM", "PART_COMPOSITE", "PART_COMPOSITE_LONG", &
-      & "ELEMENT_SHELL", "ELEMENT_PLATE_Q9"]
-   !> Keywords that need bricks
-   character(*), parameter :: need_bricks(*) = [character(32) :: "PART", "SECTION_SOLID", &
-      & "HOURGLASS", "CONTROL_HOURGLASS", "LOAD_SEGMENT"]
+   public :: check_bricks, refuse_averages, refuse_with_bricks, refuse_without_bricks
 
 contains
 
-   !> Refuse a keyword that does not go with the elements of the deck
-   subroutine refuse_for_bricks(name, place, mesh, report)
+   !> Refuse a keyword of plates in a deck with bricks
+   subroutine refuse_with_bricks(name, place, report)
       !> Name of the keyword
       character(*), intent(in) :: name
       !> Where it is
       type(file_position_type), intent(in) :: place
-      !> Elements of the deck
-      type(mesh_type), intent(in) :: mesh
-      !> Gets findings
+      !> Gets the finding
       type(report_type), intent(inout) :: report
 
-      if (size(mesh%brick_id) > 0) then
-         if (any(need_plates == name)) call report%refuse(place, "*"//name &
-            & //" does not go with bricks", "plates alone, or bricks alone and no keyword that " &
-            & //"needs plies, faces or quads")
-      else if (any(need_bricks == name)) then
-         call report%refuse(place, "*"//name//" needs bricks", "bricks (*ELEMENT_SOLID), or a " &
-            & //"laminate with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE")
-      end if
-   end subroutine refuse_for_bricks
+      call report%refuse(place, "*"//name//" does not go with bricks", "plates alone, or bricks " &
+         & //"alone and no keyword that needs plies, faces or quads")
+   end subroutine refuse_with_bricks
+
+   !> Refuse a keyword of bricks in a deck without bricks
+   subroutine refuse_without_bricks(name, place, report)
+      !> Name of the keyword
+      character(*), intent(in) :: name
+      !> Where it is
+      type(file_position_type), intent(in) :: place
+      !> Gets the finding
+      type(report_type), intent(inout) :: report
+
+      call report%refuse(place, "*"//name//" needs bricks", "bricks (*ELEMENT_SOLID), or a " &
+         & //"laminate with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE")
+   end subroutine refuse_without_bricks
 
    !> Refuse averages over neighbours: bricks do not know what layer they are of
    subroutine refuse_averages(materials, catalogue)

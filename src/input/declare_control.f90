@@ -5,55 +5,41 @@ module plydyn_input_declare_control
    implicit none
    private
 
-   public :: frame_keywords, control_keywords
+   public :: frame_keywords, title, control_units, control_termination, control_timestep, &
+      & control_energy, control_parallel, control_layerwise, damping_global
 
    !> LS-DYNA's value for no limit on added mass
    real(wp), parameter :: no_mass_limit = 1.0e8_wp
 
 contains
 
-   !> Keywords that the deck itself needs
+   !> Keywords that the parser reads itself
    function frame_keywords() result(keywords)
-      type(keyword_type) :: keywords(8)
+      type(keyword_type) :: keywords(7)
 
       keywords(1) = new_keyword("KEYWORD", standard, &
          & "First keyword of a deck; LONG=Y behind it gives every field 20 columns.")
-      keywords(2) = title()
-      keywords(3) = new_keyword("COMMENT", standard, &
+      keywords(2) = new_keyword("COMMENT", standard, &
          & "Lines of text that nothing reads, up to the next keyword.")
-      keywords(4) = new_keyword("END", standard, &
+      keywords(3) = new_keyword("END", standard, &
          & "Last keyword of a deck. A deck without it is refused: it may have been cut short.")
-      keywords(5) = new_keyword("INCLUDE", standard, &
+      keywords(4) = new_keyword("INCLUDE", standard, &
          & "Files that are read in place of this keyword.")
-      keywords(5)%remark = "One path per line, relative to the file that includes it; the " &
+      keywords(4)%remark = "One path per line, relative to the file that includes it; the " &
          & //"folders of *INCLUDE_PATH come next. A file must not include itself."
-      keywords(6) = new_keyword("INCLUDE_PATH", standard, &
+      keywords(5) = new_keyword("INCLUDE_PATH", standard, &
          & "Folders in which include files are looked for, one per line.")
-      keywords(7) = new_keyword("PARAMETER", standard, "Names for numbers.")
-      keywords(7)%remark = "Up to four pairs on a line: in the first field R (real) or I " &
+      keywords(6) = new_keyword("PARAMETER", standard, "Names for numbers.")
+      keywords(6)%remark = "Up to four pairs on a line: in the first field R (real) or I " &
          & //"(integer) and the name, in the second the number. Any later field may hold &name " &
          & //"or -&name."
-      keywords(8) = new_keyword("PARAMETER_EXPRESSION", standard, "Names for computed numbers.")
-      keywords(8)%remark = "One on a line: R or I and the name in the first field, then the " &
+      keywords(7) = new_keyword("PARAMETER_EXPRESSION", standard, "Names for computed numbers.")
+      keywords(7)%remark = "One on a line: R or I and the name in the first field, then the " &
          & //"expression to the end of the line; a line with a blank first field goes on with " &
          & //"it. Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan " &
          & //"(radians), abs, exp, log (natural), min and max with two arguments. All " &
          & //"arithmetic is real."
    end function frame_keywords
-
-   !> Keywords that say how to run
-   function control_keywords() result(keywords)
-      type(keyword_type) :: keywords(7)
-
-      keywords(1) = control_units()
-      keywords(2) = control_termination()
-      keywords(3) = control_timestep()
-      keywords(4) = control_energy()
-      keywords(5) = control_parallel()
-      keywords(6) = control_layerwise()
-      keywords(7) = damping_global()
-      keywords%once = .true.
-   end function control_keywords
 
    !> Title of the run
    function title() result(keyword)
@@ -70,6 +56,7 @@ contains
 
       keyword = new_keyword("CONTROL_UNITS", standard, &
          & "Names of the units of the deck, for listings and result files.")
+      keyword%once = .true.
       keyword%remark = "Nothing is converted: all numbers of a deck are in one consistent set of " &
          & //"units. Force, stress and energy follow from length, time and mass. Without the " &
          & //"keyword: mm, s, t, hence N, MPa, mJ."
@@ -86,6 +73,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_TERMINATION", standard, "When the run ends.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_real("ENDTIM", "time", "last time", above=0.0_wp)
       call keyword%add_integer("ENDCYC", "last cycle; 0 for none", default=0, least=0)
@@ -103,6 +91,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_TIMESTEP", standard, "The time step.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_real("DTINIT", "time", "first step; 0 for the stable one", default=0.0_wp, &
          & least=0.0_wp)
@@ -123,6 +112,7 @@ contains
 
       keyword = new_keyword("CONTROL_ENERGY", standard, &
          & "Which energies LS-DYNA computes; plydyn always computes all that it has.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_unused("HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN", &
          & neutral=[0.0_wp, 1.0_wp, 2.0_wp])
@@ -134,6 +124,7 @@ contains
 
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
          & "Processors.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_integer("NCPU", "threads; the word ncpu on the command line goes before, " &
          & //"0 leaves it to OMP_NUM_THREADS. Results are the same to the last bit for any", &
@@ -148,6 +139,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics, health and scheme of the run.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_integer("KINEM", &
          & "0 linear strain, 1 large displacement (total Lagrangian)", default=1, allowed=[0, 1])
@@ -172,6 +164,7 @@ contains
 
       keyword = new_keyword("DAMPING_GLOBAL", standard, &
          & "Forces against the velocity of every point of the plate.")
+      keyword%once = .true.
       call keyword%add_card()
       call keyword%add_unused("LCID")
       call keyword%add_real("VALDMP", "1/time", "force per mass and velocity", default=0.0_wp, &

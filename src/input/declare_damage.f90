@@ -6,17 +6,9 @@ module plydyn_input_declare_damage
    implicit none
    private
 
-   public :: damage_keywords
+   public :: mat_ply_codam2, mat_codam2
 
 contains
-
-   !> Keywords of plies that are damaged
-   function damage_keywords() result(keywords)
-      type(keyword_type) :: keywords(2)
-
-      keywords(1) = mat_ply_codam2()
-      keywords(2) = mat_codam2()
-   end function damage_keywords
 
    !> Ply whose fibres and matrix are damaged
    function mat_ply_codam2() result(keyword)

@@ -5,7 +5,8 @@ module plydyn_input_declare_impact
    implicit none
    private
 
-   public :: impact_keywords, output_keywords
+   public :: impactor_sphere, contact_impactor, database, database_spcforc, database_history_node, &
+      & database_history_node_set, database_field, database_profile
 
    !> Nodes on a card
    integer, parameter :: list_fields = 8
@@ -15,35 +16,6 @@ module plydyn_input_declare_impact
       & //"DAMAGE_FIBRE DAMAGE_MATRIX DAMAGE_SHEAR DISSIPATED"
 
 contains
-
-   !> Keywords of impactors
-   function impact_keywords() result(keywords)
-      type(keyword_type) :: keywords(2)
-
-      keywords(1) = impactor_sphere()
-      keywords(2) = contact_impactor()
-   end function impact_keywords
-
-   !> Keywords of what is written
-   function output_keywords() result(keywords)
-      type(keyword_type) :: keywords(10)
-
-      keywords(1) = database("DATABASE_GLSTAT", standard, "energies", "BINARY LCUR IOOPT")
-      keywords(2) = database("DATABASE_NODOUT", standard, "node histories", "BINARY LCUR IOOPT")
-      keywords(3) = database("DATABASE_SPCFORC", standard, "support forces", "BINARY LCUR IOOPT")
-      keywords(3)%remark = "`JOB.supports.csv` has the force of all supports and prescribed " &
-         & //"motions together, and that of each by its keyword and node set, as in `spc 3 fx` " &
-         & //"or `motion 2 fx`: also what LS-DYNA writes to BNDOUT. Where several supports hold " &
-         & //"a point in one direction, the first in the deck has its force."
-      keywords(4) = database("DATABASE_BINARY_D3PLOT", standard, "field states", &
-         & "LCDT BEAM NPLTC PSETID")
-      keywords(5) = database("DATABASE_IMPACTOR", ours, "impactor histories", "")
-      keywords(6) = database_history_node()
-      keywords(7) = database_history_node_set()
-      keywords(8) = database_field()
-      keywords(9) = database_profile()
-      keywords(10) = database("DATABASE_DELAM", ours, "histories of delamination", "")
-   end function output_keywords
 
    !> A rigid sphere
    function impactor_sphere() result(keyword)
@@ -123,6 +95,17 @@ contains
       call keyword%add_card(optional=.true.)
       call keyword%add_unused("IOOPT RATE CUTOFF WINDOW TYPE PSET")
    end function database
+
+   !> Forces of supports
+   function database_spcforc() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = database("DATABASE_SPCFORC", standard, "support forces", "BINARY LCUR IOOPT")
+      keyword%remark = "`JOB.supports.csv` has the force of all supports and prescribed " &
+         & //"motions together, and that of each by its keyword and node set, as in `spc 3 fx` " &
+         & //"or `motion 2 fx`: also what LS-DYNA writes to BNDOUT. Where several supports hold " &
+         & //"a point in one direction, the first in the deck has its force."
+   end function database_spcforc
 
    !> Nodes with a history
    function database_history_node() result(keyword)

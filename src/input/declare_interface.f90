@@ -5,21 +5,10 @@ module plydyn_input_declare_interface
    implicit none
    private
 
-   public :: interface_keywords
+   public :: interface_cohesive, mat_cohesive_elastic, mat_cohesive_mixed_mode, &
+      & mat_cohesive_general, initial_delamination, initial_damage
 
 contains
-
-   !> Keywords of what lies between plies
-   function interface_keywords() result(keywords)
-      type(keyword_type) :: keywords(6)
-
-      keywords(1) = interface_cohesive()
-      keywords(2) = mat_cohesive_elastic()
-      keywords(3) = mat_cohesive_mixed_mode()
-      keywords(4) = mat_cohesive_general()
-      keywords(5) = initial_delamination()
-      keywords(6) = initial_damage()
-   end function interface_keywords
 
    !> What joins two plies
    function interface_cohesive() result(keyword)

@@ -5,36 +5,11 @@ module plydyn_input_declare_load
    implicit none
    private
 
-   public :: support_keywords, load_keywords
+   public :: boundary_spc_set, boundary_face, boundary_prescribed_motion_set, &
+      & boundary_face_motion, initial_velocity, initial_velocity_node, load_node, &
+      & load_face_point, load_face_line, load_shell_set, load_face_pressure, load_body
 
 contains
-
-   !> Keywords of what holds or moves the plate
-   function support_keywords() result(keywords)
-      type(keyword_type) :: keywords(6)
-
-      keywords(1) = boundary_spc_set()
-      keywords(2) = boundary_face()
-      keywords(3) = boundary_prescribed_motion_set()
-      keywords(4) = boundary_face_motion()
-      keywords(5) = initial_velocity()
-      keywords(6) = initial_velocity_node()
-   end function support_keywords
-
-   !> Keywords of forces
-   function load_keywords() result(keywords)
-      type(keyword_type) :: keywords(9)
-
-      keywords(1) = load_node("LOAD_NODE_SET", "NSID", "node set")
-      keywords(2) = load_node("LOAD_NODE_POINT", "NID", "node")
-      keywords(3) = load_face_point()
-      keywords(4) = load_face_line()
-      keywords(5) = load_shell_set()
-      keywords(6) = load_face_pressure()
-      keywords(7) = load_body("LOAD_BODY_X", "x")
-      keywords(8) = load_body("LOAD_BODY_Y", "y")
-      keywords(9) = load_body("LOAD_BODY_Z", "z")
-   end function load_keywords
 
    !> Supports of all planes
    function boundary_spc_set() result(keyword)

@@ -5,7 +5,8 @@ module plydyn_input_declare_mesh
    implicit none
    private
 
-   public :: mesh_keywords
+   public :: node, element_shell, element_plate_q9, set_node_list, set_node_general, &
+      & set_shell_list, define_box, define_curve
 
    !> Columns of the fields of an element, of a coordinate and of a point of a curve
    integer, parameter :: element_width = 8, coordinate_width = 16, curve_width = 20
@@ -13,20 +14,6 @@ module plydyn_input_declare_mesh
    integer, parameter :: list_fields = 8
 
 contains
-
-   !> Keywords of the mesh
-   function mesh_keywords() result(keywords)
-      type(keyword_type) :: keywords(8)
-
-      keywords(1) = node()
-      keywords(2) = element_shell()
-      keywords(3) = element_plate_q9()
-      keywords(4) = set_node_list()
-      keywords(5) = set_node_general()
-      keywords(6) = set_shell_list()
-      keywords(7) = define_box()
-      keywords(8) = define_curve()
-   end function mesh_keywords
 
    !> Nodes
    function node() result(keyword)

@@ -5,7 +5,8 @@ module plydyn_input_declare_metal
    implicit none
    private
 
-   public :: metal_keywords
+   public :: mat_plastic_kinematic, mat_piecewise_linear_plasticity, &
+      & mat_simplified_johnson_cook, define_table, define_table_2d
 
    !> Points of a yield curve on the cards of the material
    integer, parameter, public :: card_points = 8
@@ -17,17 +18,6 @@ module plydyn_input_declare_metal
    real(wp), parameter :: no_bound(2) = [0.0_wp, 1.0e28_wp]
 
 contains
-
-   !> Keywords of metals
-   function metal_keywords() result(keywords)
-      type(keyword_type) :: keywords(5)
-
-      keywords(1) = mat_plastic_kinematic()
-      keywords(2) = mat_piecewise_linear_plasticity()
-      keywords(3) = mat_simplified_johnson_cook()
-      keywords(4) = define_table()
-      keywords(5) = define_table_2d()
-   end function metal_keywords
 
    !> Number, density and elastic constants
    subroutine add_isotropic(keyword)

@@ -5,21 +5,10 @@ module plydyn_input_declare_part
    implicit none
    private
 
-   public :: part_keywords, add_ply_elastic_cards
+   public :: add_ply_elastic_cards, part_composite, part_composite_long, section_layerwise, &
+      & mat_elastic, mat_orthotropic_elastic, mat_ply_elastic
 
 contains
-
-   !> Keywords of laminates and materials
-   function part_keywords() result(keywords)
-      type(keyword_type) :: keywords(6)
-
-      keywords(1) = part_composite()
-      keywords(2) = part_composite_long()
-      keywords(3) = section_layerwise()
-      keywords(4) = mat_elastic()
-      keywords(5) = mat_orthotropic_elastic()
-      keywords(6) = mat_ply_elastic()
-   end function part_keywords
 
    !> A laminate, two plies on a card
    function part_composite() result(keyword)

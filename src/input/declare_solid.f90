@@ -5,25 +5,13 @@ module plydyn_input_declare_solid
    implicit none
    private
 
-   public :: solid_keywords
+   public :: element_solid, element_solid_ortho, part, section_solid, hourglass, &
+      & control_hourglass, load_segment
 
    !> Columns of the fields of an element, and of a vector
    integer, parameter :: element_width = 8, vector_width = 16
 
 contains
-
-   !> Keywords of bricks
-   function solid_keywords() result(keywords)
-      type(keyword_type) :: keywords(7)
-
-      keywords(1) = element_solid()
-      keywords(2) = element_solid_ortho()
-      keywords(3) = part()
-      keywords(4) = section_solid()
-      keywords(5) = hourglass()
-      keywords(6) = control_hourglass()
-      keywords(7) = load_segment()
-   end function solid_keywords
 
    !> Bricks
    function element_solid() result(keyword)

@@ -1,80 +1,96 @@
-!> Readers of what frames a run: title, units, time step, end.
+!> Readers of what frames a run: title, units, time step, end, damping.
 module plydyn_input_read_control
    use plydyn_base_precision, only : wp
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_report, only : report_type
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_units, only : derived_units
-   use plydyn_model_control, only : all_explicit, control_type, implicit_interfaces, &
-      & implicit_thickness, units_type
-   use plydyn_model_curve, only : curve_type
+   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes
    implicit none
    private
 
-   public :: read_control_units, read_control_termination, read_control_timestep, &
-      & read_control_parallel, read_control_layerwise
+   public :: read_title, read_damping_global, read_control_units, read_control_termination, &
+      & read_control_timestep, read_control_parallel, read_control_layerwise
 
 contains
 
-   !> *CONTROL_UNITS: names of units
-   subroutine read_control_units(cards, units)
+   !> *TITLE: title of the run
+   subroutine read_title(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      type(units_type), intent(inout) :: units
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%title = cards%word("TITLE")
+   end subroutine read_title
+
+   !> *CONTROL_UNITS: names of units
+   subroutine read_control_units(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       if (.not. (cards%has("LENGTH") .and. cards%has("TIME") .and. cards%has("MASS"))) return
-      units = derived_units(cards%word("LENGTH"), cards%word("TIME"), cards%word("MASS"))
+      model%control%units = derived_units(cards%word("LENGTH"), cards%word("TIME"), &
+         & cards%word("MASS"))
    end subroutine read_control_units
 
    !> *CONTROL_TERMINATION: last time and cycle
-   subroutine read_control_termination(cards, report, control)
+   subroutine read_control_termination(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      type(report_type), intent(inout) :: report
-      type(control_type), intent(inout) :: control
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
-      control%end_time = cards%real("ENDTIM")
-      if (control%planned_end <= 0.0_wp) control%planned_end = control%end_time
-      control%end_cycle = cards%integer("ENDCYC")
-      control%smallest_share = cards%real("DTMIN")
-      control%check_only = cards%integer("NOSOL") == 1
-      if (control%check_only) then
-         call report%note(cards%place("NOSOL"), "NOSOL is 1", "the deck is checked and not run")
+      model%control%end_time = cards%real("ENDTIM")
+      if (model%control%planned_end <= 0.0_wp) model%control%planned_end = model%control%end_time
+      model%control%end_cycle = cards%integer("ENDCYC")
+      model%control%smallest_share = cards%real("DTMIN")
+      model%control%check_only = cards%integer("NOSOL") == 1
+      if (model%control%check_only) then
+         call catalogue%report%note(cards%place("NOSOL"), "NOSOL is 1", &
+            & "the deck is checked and not run")
       end if
    end subroutine read_control_termination
 
    !> *CONTROL_TIMESTEP: first step, share of the stable one, bound
-   subroutine read_control_timestep(cards, catalogue, curves, control)
+   subroutine read_control_timestep(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Curves of the model
-      type(curve_type), intent(in) :: curves(:)
-      type(control_type), intent(inout) :: control
+      type(model_type), intent(inout) :: model
 
-      control%first_step = cards%real("DTINIT")
-      control%step_factor = cards%real("TSSFAC")
+      model%control%first_step = cards%real("DTINIT")
+      model%control%step_factor = cards%real("TSSFAC")
       if (cards%integer("LCTM") > 0) then
-         call catalogue%find(a_curve, cards, "LCTM", control%step_curve)
+         call catalogue%find(a_curve, cards, "LCTM", model%control%step_curve)
       end if
-      if (control%step_curve == 0) return
-      if (all(curves(control%step_curve)%y > 0.0_wp)) return
+      if (model%control%step_curve == 0) return
+      if (all(model%curves(model%control%step_curve)%y > 0.0_wp)) return
       call catalogue%refuse(cards, "LCTM", "the curve bounds the step by 0 or less somewhere", &
          & "a curve with ordinates above 0")
    end subroutine read_control_timestep
 
    !> *CONTROL_PARALLEL: threads
-   subroutine read_control_parallel(cards, control)
+   subroutine read_control_parallel(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      type(control_type), intent(inout) :: control
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
-      control%threads = cards%integer("NCPU")
+      model%control%threads = cards%integer("NCPU")
    end subroutine read_control_parallel
+
+   !> *DAMPING_GLOBAL: force per mass and velocity
+   subroutine read_damping_global(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%control%damping = cards%real("VALDMP")
+   end subroutine read_damping_global
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
    subroutine read_control_layerwise(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Its plate and what moves it are known
       type(model_type), intent(inout) :: model
 
       associate (control => model%control)

@@ -17,6 +17,7 @@ module plydyn_input_read_damage
    use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -32,12 +33,10 @@ module plydyn_input_read_damage
 contains
 
    !> *MAT_PLY_CODAM2: damage of fibres and matrix after nonlinear shear
-   subroutine read_mat_ply_codam2(cards, catalogue, curves, materials)
+   subroutine read_mat_ply_codam2(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Curves of the deck
-      type(curve_type), intent(in) :: curves(:)
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
@@ -65,9 +64,9 @@ contains
       call read_switches(cards, catalogue, material%ply)
       material%line = cards%line_of("MID")
       if (cards%has("SNAP")) material%line = cards%line_of("SNAP")
-      call read_shear_curve(cards, catalogue, curves, material%ply)
+      call read_shear_curve(cards, catalogue, model%curves, material%ply)
       call read_average(cards, catalogue, material)
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_ply_codam2
 
    !> A strain of onset of 1 and more is a strength in other units than its modulus
@@ -243,10 +242,10 @@ contains
    end subroutine check_shear
 
    !> *MAT_CODAM2: damage between strains of the deck, for a ply alike in all directions across
-   subroutine read_mat_codam2(cards, catalogue, materials)
+   subroutine read_mat_codam2(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
       real(wp) :: along, across
@@ -280,7 +279,7 @@ contains
       call read_strains(cards, catalogue, material%strains)
       material%radius(:) = cards%real("R1")
       material%radius_line = cards%line_of("R1")
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_codam2
 
    !> Strains between which damage grows

@@ -8,14 +8,14 @@ module plydyn_input_read_interface
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, normal, shear
    use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
-   use plydyn_model_control, only : request_type
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_layup, only : faces_apart, faces_tied, part_type
+   use plydyn_model_layup, only : faces_apart, faces_tied
    use plydyn_model_material, only : interface_material_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: find_interfaces, read_database_delam, read_interface_cohesive, &
+   public :: find_interfaces, read_interface_cohesive, &
       & read_mat_cohesive_elastic, read_mat_cohesive_general, read_mat_cohesive_mixed_mode
 
    !> Share by which a strength may differ from what the ultimate displacement gives
@@ -27,23 +27,23 @@ module plydyn_input_read_interface
 contains
 
    !> *MAT_COHESIVE_ELASTIC: springs between plies
-   subroutine read_mat_cohesive_elastic(cards, catalogue, materials)
+   subroutine read_mat_cohesive_elastic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(interface_material_type) :: material
 
       call begin_material(cards, catalogue, material)
       material%constants%stiffness(:) = cards%reals(["EN", "ET"])
-      materials = [materials, material]
+      model%interface_materials = [model%interface_materials, material]
    end subroutine read_mat_cohesive_elastic
 
    !> *MAT_COHESIVE_MIXED_MODE: a bond that softens and fails
-   subroutine read_mat_cohesive_mixed_mode(cards, catalogue, materials)
+   subroutine read_mat_cohesive_mixed_mode(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(interface_material_type) :: material
 
@@ -68,15 +68,14 @@ contains
             call refuse_findings(cards, constants, catalogue)
          end if
       end associate
-      materials = [materials, material]
+      model%interface_materials = [model%interface_materials, material]
    end subroutine read_mat_cohesive_mixed_mode
 
    !> *MAT_COHESIVE_GENERAL: the same bond by a triangle of traction over separation
-   subroutine read_mat_cohesive_general(cards, catalogue, curves, materials)
+   subroutine read_mat_cohesive_general(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(curve_type), intent(in) :: curves(:)
-      type(interface_material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       integer, parameter :: dimensionless = 2
       type(interface_material_type) :: material
@@ -92,7 +91,7 @@ contains
       end if
       call catalogue%find(a_curve, cards, "TSLC", curve)
       peak = 1.0_wp
-      if (curve > 0) call read_triangle(cards, curves(curve), catalogue, peak)
+      if (curve > 0) call read_triangle(cards, model%curves(curve), catalogue, peak)
       associate (constants => material%constants)
          constants%toughness(:) = cards%reals(["GIC ", "GIIC"])
          constants%strength(:) = cards%reals(["T", "S"])
@@ -101,7 +100,7 @@ contains
             constants%stiffness(:) = constants%strength**2/(2.0_wp*constants%toughness*peak)
          end if
       end associate
-      materials = [materials, material]
+      model%interface_materials = [model%interface_materials, material]
    end subroutine read_mat_cohesive_general
 
    !> Separation at the peak of a triangle from (0, 0) over (separation, 1) to (1, 0)
@@ -198,12 +197,10 @@ contains
    end subroutine begin_material
 
    !> *INTERFACE_COHESIVE: what lies between plies
-   subroutine read_interface_cohesive(cards, catalogue, materials, parts)
+   subroutine read_interface_cohesive(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Interface materials; gets another one for each set of options
-      type(interface_material_type), allocatable, intent(inout) :: materials(:)
-      type(part_type), intent(inout) :: parts(:)
+      type(model_type), intent(inout) :: model
 
       integer :: first, joint, last, nth, part
 
@@ -215,15 +212,15 @@ contains
          else if (cards%integer("MID", nth) > 0) then
             call catalogue%find(an_interface_material, cards, "MID", joint, nth)
          end if
-         call read_options(cards, nth, catalogue, materials, joint)
+         call read_options(cards, nth, catalogue, model%interface_materials, joint)
          call catalogue%find(a_part, cards, "PID", part, nth)
          if (part == 0) cycle
-         call find_interfaces(cards, nth, size(parts(part)%joint), catalogue, first, last)
-         if (any(parts(part)%joint(first:last) /= faces_tied)) then
+         call find_interfaces(cards, nth, size(model%parts(part)%joint), catalogue, first, last)
+         if (any(model%parts(part)%joint(first:last) /= faces_tied)) then
             call catalogue%refuse(cards, "IFAC1", "some of these interfaces have a card already", &
                & "each interface on one card", nth)
          end if
-         parts(part)%joint(first:last) = joint
+         model%parts(part)%joint(first:last) = joint
       end do
    end subroutine read_interface_cohesive
 
@@ -294,19 +291,6 @@ contains
             & .and. abs(a%friction - b%friction) <= 0.0_wp
       end associate
    end function is_alike
-
-   !> *DATABASE_DELAM: time between two lines of the history of delamination
-   subroutine read_database_delam(cards, catalogue, materials, request)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(interface_material_type), intent(in) :: materials(:)
-      type(request_type), intent(inout) :: request
-
-      request%delamination_interval = cards%real("DT")
-      if (any(materials%fails)) return
-      call catalogue%refuse(cards, "DT", "no interface of the deck can fail", &
-         & "an interface of a material such as *MAT_COHESIVE_MIXED_MODE, or no *DATABASE_DELAM")
-   end subroutine read_database_delam
 
    !> Range of interfaces; an empty one and a report when there are no such interfaces
    subroutine find_interfaces(cards, nth, count, catalogue, first, last)

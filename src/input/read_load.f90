@@ -7,6 +7,7 @@ module plydyn_input_read_load
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_support, only : top_face
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -16,10 +17,10 @@ module plydyn_input_read_load
 contains
 
    !> *LOAD_NODE_SET: a force at each node of a set
-   subroutine read_load_node_set(cards, catalogue, loads)
+   subroutine read_load_node_set(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(point_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(point_load_type) :: new(cards%sets())
       integer :: nth
@@ -30,14 +31,14 @@ contains
          new(nth)%direction = cards%integer("DOF", nth)
          new(nth)%scale = cards%real("SF", nth)
       end do
-      loads = [loads, new]
+      model%point_loads = [model%point_loads, new]
    end subroutine read_load_node_set
 
    !> *LOAD_NODE_POINT: a force at a node
-   subroutine read_load_node_point(cards, catalogue, loads)
+   subroutine read_load_node_point(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(point_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(point_load_type) :: new(cards%sets())
       integer :: nth
@@ -46,50 +47,47 @@ contains
          call read_node(cards, nth, catalogue, new(nth))
          call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
       end do
-      loads = [loads, new]
+      model%point_loads = [model%point_loads, new]
    end subroutine read_load_node_point
 
    !> *LOAD_FACE_POINT: a force at a node of a face
-   subroutine read_load_face_point(cards, catalogue, curves, loads)
+   subroutine read_load_face_point(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(curve_type), allocatable, intent(inout) :: curves(:)
-      type(point_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(point_load_type) :: new(cards%sets())
       integer :: nth
 
       do nth = 1, cards%sets()
          call read_node(cards, nth, catalogue, new(nth))
-         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
          new(nth)%face = cards%integer("FACE", nth)
       end do
-      loads = [loads, new]
+      model%point_loads = [model%point_loads, new]
    end subroutine read_load_face_point
 
    !> *LOAD_FACE_LINE: a force per length along element edges
-   subroutine read_load_face_line(cards, catalogue, mesh, curves, loads)
+   subroutine read_load_face_line(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(in) :: mesh
-      type(curve_type), allocatable, intent(inout) :: curves(:)
-      type(line_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(line_load_type) :: new(cards%sets())
       integer :: nth
 
       do nth = 1, cards%sets()
          call catalogue%find_set(a_node_set, cards, "NSID", new(nth)%nodes, nth)
-         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
          new(nth)%direction = cards%integer("DOF", nth)
          new(nth)%scale = cards%real("SF", nth)
          new(nth)%face = cards%integer("FACE", nth)
          if (size(new(nth)%nodes) == 0 .or. .not. catalogue%mesh_is_sound) cycle
-         if (has_edge(mesh, new(nth)%nodes)) cycle
+         if (has_edge(model%mesh, new(nth)%nodes)) cycle
          call catalogue%refuse(cards, "NSID", "no element has an edge with all its nodes in the " &
             & //"set", "the nodes along an edge of the elements, mid-side nodes among them", nth)
       end do
-      loads = [loads, new]
+      model%line_loads = [model%line_loads, new]
    end subroutine read_load_face_line
 
    !> True when all nodes of an element's edge are among some nodes
@@ -119,10 +117,10 @@ contains
    end function has_edge
 
    !> *LOAD_SHELL_SET: a pressure onto the top face
-   subroutine read_load_shell_set(cards, catalogue, pressures)
+   subroutine read_load_shell_set(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(pressure_type), allocatable, intent(inout) :: pressures(:)
+      type(model_type), intent(inout) :: model
 
       type(pressure_type) :: new(cards%sets())
       integer :: nth
@@ -133,48 +131,43 @@ contains
          new(nth)%scale = cards%real("SF", nth)
          new(nth)%face = top_face
       end do
-      pressures = [pressures, new]
+      model%pressures = [model%pressures, new]
    end subroutine read_load_shell_set
 
    !> *LOAD_FACE_PRESSURE: a pressure onto a face
-   subroutine read_load_face_pressure(cards, catalogue, quads, curves, pressures)
+   subroutine read_load_face_pressure(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Quads of the mesh
-      integer, intent(in) :: quads
-      type(curve_type), allocatable, intent(inout) :: curves(:)
-      type(pressure_type), allocatable, intent(inout) :: pressures(:)
+      type(model_type), intent(inout) :: model
 
       type(pressure_type) :: new(cards%sets())
       integer :: i, nth
 
       do nth = 1, cards%sets()
          if (cards%integer("SSID", nth) == 0) then
-            new(nth)%quads = [(i, i=1, quads)]
+            new(nth)%quads = [(i, i=1, size(model%mesh%quad_id))]
          else
             call catalogue%find_set(a_quad_set, cards, "SSID", new(nth)%quads, nth)
          end if
-         call find_curve(cards, nth, catalogue, curves, new(nth)%curve)
+         call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
          new(nth)%scale = cards%real("SF", nth)
          new(nth)%face = cards%integer("FACE", nth)
       end do
-      pressures = [pressures, new]
+      model%pressures = [model%pressures, new]
    end subroutine read_load_face_pressure
 
    !> *LOAD_BODY_X, _Y, _Z: an acceleration of the frame
-   subroutine read_load_body(cards, direction, catalogue, loads)
+   subroutine read_load_body(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      !> 1, 2, 3 for x, y, z
-      integer, intent(in) :: direction
       type(catalogue_type), intent(inout) :: catalogue
-      type(body_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(body_load_type) :: load
 
-      load%direction = direction
+      load%direction = index("XYZ", cards%name(len(cards%name):))
       load%scale = cards%real("SF")
       call catalogue%find(a_curve, cards, "LCID", load%curve)
-      loads = [loads, load]
+      model%body_loads = [model%body_loads, load]
    end subroutine read_load_body
 
    !> Node, direction and factor of a force

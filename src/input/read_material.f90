@@ -6,6 +6,7 @@ module plydyn_input_read_material
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, catalogue_type
    use plydyn_model_material, only : material_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -19,16 +20,16 @@ module plydyn_input_read_material
 contains
 
    !> *MAT_ELASTIC: isotropic
-   subroutine read_mat_elastic(cards, catalogue, materials)
+   subroutine read_mat_elastic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
       call read_isotropic(cards, catalogue, material)
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_elastic
 
    !> E and PR of an isotropic material
@@ -51,10 +52,10 @@ contains
    end subroutine read_isotropic
 
    !> *MAT_PLY_ELASTIC: a ply by its engineering constants
-   subroutine read_mat_ply_elastic(cards, catalogue, materials)
+   subroutine read_mat_ply_elastic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
@@ -63,14 +64,14 @@ contains
       material%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
       material%shear(:) = cards%reals(["G12", "G13", "G23"])
       call check_stability(cards, ["NU12", "NU13", "NU23"], material, catalogue)
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_ply_elastic
 
    !> *MAT_ORTHOTROPIC_ELASTIC: a ply by its minor Poisson's ratios and its axes
-   subroutine read_mat_orthotropic_elastic(cards, catalogue, materials)
+   subroutine read_mat_orthotropic_elastic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
       real(wp) :: minor(3)
@@ -84,7 +85,7 @@ contains
          call check_stability(cards, ["PRBA", "PRCA", "PRCB"], material, catalogue)
       end if
       call read_axes(cards, catalogue, material)
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_orthotropic_elastic
 
    !> Direction of the axis a of a material whose vectors a and d lie in the plane of the plate

@@ -5,6 +5,7 @@ module plydyn_input_read_mesh
    use plydyn_deck_cards, only : cards_type, is_wrong
    use plydyn_input_catalogue, only : a_node, a_part, a_quad, catalogue_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -26,51 +27,51 @@ contains
    end function new_mesh
 
    !> *NODE: nodes of the reference plane
-   subroutine read_node(cards, catalogue, mesh)
+   subroutine read_node(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(inout) :: mesh
+      type(model_type), intent(inout) :: model
 
       integer :: n, nth
 
-      n = size(mesh%node_id)
+      n = size(model%mesh%node_id)
       if (any(cards%state == is_wrong)) catalogue%mesh_is_sound = .false.
-      call add_nodes(mesh, cards%sets())
+      call add_nodes(model%mesh, cards%sets())
       do nth = 1, cards%sets()
          call catalogue%define(a_node, cards, "NID", nth)
-         mesh%node_id(n + nth) = cards%integer("NID", nth)
-         mesh%position(:, n + nth) = cards%reals(["X", "Y", "Z"], nth)
+         model%mesh%node_id(n + nth) = cards%integer("NID", nth)
+         model%mesh%position(:, n + nth) = cards%reals(["X", "Y", "Z"], nth)
       end do
    end subroutine read_node
 
    !> *ELEMENT_SHELL: quads of four nodes, or of nine
-   subroutine read_element_shell(cards, catalogue, mesh)
+   subroutine read_element_shell(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(inout) :: mesh
+      type(model_type), intent(inout) :: model
 
       integer :: n, nodes, nth
 
-      n = size(mesh%quad_id)
-      call add_quads(mesh, cards%sets())
+      n = size(model%mesh%quad_id)
+      call add_quads(model%mesh, cards%sets())
       do nth = 1, cards%sets()
          call check_node_count(cards, nth, catalogue, nodes)
-         call read_quad(cards, nth, nodes, n + nth, catalogue, mesh)
+         call read_quad(cards, nth, nodes, n + nth, catalogue, model%mesh)
       end do
    end subroutine read_element_shell
 
    !> *ELEMENT_PLATE_Q9: quads of nine nodes
-   subroutine read_element_plate_q9(cards, catalogue, mesh)
+   subroutine read_element_plate_q9(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(inout) :: mesh
+      type(model_type), intent(inout) :: model
 
       integer :: n, nth
 
-      n = size(mesh%quad_id)
-      call add_quads(mesh, cards%sets())
+      n = size(model%mesh%quad_id)
+      call add_quads(model%mesh, cards%sets())
       do nth = 1, cards%sets()
-         call read_quad(cards, nth, nine_nodes, n + nth, catalogue, mesh)
+         call read_quad(cards, nth, nine_nodes, n + nth, catalogue, model%mesh)
       end do
    end subroutine read_element_plate_q9
 

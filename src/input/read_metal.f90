@@ -4,12 +4,13 @@ module plydyn_input_read_metal
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
-   use plydyn_input_catalogue, only : a_curve, a_material, a_table, catalogue_type, table_type
+   use plydyn_input_catalogue, only : a_curve, a_table, catalogue_type, table_type
    use plydyn_input_declare_metal, only : card_points
    use plydyn_input_read_material, only : begin_material, read_isotropic
    use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : law_plastic_curve, law_plastic_johnson_cook, &
       & law_plastic_kinematic, material_type, plasticity_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -22,10 +23,10 @@ module plydyn_input_read_metal
 contains
 
    !> *MAT_PLASTIC_KINEMATIC: a metal with linear hardening
-   subroutine read_mat_plastic_kinematic(cards, catalogue, materials)
+   subroutine read_mat_plastic_kinematic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
@@ -41,14 +42,14 @@ contains
          call check_tangent(cards, material, catalogue)
          call check_power(cards, "SRP", "SRC", plasticity, catalogue)
       end associate
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_plastic_kinematic
 
    !> *MAT_SIMPLIFIED_JOHNSON_COOK: a metal that hardens by a power and the logarithm of the rate
-   subroutine read_mat_simplified_johnson_cook(cards, catalogue, materials)
+   subroutine read_mat_simplified_johnson_cook(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
@@ -67,16 +68,14 @@ contains
          plasticity%reference_rate = cards%real("EPSO")
          if (plasticity%sensitivity > 0.0_wp) call check_formulation(cards, "C", catalogue)
       end associate
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_simplified_johnson_cook
 
    !> *MAT_PIECEWISE_LINEAR_PLASTICITY: a metal with a yield stress by points, curve or table
-   subroutine read_mat_piecewise_linear_plasticity(cards, catalogue, curves, materials)
+   subroutine read_mat_piecewise_linear_plasticity(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Curves of the model
-      type(curve_type), intent(in) :: curves(:)
-      type(material_type), allocatable, intent(inout) :: materials(:)
+      type(model_type), intent(inout) :: model
 
       type(material_type) :: material
 
@@ -95,7 +94,7 @@ contains
          end if
       end associate
       if (cards%integer("LCSS") > 0) then
-         call read_yield_curves(cards, curves, catalogue, material%plasticity)
+         call read_yield_curves(cards, model%curves, catalogue, material%plasticity)
       else if (cards%has("ES1")) then
          call read_points(cards, catalogue, material%plasticity)
       else
@@ -103,7 +102,7 @@ contains
          call check_tangent(cards, material, catalogue)
          call take_straight_line(material)
       end if
-      materials = [materials, material]
+      model%materials = [model%materials, material]
    end subroutine read_mat_piecewise_linear_plasticity
 
    !> The curve of LCSS, or the curves of its table
@@ -183,16 +182,16 @@ contains
    end subroutine take_straight_line
 
    !> *DEFINE_TABLE: values whose curves follow in the deck
-   subroutine read_define_table(cards, catalogue, curves)
+   subroutine read_define_table(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Curves of the deck, all defined by now
-      integer, intent(in) :: curves
+      type(model_type), intent(inout) :: model
 
       type(table_type) :: table
-      integer :: first, i, wanted
+      integer :: curves, first, i, wanted
 
       wanted = cards%sets()
+      curves = size(model%curves)
       allocate (table%curve(wanted), source=0)
       associate (register => catalogue%registers(a_curve))
          first = 1
@@ -211,9 +210,10 @@ contains
    end subroutine read_define_table
 
    !> *DEFINE_TABLE_2D: values and their curves
-   subroutine read_define_table_2d(cards, catalogue)
+   subroutine read_define_table_2d(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       type(table_type) :: table
       integer :: i

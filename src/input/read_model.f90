@@ -1,38 +1,22 @@
-!> From a deck to a model: every keyword has one reader, and what it refers to is read before it.
+!> From a deck to a model: the reader of every keyword in its stage, then the checks.
 module plydyn_input_read_model
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
-   use plydyn_deck_cards, only : cards_type
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
    use plydyn_input_check_model, only : check_model
+   use plydyn_input_check_solid, only : refuse_with_bricks, refuse_without_bricks
    use plydyn_input_defaults, only : begin_model, end_model
-   use plydyn_input_keywords, only : all_keywords
+   use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
+      & stage_element, stages
+   use plydyn_input_keywords, only : all_rows
    use plydyn_input_manual, only : keyword_manual
-   use plydyn_input_model_readers, only : check_elements, read_element, read_independent, &
-      & read_laminate, read_material, read_part, read_plain_material, read_set, read_table
-   use plydyn_input_run_readers, only : check_request, read_control, read_load, read_request, &
-      & read_support
    use plydyn_model_model, only : model_type
    implicit none
    private
 
    public :: read_decks_of_run, keyword_manual
-
-   abstract interface
-      !> Take the cards of one keyword into the model, if the keyword is one of the stage
-      subroutine stage(cards, catalogue, model)
-         import :: cards_type, catalogue_type, model_type
-         implicit none
-         !> The keyword
-         type(cards_type), intent(in) :: cards
-         !> Numbers of everything so far; gets new ones, and findings
-         type(catalogue_type), intent(inout) :: catalogue
-         !> The model
-         type(model_type), intent(inout) :: model
-      end subroutine stage
-   end interface
 
 contains
 
@@ -51,51 +35,79 @@ contains
 
       type(catalogue_type) :: catalogue
       type(deck_type) :: deck
+      type(keyword_row_type), allocatable :: rows(:)
 
       catalogue = new_catalogue()
-      call read_decks(archive, path, all_keywords(), deck, catalogue%report)
+      rows = all_rows()
+      call read_decks(archive, path, rows%declaration, deck, catalogue%report)
       call apply_changes(deck, catalogue)
       call begin_model(model)
       if (len(path) > 0) then
          model%changes = changes_of(deck)
          call warn_of_nothing(deck, catalogue)
       end if
-      call read_stage(deck, read_independent, catalogue, model)
-      call read_stage(deck, read_plain_material, catalogue, model)
-      call read_stage(deck, read_table, catalogue, model)
-      call read_stage(deck, read_material, catalogue, model)
-      call read_stage(deck, read_part, catalogue, model)
-      call read_stage(deck, read_element, catalogue, model)
-      call read_stage(deck, check_elements, catalogue, model)
-      call read_stage(deck, read_set, catalogue, model)
-      call read_stage(deck, read_laminate, catalogue, model)
-      call read_stage(deck, read_support, catalogue, model)
-      call read_stage(deck, read_load, catalogue, model)
-      call read_stage(deck, read_control, catalogue, model)
-      call read_stage(deck, read_request, catalogue, model)
-      call read_stage(deck, check_request, catalogue, model)
+      call read_keywords(deck, rows, catalogue, model)
       call end_model(deck, model)
       call check_model(model, catalogue)
       call conclude(deck, catalogue%report, messages, error)
       if (len(path) > 0) call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
    end subroutine read_decks_of_run
 
-   !> Let one stage see all keywords of the deck in their order
-   subroutine read_stage(deck, take, catalogue, model)
+   !> Read the keywords of a deck, stage by stage and in their order
+   subroutine read_keywords(deck, rows, catalogue, model)
       !> The deck
       type(deck_type), intent(in) :: deck
-      !> The stage
-      procedure(stage) :: take
+      !> Rows of all keywords
+      type(keyword_row_type), intent(in) :: rows(:)
       !> Numbers of everything so far
       type(catalogue_type), intent(inout) :: catalogue
       !> The model
       type(model_type), intent(inout) :: model
 
+      integer :: i, place(size(deck%keywords)), stage
+
+      do i = 1, size(place)
+         place(i) = index_of_row(rows, deck%keywords(i)%name)
+      end do
+      do stage = 1, stages
+         do i = 1, size(place)
+            if (place(i) == 0) cycle
+            if (rows(place(i))%stage /= stage) cycle
+            call rows(place(i))%read(deck%keywords(i), catalogue, model)
+         end do
+         if (stage == stage_element) call check_elements(deck, rows, place, model, catalogue)
+      end do
+      do i = 1, size(place)
+         if (place(i) == 0 .or. catalogue%report%has_errors()) cycle
+         if (associated(rows(place(i))%check)) then
+            call rows(place(i))%check(deck%keywords(i), catalogue, model)
+         end if
+      end do
+   end subroutine read_keywords
+
+   !> Refuse keywords that do not go with the elements of the deck
+   subroutine check_elements(deck, rows, place, model, catalogue)
+      type(deck_type), intent(in) :: deck
+      type(keyword_row_type), intent(in) :: rows(:)
+      !> Row of each keyword of the deck; 0 for one that a restart has replaced
+      integer, intent(in) :: place(:)
+      !> Has all elements
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
       integer :: i
 
-      do i = 1, size(deck%keywords)
-         call take(deck%keywords(i), catalogue, model)
+      do i = 1, size(place)
+         if (place(i) == 0) cycle
+         associate (elements => rows(place(i))%elements, keyword => deck%keywords(i))
+            if (size(model%mesh%brick_id) > 0 .and. elements == for_plates) then
+               call refuse_with_bricks(keyword%name, keyword%head(), catalogue%report)
+            else if (size(model%mesh%brick_id) == 0 .and. elements == for_bricks) then
+               call refuse_without_bricks(keyword%name, keyword%head(), catalogue%report)
+            end if
+         end associate
       end do
-   end subroutine read_stage
+   end subroutine check_elements
 
 end module plydyn_input_read_model

@@ -7,6 +7,7 @@ module plydyn_input_read_part
    use plydyn_model_layup, only : faces_tied, part_type, ply_type
    use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -20,40 +21,39 @@ module plydyn_input_read_part
 contains
 
    !> *PART_COMPOSITE: a laminate, two plies on a card
-   subroutine read_part_composite(cards, catalogue, materials, parts)
+   subroutine read_part_composite(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), intent(in) :: materials(:)
-      type(part_type), allocatable, intent(inout) :: parts(:)
+      type(model_type), intent(inout) :: model
 
       type(part_type) :: part
       integer :: nth
 
       call begin_part(cards, catalogue, part)
       do nth = 1, cards%sets()
-         call add_ply(cards, nth, ["MID1  ", "THICK1", "B1    "], catalogue, materials, part)
+         call add_ply(cards, nth, ["MID1  ", "THICK1", "B1    "], catalogue, model%materials, part)
          if (cards%integer("MID2", nth) == 0) then
             call check_no_second(cards, nth, catalogue)
          else
-            call add_ply(cards, nth, ["MID2  ", "THICK2", "B2    "], catalogue, materials, part)
+            call add_ply(cards, nth, ["MID2  ", "THICK2", "B2    "], catalogue, &
+               & model%materials, part)
          end if
       end do
-      call end_part(part, parts)
+      call end_part(part, model%parts)
    end subroutine read_part_composite
 
    !> *PART_COMPOSITE_LONG: a laminate, one ply on a card
-   subroutine read_part_composite_long(cards, catalogue, materials, parts)
+   subroutine read_part_composite_long(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), intent(in) :: materials(:)
-      type(part_type), allocatable, intent(inout) :: parts(:)
+      type(model_type), intent(inout) :: model
 
       type(part_type) :: part
       integer :: nth
 
       call begin_part(cards, catalogue, part)
       do nth = 1, cards%sets()
-         call add_ply(cards, nth, ["MID  ", "THICK", "B    "], catalogue, materials, part)
+         call add_ply(cards, nth, ["MID  ", "THICK", "B    "], catalogue, model%materials, part)
          if (cards%integer("PLYID", nth) == 0) cycle
          part%plies(nth)%id = cards%integer("PLYID", nth)
       end do
@@ -63,30 +63,29 @@ contains
             & //" is in the part twice", "a number of its own, or 0 for its place in the stack", &
             & nth)
       end do
-      call end_part(part, parts)
+      call end_part(part, model%parts)
    end subroutine read_part_composite_long
 
    !> *SECTION_LAYERWISE: expansion through the thickness
-   subroutine read_section_layerwise(cards, catalogue, mesh, parts)
+   subroutine read_section_layerwise(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(in) :: mesh
-      type(part_type), intent(inout) :: parts(:)
+      type(model_type), intent(inout) :: model
 
       logical, allocatable :: taken(:)
       integer :: first, last, nth, part
 
       call catalogue%define(a_section, cards, "PID")
-      call check_quadrature(cards, catalogue, mesh)
+      call check_quadrature(cards, catalogue, model%mesh)
       call catalogue%find(a_part, cards, "PID", part)
       if (part == 0) return
-      parts(part)%lobatto = cards%integer("BASIS") == 1
-      parts(part)%plies%order = cards%integer("ORDER")
-      allocate (taken(size(parts(part)%plies)))
+      model%parts(part)%lobatto = cards%integer("BASIS") == 1
+      model%parts(part)%plies%order = cards%integer("ORDER")
+      allocate (taken(size(model%parts(part)%plies)))
       taken(:) = .false.
       do nth = 1, cards%sets()
-         call find_ply(cards, "PLYID1", nth, parts(part)%plies, catalogue, first)
-         call find_ply(cards, "PLYID2", nth, parts(part)%plies, catalogue, last)
+         call find_ply(cards, "PLYID1", nth, model%parts(part)%plies, catalogue, first)
+         call find_ply(cards, "PLYID2", nth, model%parts(part)%plies, catalogue, last)
          if (min(first, last) == 0) cycle
          if (last < first) then
             call catalogue%refuse(cards, "PLYID2", "PLYID2 lies below PLYID1 in the stack", &
@@ -96,8 +95,8 @@ contains
                & "each ply in one range at most", nth)
          end if
          taken(first:last) = .true.
-         parts(part)%plies(first:last)%order = cards%integer("PLYORDER", nth)
-         parts(part)%plies(first:last)%layers = cards%integer("NSUB", nth)
+         model%parts(part)%plies(first:last)%order = cards%integer("PLYORDER", nth)
+         model%parts(part)%plies(first:last)%layers = cards%integer("NSUB", nth)
       end do
    end subroutine read_section_layerwise
 

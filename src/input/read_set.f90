@@ -8,6 +8,7 @@ module plydyn_input_read_set
       & box_type, catalogue_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -22,9 +23,10 @@ module plydyn_input_read_set
 contains
 
    !> *SET_NODE_LIST: nodes by number
-   subroutine read_set_node_list(cards, catalogue)
+   subroutine read_set_node_list(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       integer, allocatable :: nodes(:)
 
@@ -35,9 +37,10 @@ contains
    end subroutine read_set_node_list
 
    !> *SET_SHELL_LIST: quads by number
-   subroutine read_set_shell_list(cards, catalogue)
+   subroutine read_set_shell_list(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       integer, allocatable :: quads(:)
 
@@ -48,12 +51,12 @@ contains
    end subroutine read_set_shell_list
 
    !> *SET_NODE_GENERAL: nodes by rules
-   subroutine read_set_node_general(cards, catalogue, mesh)
+   subroutine read_set_node_general(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(mesh_type), intent(in) :: mesh
+      type(model_type), intent(inout) :: model
 
-      logical :: member(size(mesh%node_id))
+      logical :: member(size(model%mesh%node_id))
       integer :: i, nth
 
       call catalogue%define(a_node_set, cards, "SID")
@@ -66,7 +69,7 @@ contains
          case ("NODE")
             call add_nodes(cards, nth, catalogue, member)
          case ("BOX")
-            call add_boxes(cards, nth, catalogue, mesh, member)
+            call add_boxes(cards, nth, catalogue, model%mesh, member)
          case default
             continue
          end select
@@ -79,9 +82,10 @@ contains
    end subroutine read_set_node_general
 
    !> *DEFINE_BOX: a box along the axes
-   subroutine read_define_box(cards, catalogue)
+   subroutine read_define_box(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       character(3), parameter :: low(3) = ["XMN", "YMN", "ZMN"], high(3) = ["XMX", "YMX", "ZMX"]
       type(box_type) :: box
@@ -99,10 +103,10 @@ contains
    end subroutine read_define_box
 
    !> *DEFINE_CURVE: a curve over time
-   subroutine read_define_curve(cards, catalogue, curves)
+   subroutine read_define_curve(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(curve_type), allocatable, intent(inout) :: curves(:)
+      type(model_type), intent(inout) :: model
 
       type(curve_type) :: curve
       integer :: nth
@@ -122,7 +126,7 @@ contains
       if (size(curve%x) > 0 .and. size(curve%x) < fewest_points) then
          call catalogue%refuse(cards, "A1", "the curve has one point", "at least two points")
       end if
-      curves = [curves, curve]
+      model%curves = [model%curves, curve]
    end subroutine read_define_curve
 
    !> A rule without numbers

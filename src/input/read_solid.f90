@@ -7,8 +7,8 @@ module plydyn_input_read_solid
       & a_solid_section, an_hourglass, catalogue_type
    use plydyn_model_layup, only : brick_section_type, part_type, ply_type
    use plydyn_model_load, only : segment_load_type
-   use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -24,9 +24,10 @@ module plydyn_input_read_solid
 contains
 
    !> *SECTION_SOLID: integration
-   subroutine read_section_solid(cards, catalogue)
+   subroutine read_section_solid(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       type(brick_section_type) :: section
 
@@ -36,9 +37,10 @@ contains
    end subroutine read_section_solid
 
    !> *HOURGLASS: hourglass control of some parts
-   subroutine read_hourglass(cards, catalogue)
+   subroutine read_hourglass(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
       type(brick_section_type) :: control
 
@@ -49,21 +51,20 @@ contains
    end subroutine read_hourglass
 
    !> *CONTROL_HOURGLASS: hourglass control of all other parts
-   subroutine read_control_hourglass(cards, usual)
+   subroutine read_control_hourglass(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
-      !> Control of parts that name none
-      type(brick_section_type), intent(inout) :: usual
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
 
-      usual%control = cards%integer("IHQ")
-      usual%coefficient = cards%real("QH")
+      catalogue%usual_hourglass%control = cards%integer("IHQ")
+      catalogue%usual_hourglass%coefficient = cards%real("QH")
    end subroutine read_control_hourglass
 
    !> *PART: bricks of one material
-   subroutine read_part_of_bricks(cards, catalogue, materials, parts)
+   subroutine read_part_of_bricks(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), intent(in) :: materials(:)
-      type(part_type), allocatable, intent(inout) :: parts(:)
+      type(model_type), intent(inout) :: model
 
       type(part_type) :: part
       integer :: control, section
@@ -75,7 +76,7 @@ contains
       part%plies(1) = ply_type(id=1, order=0)
       call catalogue%find(a_material, cards, "MID", part%plies(1)%material)
       if (part%plies(1)%material > 0) then
-         part%plies(1)%angle = materials(part%plies(1)%material)%axis_angle
+         part%plies(1)%angle = model%materials(part%plies(1)%material)%axis_angle
       end if
       part%brick = catalogue%usual_hourglass
       if (cards%integer("HGID") > 0) then
@@ -85,31 +86,32 @@ contains
       call catalogue%find(a_solid_section, cards, "SECID", section)
       part%brick%points = corners
       if (section > 0) part%brick%points = catalogue%solid_sections(section)%points
-      parts = [parts, part]
+      model%parts = [model%parts, part]
    end subroutine read_part_of_bricks
 
    !> *ELEMENT_SOLID, *ELEMENT_SOLID_ORTHO: bricks, and the directions of their fibres
-   subroutine read_element_solid(cards, catalogue, parts, mesh)
+   subroutine read_element_solid(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> All parts
-      type(part_type), intent(in) :: parts(:)
-      type(mesh_type), intent(inout) :: mesh
+      type(model_type), intent(inout) :: model
 
       integer :: k, n, nth
 
-      n = size(mesh%brick_id)
-      call add_bricks(mesh, cards%sets())
+      n = size(model%mesh%brick_id)
+      call add_bricks(model%mesh, cards%sets())
       do nth = 1, cards%sets()
          call catalogue%define(a_brick, cards, "EID", nth)
-         call catalogue%find(a_part, cards, "PID", mesh%brick_part(n + nth), nth)
-         mesh%brick_id(n + nth) = cards%integer("EID", nth)
-         if (cards%name == "ELEMENT_SOLID_ORTHO") then
-            mesh%brick_angle(n + nth) = read_axes(cards, catalogue, nth)
-         else if (mesh%brick_part(n + nth) > 0) then
-            mesh%brick_angle(n + nth) = parts(mesh%brick_part(n + nth))%plies(1)%angle
-         end if
-         associate (node => mesh%brick_node(:, n + nth))
+         call catalogue%find(a_part, cards, "PID", model%mesh%brick_part(n + nth), nth)
+         model%mesh%brick_id(n + nth) = cards%integer("EID", nth)
+         associate (angle => model%mesh%brick_angle(n + nth), &
+            & part => model%mesh%brick_part(n + nth))
+            if (cards%name == "ELEMENT_SOLID_ORTHO") then
+               angle = read_axes(cards, catalogue, nth)
+            else if (part > 0) then
+               angle = model%parts(part)%plies(1)%angle
+            end if
+         end associate
+         associate (node => model%mesh%brick_node(:, n + nth))
             do k = 1, corners
                call catalogue%find(a_node, cards, names(k), node(k), nth)
                if (node(k) == 0 .or. all(node(:k - 1) /= node(k))) cycle
@@ -149,10 +151,10 @@ contains
    end function read_axes
 
    !> *LOAD_SEGMENT: pressure on faces of bricks
-   subroutine read_load_segment(cards, catalogue, loads)
+   subroutine read_load_segment(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(segment_load_type), allocatable, intent(inout) :: loads(:)
+      type(model_type), intent(inout) :: model
 
       type(segment_load_type) :: new(cards%sets())
       integer :: k, nth
@@ -164,7 +166,7 @@ contains
             call catalogue%find(a_node, cards, names(k), new(nth)%node(k), nth)
          end do
       end do
-      loads = [loads, new]
+      model%segment_loads = [model%segment_loads, new]
    end subroutine read_load_segment
 
    !> Make room for bricks

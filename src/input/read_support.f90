@@ -11,6 +11,7 @@ module plydyn_input_read_support
    use plydyn_model_layup, only : part_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type, initial_velocity_type, &
       & motion_type, one_plane, prescribes_displacement, top_face
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
@@ -25,10 +26,10 @@ module plydyn_input_read_support
 contains
 
    !> *BOUNDARY_SPC_SET: nodes held over the whole thickness
-   subroutine read_boundary_spc_set(cards, catalogue, holds)
+   subroutine read_boundary_spc_set(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(hold_type), allocatable, intent(inout) :: holds(:)
+      type(model_type), intent(inout) :: model
 
       type(hold_type) :: hold
       integer :: i, nth
@@ -42,17 +43,15 @@ contains
                & "the points of the plate have no rotations to hold", &
                & "0, or DOFX = DOFY = DOFZ = 1 to clamp the nodes", nth)
          end do
-         holds = [holds, hold]
+         model%holds = [model%holds, hold]
       end do
    end subroutine read_boundary_spc_set
 
    !> *BOUNDARY_FACE: one face or plane held
-   subroutine read_boundary_face(cards, catalogue, parts, holds)
+   subroutine read_boundary_face(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> All laminates, with their layers
-      type(part_type), intent(in) :: parts(:)
-      type(hold_type), allocatable, intent(inout) :: holds(:)
+      type(model_type), intent(inout) :: model
 
       type(hold_type) :: hold
       integer :: nth
@@ -65,9 +64,9 @@ contains
             call catalogue%refuse(cards, "Z", "Z is given for a face", &
                & "0; a height is for FACE 0 only", nth)
          end if
-         call find_plane(cards, nth, catalogue, parts, hold)
+         call find_plane(cards, nth, catalogue, model%parts, hold)
          hold%name = "face "//text(cards%integer("NSID", nth))//face_words(hold%face, hold%height)
-         holds = [holds, hold]
+         model%holds = [model%holds, hold]
       end do
    end subroutine read_boundary_face
 
@@ -100,13 +99,10 @@ contains
    end subroutine find_plane
 
    !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
-   subroutine read_boundary_prescribed_motion_set(cards, catalogue, curves, holds, motions)
+   subroutine read_boundary_prescribed_motion_set(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(curve_type), intent(in) :: curves(:)
-      !> All supports of the deck
-      type(hold_type), intent(in) :: holds(:)
-      type(motion_type), allocatable, intent(inout) :: motions(:)
+      type(model_type), intent(inout) :: model
 
       type(motion_type) :: motion
       integer :: nth
@@ -121,61 +117,56 @@ contains
             call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
                & "a time behind BIRTH, or 0 for ever", nth)
          end if
-         call check_jump(cards, nth, catalogue, curves, motion)
-         call check_free(cards, nth, catalogue, holds, motions, motion)
-         motions = [motions, motion]
+         call check_jump(cards, nth, catalogue, model%curves, motion)
+         call check_free(cards, nth, catalogue, model%holds, model%motions, motion)
+         model%motions = [model%motions, motion]
       end do
    end subroutine read_boundary_prescribed_motion_set
 
    !> *BOUNDARY_FACE_MOTION: one face moved
-   subroutine read_boundary_face_motion(cards, catalogue, curves, holds, motions)
+   subroutine read_boundary_face_motion(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(curve_type), allocatable, intent(inout) :: curves(:)
-      !> All supports of the deck
-      type(hold_type), intent(in) :: holds(:)
-      type(motion_type), allocatable, intent(inout) :: motions(:)
+      type(model_type), intent(inout) :: model
 
       type(motion_type) :: motion
       integer :: nth
 
       do nth = 1, cards%sets()
          call read_motion(cards, nth, catalogue, motion)
-         call find_curve(cards, nth, catalogue, curves, motion%curve)
+         call find_curve(cards, nth, catalogue, model%curves, motion%curve)
          motion%face = cards%integer("FACE", nth)
          motion%name = "face motion "//text(cards%integer("NSID", nth)) &
             & //face_words(motion%face, 0.0_wp)
-         call check_jump(cards, nth, catalogue, curves, motion)
-         call check_free(cards, nth, catalogue, holds, motions, motion)
-         motions = [motions, motion]
+         call check_jump(cards, nth, catalogue, model%curves, motion)
+         call check_free(cards, nth, catalogue, model%holds, model%motions, motion)
+         model%motions = [model%motions, motion]
       end do
    end subroutine read_boundary_face_motion
 
    !> *INITIAL_VELOCITY: velocity of a set
-   subroutine read_initial_velocity(cards, catalogue, nodes, velocities)
+   subroutine read_initial_velocity(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> Nodes of the mesh
-      integer, intent(in) :: nodes
-      type(initial_velocity_type), allocatable, intent(inout) :: velocities(:)
+      type(model_type), intent(inout) :: model
 
       type(initial_velocity_type) :: velocity
       integer :: i
 
       if (cards%integer("NSID") == 0) then
-         velocity%nodes = [(i, i=1, nodes)]
+         velocity%nodes = [(i, i=1, size(model%mesh%node_id))]
       else
          call catalogue%find_set(a_node_set, cards, "NSID", velocity%nodes)
       end if
       velocity%velocity(:) = cards%reals(velocity_names)
-      velocities = [velocities, velocity]
+      model%initial_velocities = [model%initial_velocities, velocity]
    end subroutine read_initial_velocity
 
    !> *INITIAL_VELOCITY_NODE: velocities of nodes
-   subroutine read_initial_velocity_node(cards, catalogue, velocities)
+   subroutine read_initial_velocity_node(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(initial_velocity_type), allocatable, intent(inout) :: velocities(:)
+      type(model_type), intent(inout) :: model
 
       type(initial_velocity_type) :: new(cards%sets())
       integer :: nth
@@ -185,7 +176,7 @@ contains
          call catalogue%find(a_node, cards, "NID", new(nth)%nodes(1), nth)
          new(nth)%velocity(:) = cards%reals(velocity_names, nth)
       end do
-      velocities = [velocities, new]
+      model%initial_velocities = [model%initial_velocities, new]
    end subroutine read_initial_velocity_node
 
    !> What tells the faces of a set apart in a name

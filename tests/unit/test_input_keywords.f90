@@ -1,13 +1,15 @@
-!> Declarations are complete, and names do not get in each other's way.
+!> Declarations are complete, every keyword has a reader, and names do not get in each other's way.
 program test_input_keywords
    use plydyn_base_error, only : error_type
    use plydyn_deck_declaration, only : field_type, is_read, keyword_type
-   use plydyn_input_keywords, only : all_keywords
+   use plydyn_input_keyword_row, only : index_of_row, keyword_row_type, stages
+   use plydyn_input_keywords, only : all_keywords, all_rows
    use plydyn_input_manual, only : keyword_manual
    use testing, only : begin, check, check_error, finish
    implicit none
 
    type(keyword_type), allocatable :: keywords(:)
+   type(keyword_row_type), allocatable :: rows(:)
    type(error_type), allocatable :: error
    character(:), allocatable :: pages
    integer :: card, i, k
@@ -28,6 +30,15 @@ program test_input_keywords
       end associate
    end do
 
+   call begin("all_rows")
+   rows = all_rows()
+   do i = 1, size(rows)
+      call check(index_of_row(rows, rows(i)%declaration%name), i, &
+         & rows(i)%declaration%name//" has one row")
+      call check_reader(rows(i))
+   end do
+   call check(index_of_row(rows, "NODES"), 0, "no row for a keyword that is not declared")
+
    call begin("keyword_manual")
    call keyword_manual("impactor_sphere", pages, error)
    call check(index(pages, &
@@ -42,6 +53,39 @@ program test_input_keywords
    call finish()
 
 contains
+
+   !> A keyword with anything to read has a reader at one of the stages; one that is ignored or
+   !> refused has none
+   subroutine check_reader(row)
+      !> The keyword
+      type(keyword_row_type), intent(in) :: row
+
+      associate (keyword => row%declaration)
+         if (keyword%fate /= is_read) then
+            call check(.not. associated(row%read), keyword%name//" has no reader")
+         else if (has_content(keyword)) then
+            call check(associated(row%read), keyword%name//" has a reader")
+            call check(row%stage >= 1 .and. row%stage <= stages, keyword%name//" has a stage")
+         else
+            call check(.not. associated(row%read), keyword%name//" has nothing to read")
+         end if
+      end associate
+   end subroutine check_reader
+
+   !> Whether a card of a keyword has a field that means something; keywords of the parser have none
+   logical function has_content(keyword)
+      type(keyword_type), intent(in) :: keyword
+
+      type(keyword_type) :: titled
+      integer :: card
+
+      has_content = .false.
+      titled = keyword
+      if (index(keyword%suffixes, "TITLE") > 0) titled = keyword%with_suffix("TITLE")
+      do card = 1, size(titled%cards)
+         has_content = has_content .or. any(titled%cards(card)%fields%supported)
+      end do
+   end function has_content
 
    !> Fields have names of their own and a sentence
    subroutine check_card(name, fields)

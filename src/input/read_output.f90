@@ -1,0 +1,260 @@
+!> Readers of what is written, and how often.
+module plydyn_input_read_output
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case, upper_case
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_deck_values, only : longest_word
+   use plydyn_input_catalogue, only : a_node, a_node_set, a_profile, catalogue_type
+   use plydyn_model_control, only : profile_type, request_type
+   use plydyn_model_material, only : law_elastic, material_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: read_database_glstat, read_database_impactor, check_database_impactor, &
+      & read_database_nodout, check_database_nodout, read_database_spcforc, &
+      & check_database_spcforc, read_database_binary_d3plot, read_database_binary_d3dump, &
+      & read_database_binary_runrsf, read_database_delam, read_database_field, &
+      & read_database_profile, read_database_history_node, read_database_history_node_set
+
+contains
+
+   !> *DATABASE_GLSTAT: time between two lines of the energies
+   subroutine read_database_glstat(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%energy_interval = cards%real("DT")
+   end subroutine read_database_glstat
+
+   !> *DATABASE_IMPACTOR: time between two lines of the impactor histories
+   subroutine read_database_impactor(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%impactor_interval = cards%real("DT")
+   end subroutine read_database_impactor
+
+   !> Warn of histories of impactors that are not there
+   subroutine check_database_impactor(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      if (size(model%impactors) == 0) call catalogue%warn(cards, "DT", &
+         & "there are no impactors to write", "*IMPACTOR_SPHERE, or not this keyword")
+   end subroutine check_database_impactor
+
+   !> *DATABASE_NODOUT: time between two lines of the node histories
+   subroutine read_database_nodout(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%node_interval = cards%real("DT")
+   end subroutine read_database_nodout
+
+   !> Warn of histories of nodes that are not there
+   subroutine check_database_nodout(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      if (size(model%request%nodes) == 0) call catalogue%warn(cards, "DT", &
+         & "there are no nodes to write", "nodes in *DATABASE_HISTORY_NODE, or not this keyword")
+   end subroutine check_database_nodout
+
+   !> *DATABASE_SPCFORC: time between two lines of the support forces
+   subroutine read_database_spcforc(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%support_interval = cards%real("DT")
+   end subroutine read_database_spcforc
+
+   !> Warn of forces of supports that are not there
+   subroutine check_database_spcforc(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      if (size(model%holds) + size(model%motions) == 0) call catalogue%warn(cards, "DT", &
+         & "there are no supports to write", "*BOUNDARY_SPC_SET, or not this keyword")
+   end subroutine check_database_spcforc
+
+   !> *DATABASE_BINARY_D3PLOT: time between two field states
+   subroutine read_database_binary_d3plot(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%field_interval = cards%real("DT")
+   end subroutine read_database_binary_d3plot
+
+   !> *DATABASE_BINARY_D3DUMP: steps between two restart files that are kept
+   subroutine read_database_binary_d3dump(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%kept_cycles = cards%integer("CYCL")
+   end subroutine read_database_binary_d3dump
+
+   !> *DATABASE_BINARY_RUNRSF: steps between two restart files that replace older ones
+   subroutine read_database_binary_runrsf(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%running_cycles = cards%integer("CYCL")
+      model%request%running_files = cards%integer("NR")
+   end subroutine read_database_binary_runrsf
+
+   !> *DATABASE_DELAM: time between two lines of the history of delamination
+   subroutine read_database_delam(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%delamination_interval = cards%real("DT")
+      if (any(model%interface_materials%fails)) return
+      call catalogue%refuse(cards, "DT", "no interface of the deck can fail", &
+         & "an interface of a material such as *MAT_COHESIVE_MIXED_MODE, or no *DATABASE_DELAM")
+   end subroutine read_database_delam
+
+   !> *DATABASE_HISTORY_NODE: nodes with a history
+   subroutine read_database_history_node(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      integer, allocatable :: nodes(:)
+
+      call catalogue%find_all(a_node, cards, "ID", nodes)
+      call add_nodes(nodes, model%request)
+   end subroutine read_database_history_node
+
+   !> *DATABASE_HISTORY_NODE_SET: sets of nodes with a history
+   subroutine read_database_history_node_set(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      integer, allocatable :: sets(:)
+      integer :: i
+
+      call catalogue%find_all(a_node_set, cards, "ID", sets)
+      do i = 1, size(sets)
+         call add_nodes(catalogue%node_sets(sets(i))%list, model%request)
+      end do
+   end subroutine read_database_history_node_set
+
+   !> Nodes that have no history yet
+   subroutine add_nodes(nodes, request)
+      !> Indices of nodes
+      integer, intent(in) :: nodes(:)
+      type(request_type), intent(inout) :: request
+
+      integer :: i
+
+      do i = 1, size(nodes)
+         if (any(request%nodes == nodes(i))) cycle
+         request%nodes = [request%nodes, nodes(i)]
+      end do
+   end subroutine add_nodes
+
+   !> *DATABASE_FIELD: fields of the field states
+   subroutine read_database_field(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      character(longest_word), allocatable :: words(:)
+      character(len(model%request%fields)) :: name
+      integer :: i
+
+      words = cards%words("NAME")
+      do i = 1, size(words)
+         name = lower_case(words(i))
+         if (all(model%request%fields /= name)) model%request%fields = [model%request%fields, name]
+         call check_field(cards, name, model%materials, catalogue)
+      end do
+   end subroutine read_database_field
+
+   !> A field that no material has
+   subroutine check_field(cards, name, materials, catalogue)
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      type(material_type), intent(in) :: materials(:)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      select case (name)
+      case ("plastic_strain")
+         if (any(materials%law /= law_elastic .and. .not. materials%is_damaged())) return
+         call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
+            & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
+      case ("damage_fibre", "damage_matrix", "damage_shear")
+         if (any(materials%is_damaged())) return
+         call catalogue%refuse(cards, "NAME", "no material is damaged: there is no " &
+            & //upper_case(name), "a material with damage, such as *MAT_PLY_CODAM2, or not this " &
+            & //"field")
+      case ("dissipated")
+         if (any(materials%law /= law_elastic)) return
+         call catalogue%refuse(cards, "NAME", "no material dissipates: there is no DISSIPATED", &
+            & "a material that yields or is damaged, or not this field")
+      case default
+         continue
+      end select
+   end subroutine check_field
+
+   !> *DATABASE_PROFILE: stress through the thickness
+   subroutine read_database_profile(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(profile_type) :: new(cards%sets())
+      integer :: nth
+
+      do nth = 1, cards%sets()
+         call catalogue%define(a_profile, cards, "ID", nth)
+         new(nth)%id = cards%integer("ID", nth)
+         new(nth)%position(:) = cards%reals(["X", "Y"], nth)
+         new(nth)%points = cards%integer("NPT", nth)
+         new(nth)%interval = cards%real("DT", nth)
+         new(nth)%line = cards%line_of("X", nth)
+         if (.not. catalogue%mesh_is_sound .or. .not. cards%is_fine("X", nth)) cycle
+         if (is_near(model%mesh, new(nth)%position)) cycle
+         call catalogue%refuse(cards, "X", "the place is not on the plate", &
+            & "a place within an element", nth)
+      end do
+      model%request%profiles = [model%request%profiles, new]
+   end subroutine read_database_profile
+
+   !> True when a place lies in or close to an element, judged by the extents of elements
+   pure logical function is_near(mesh, place)
+      type(mesh_type), intent(in) :: mesh
+      !> x and y
+      real(wp), intent(in) :: place(2)
+
+      !> Share of the extent by which the edge of a quad may bulge
+      real(wp), parameter :: bulge = 0.25_wp
+      real(wp) :: high(2), low(2), margin(2)
+      integer :: e
+
+      is_near = .true.
+      do e = 1, size(mesh%quad_id)
+         low(:) = minval(mesh%position(:2, mesh%quad_node(:, e)), dim=2)
+         high(:) = maxval(mesh%position(:2, mesh%quad_node(:, e)), dim=2)
+         margin(:) = bulge*(high - low)
+         if (all(place >= low - margin .and. place <= high + margin)) return
+      end do
+      is_near = size(mesh%quad_id) == 0
+   end function is_near
+
+end module plydyn_input_read_output
