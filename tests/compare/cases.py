@@ -6,7 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +26,8 @@ ROOT = Path(__file__).resolve().parents[2]
 #: One rank of two threads; two ranks; on from the restart file half-way, on two threads
 THREADS, RANKS, RESTART = "threads", "ranks", "restart"
 ALL = (THREADS, RANKS, RESTART)
+#: Steps of a deck that a test of verification wrote
+RECORDED_STEPS = 400
 _FAST = "impactor.velocity=[0.0,0.0,-60000.0]"
 #: A deck that ends earlier than the others has its restart file earlier
 _EARLY = {
@@ -133,8 +135,11 @@ def _change(deck: Path, every: int, last: int = 0) -> None:
     dumps = f"*DATABASE_BINARY_D3DUMP\n{every},\n*END"
     text = re.sub(r"^\*END\s*\Z", dumps + "\n", text, flags=re.MULTILINE)
     if last:
-        card = r"(^\*CONTROL_TERMINATION\n(?:\$.*\n)*.{10}).{10}"
-        text = re.sub(card, rf"\g<1>{last:10d}", text, flags=re.MULTILINE)
+        head = r"(^\*CONTROL_TERMINATION\n(?:\$.*\n)*"
+        text = re.sub(
+            head + r"[^,\n]{10})[^,\n]{10}", rf"\g<1>{last:10d}", text, flags=re.MULTILINE
+        )
+        text = re.sub(head + r"[^,\n]+,)\d+", rf"\g<1>{last:10d}", text, flags=re.MULTILINE)
     if dumps not in text or (last and f"{last:10d}" not in text):
         raise ValueError(f"{deck} has not the form that restart files are added to")
     deck.write_text(text)
@@ -180,6 +185,23 @@ _RECIPES: tuple[tuple[str, tuple[_Recipe, ...]], ...] = (
     ("elastic_impact_ladder/n12", (_Recipe(100),)),
     ("", (_Recipe(),)),
 )
+
+
+def recorded_cases(decks: Iterable[Path]) -> Iterator[Case]:
+    """The first steps of decks that tests wrote; those with dumps of their own as they are."""
+    for path in decks:
+        yield Case(f"verification/{path.stem}", _short(path), (THREADS,), quick=())
+
+
+def _short(path: Path) -> Callable[[Path], None]:
+    """What copies a deck and cuts it short, with one restart file at the end."""
+
+    def write(folder: Path) -> None:
+        deck = Path(shutil.copy(path, folder / "deck.k"))
+        if "DATABASE_BINARY_D3DUMP" not in deck.read_text():
+            _change(deck, RECORDED_STEPS, RECORDED_STEPS)
+
+    return write
 
 
 def _recipe_cases() -> Iterator[Case]:

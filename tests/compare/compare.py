@@ -8,8 +8,9 @@ Headers and names of data may differ, which is reported. What is dropped or new,
 pieces, goes into the tables of `known_names.py`. The listing is not compared. `--quick` takes a
 selection for after every step of work. `-k` takes the cases whose name has this in it; `--list`
 prints them. `--cache FOLDER` keeps the results of the old build for the same solver and deck.
-Results that differ stay under `--folder` (build/compare); a folder in memory such as /dev/shm saves
-much of the time. The last line counts; the exit code is 1 if anything differs.
+`--verification tests/verification/patch` adds the first steps of what tests write, the first deck
+of each. Results that differ stay under `--folder` (build/compare); a folder in memory such as
+/dev/shm saves much of the time. The last line counts; the exit code is 1 if anything differs.
 """
 
 from __future__ import annotations
@@ -26,8 +27,9 @@ from subprocess import TimeoutExpired
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
-from cases import ROOT, THREADS, Case, all_cases
+from cases import ROOT, THREADS, Case, all_cases, recorded_cases
 from differences import compare_folders
+from recorder import record
 from report import Report
 from runner import Build, RunError
 
@@ -49,13 +51,17 @@ class Outcome:
 def main(words: Sequence[str] | None = None) -> int:
     """Compare, print, and give the exit code."""
     asked = _arguments().parse_args(words)
-    chosen = [case for case in all_cases() if asked.name in case.name]
+    folder = asked.folder.resolve()
+    cases = list(all_cases())
+    if asked.verification:
+        decks = record(folder / "recorded", asked.verification, asked.jobs)
+        cases += recorded_cases(decks)
+    chosen = [case for case in cases if asked.name in case.name]
     if asked.quick:
         chosen = [replace(case, ways=case.quick) for case in chosen if case.quick]
     if asked.list:
         _say("\n".join(case.name for case in chosen))
         return 0
-    folder = asked.folder.resolve()
     old = Build(asked.old.resolve(), (asked.cache or folder / "old").resolve(), bool(asked.cache))
     new = Build(asked.new.resolve(), folder / "new")
     start = time.monotonic()
@@ -83,6 +89,7 @@ def _arguments() -> argparse.ArgumentParser:
     parser.add_argument("-k", dest="name", default="", help="part of the names of cases")
     parser.add_argument("--jobs", type=int, default=1, help="cases at a time")
     parser.add_argument("--quick", action="store_true", help="a selection")
+    parser.add_argument("--verification", type=Path, help="a folder of tests, or one of them")
     parser.add_argument("--list", action="store_true", help="print the names of the cases")
     parser.add_argument("--cache", type=Path, help="folder that keeps results of the old build")
     parser.add_argument("--folder", type=Path, default=ROOT / "build/compare", help="for results")
