@@ -14,7 +14,7 @@ module plydyn_domain_averages
    use plydyn_domain_strain_halo, only : add_loans, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : abreast, average_type
-   use plydyn_element_plate, only : history_pitch, plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_law, only : law_type
    use plydyn_model_model, only : model_type
    use plydyn_parallel_halo, only : new_halo
@@ -83,7 +83,7 @@ contains
                a = a + 1
                domain%averages(a) = new_average(plate, b, k)
                domain%averages(a)%plate = p
-               call find_neighbours(around, batch%turn(:, :, batch%laws(k)%block), &
+               call find_neighbours(around, batch%rotation(:, :, batch%laws(k)%block), &
                   & batch%laws(k)%law, domain%averages(a), point)
                length = domain%histories + domain%halo_strains
                call add_loans(around, point, length, domain%averages(a), strain_halo)
@@ -136,7 +136,7 @@ contains
          self%batch = b
          self%block = plate%batches(b)%laws(k)%block
          self%first_history = batch%first_history
-         self%pitch = history_pitch(plate, batch)
+         self%pitch = batch%pitch
          self%levels = size(batch%expansion%weight)
          self%plane = size(plate%node, 1)
          self%blocks = batch%blocks
@@ -282,7 +282,7 @@ contains
          if (.not. average%owns(l)) cycle
          do e = 1, size(plate%node, 2)
             do q = 1, size(plate%node, 1)
-               length(:) = cell_lengths(plate, plate%batches(average%batch)%turn(l, :, &
+               length(:) = cell_lengths(plate, plate%batches(average%batch)%rotation(l, :, &
                   & average%block), q, e)
                associate (cell => [maxval(length/law%radius(l, :)), length])
                   if (is_less(cell, least(:, l))) least(:, l) = cell

@@ -7,7 +7,7 @@ module plydyn_domain_bricks
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
-   use plydyn_element_plate, only : batch_stiffness
+   use plydyn_element_plate_layers, only : batch_stiffness
    use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
    use plydyn_model_mesh, only : mesh_type

@@ -11,7 +11,7 @@ module plydyn_domain_build_elements
    use plydyn_domain_plates, only : set_quads
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_element_interface, only : set_plane
-   use plydyn_element_plate, only : history_rows
+   use plydyn_element_plate_layers, only : history_rows
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none

@@ -8,7 +8,7 @@ module plydyn_domain_crack_band_widths
    use plydyn_domain_domain, only : crack_band_type, domain_type
    use plydyn_domain_initial_history, only : band_lengths
    use plydyn_element_brick, only : bricks_type
-   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_law_ply_constants, only : modes, snap_refuse
    use plydyn_model_material, only : law_ply_damage
    use plydyn_model_model, only : model_type
@@ -162,7 +162,7 @@ contains
                if (all(law%band_rule == 0)) cycle
                do e = 1, size(plate%quad)
                   do q = 1, size(plate%node, 1)
-                     length(:, :) = band_lengths(plate, batch%turn(:, :, block), law, q, e)
+                     length(:, :) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
                      do l = 1, lanes
                         if (law%band_rule(l) == 0 .or. batch%layer(l, block) == 0) cycle
                         ply = domain%layers%ply(batch%layer(l, block))

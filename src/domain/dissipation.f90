@@ -5,7 +5,7 @@ module plydyn_domain_dissipation
    use plydyn_domain_brick_energies, only : count_brick_dissipation
    use plydyn_domain_delamination, only : delamination_type, interface_losses
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate, only : layer_batch_type
+   use plydyn_element_plate_layers, only : layer_batch_type
    use plydyn_law_law, only : by_delamination, by_friction, mechanisms
    implicit none
    private
@@ -69,7 +69,7 @@ contains
                      do i = 1, mechanisms
                         if (law%energy_at(i) == 0) cycle
                         energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
-                           & *sum(batch%half(:, block)*law%spent(i, h), law%owns)
+                           & *sum(batch%half_thickness(:, block)*law%spent(i, h), law%owns)
                      end do
                   end do
                end do

@@ -8,7 +8,7 @@ module plydyn_domain_domain
    use plydyn_element_average, only : average_type
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_interface, only : interface_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_ply_constants, only : modes
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type

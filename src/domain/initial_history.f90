@@ -3,7 +3,7 @@ module plydyn_domain_initial_history
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_brick_crack_bands, only : start_brick_histories
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
    use plydyn_law_ply_crack_band, only : band_length, rule_gauss_point, share_average, &
       & share_bilinear, share_biquadratic
@@ -53,7 +53,7 @@ contains
          associate (block => batch%laws(k)%block, law => batch%laws(k)%law)
             do e = 1, size(plate%node, 2)
                do q = 1, size(plate%node, 1)
-                  length(:, :, q) = band_lengths(plate, batch%turn(:, :, block), law, q, e)
+                  length(:, :, q) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
                end do
                widest(:) = maxval(maxval(length, 3), 2)
                do q = 1, size(plate%node, 1)
@@ -85,7 +85,7 @@ contains
       weight(:) = point_weights(plate%side, q)
       share = merge(share_biquadratic, share_bilinear, plate%side == 3)
       area = sum(plate%metric(5, :, quad))
-      jacobian(:, :) = point_jacobian(plate%reach, plate%metric(:4, q, quad))
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
       length(:, :) = 0.0_wp
       do l = 1, lanes
          if (law%band_rule(l) == 0) cycle
@@ -111,7 +111,7 @@ contains
       real(wp) :: jacobian(2, 2), weight(2)
 
       weight(:) = point_weights(plate%side, q)
-      jacobian(:, :) = point_jacobian(plate%reach, plate%metric(:4, q, quad))
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
       length(1) = band_length(rule_gauss_point, jacobian, turn, weight, 1.0_wp, 1.0_wp)
       length(2) = band_length(rule_gauss_point, jacobian, [-turn(2), turn(1)], weight, 1.0_wp, &
          & 1.0_wp)

@@ -3,7 +3,7 @@ module plydyn_domain_masses
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_model, only : model_type

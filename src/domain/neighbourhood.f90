@@ -3,7 +3,7 @@
 module plydyn_domain_neighbourhood
    use plydyn_base_precision, only : wp
    use plydyn_domain_decomposition, only : decomposition_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : quad_metric, tensor_order
    use plydyn_model_mesh, only : mesh_type
    implicit none

@@ -4,7 +4,8 @@ module plydyn_domain_plates
    use plydyn_domain_columns, only : columns_type, order_group_type
    use plydyn_domain_laws, only : new_laws
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_element_plate, only : batch_stiffness, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : batch_stiffness, history_rows, layer_batch_type, &
+      & plate_type
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
@@ -66,6 +67,7 @@ contains
          plate%metric(:, :, e) = quad_metric(plate%side, mesh%position(1:2, node))
       end do
       plate%target = plate%node
+      plate%batches%pitch = history_rows(plate%batches, plate%side)*size(quads)
    end subroutine set_quads
 
    !> Shape functions at the Gauss points
@@ -76,7 +78,7 @@ contains
       integer :: i, j, q
 
       gauss(:) = gauss_points(plate%side)
-      plate%reach = gauss(plate%side)
+      plate%gauss_abscissa = gauss(plate%side)
       allocate (plate%shape(plate%side**2, plate%side**2))
       allocate (plate%slope(2, plate%side**2, plate%side**2))
       do j = 1, plate%side
@@ -105,23 +107,23 @@ contains
       batch%expansion = new_expansion(family%order, layers%lobatto)
       allocate (batch%layer(lanes, family%blocks))
       batch%layer(:, :) = family%layer
-      allocate (batch%stiffness(lanes, 13, family%blocks), batch%turn(lanes, 2, family%blocks))
-      allocate (batch%half(lanes, family%blocks), batch%slant(lanes, family%blocks))
+      allocate (batch%stiffness(lanes, 13, family%blocks), batch%rotation(lanes, 2, family%blocks))
+      allocate (batch%half_thickness(lanes, family%blocks), batch%two_over_h(lanes, family%blocks))
       batch%stiffness(:, :, :) = 0.0_wp
-      batch%turn(:, :, :) = 0.0_wp
-      batch%half(:, :) = 0.0_wp
-      batch%slant(:, :) = 0.0_wp
+      batch%rotation(:, :, :) = 0.0_wp
+      batch%half_thickness(:, :) = 0.0_wp
+      batch%two_over_h(:, :) = 0.0_wp
       material(:, :) = 0
       do b = 1, family%blocks
          do l = 1, lanes
             k = family%layer(l, b)
             if (k == 0) cycle
             half = 0.5_wp*(layers%top(k) - layers%bottom(k))
-            batch%half(l, b) = half
-            batch%slant(l, b) = 1.0_wp/half
+            batch%half_thickness(l, b) = half
+            batch%two_over_h(l, b) = 1.0_wp/half
             associate (ply => part%plies(layers%ply(k)))
                material(l, b) = ply%material
-               batch%turn(l, :, b) = [cos(ply%angle*degree), sin(ply%angle*degree)]
+               batch%rotation(l, :, b) = [cos(ply%angle*degree), sin(ply%angle*degree)]
                batch%stiffness(l, :, b) = half*batch_stiffness(plate_stiffness( &
                   & model%materials(ply%material), ply%angle))
             end associate

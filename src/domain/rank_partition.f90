@@ -4,7 +4,7 @@ module plydyn_domain_rank_partition
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_partition, only : divide_graph
    implicit none

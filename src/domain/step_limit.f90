@@ -5,7 +5,7 @@ module plydyn_domain_step_limit
    use plydyn_domain_masses, only : surface_density
    use plydyn_domain_pair_inertia, only : implicit_share
    use plydyn_domain_critical_elements, only : find_slowest
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : quad_metric, quad_node_area, tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness

@@ -43,8 +43,7 @@ contains
             else if (size(bricks%laws) == 0 .and. bricks%drag <= 0.0_wp) then
                call elastic_forces(bricks%stiffness, shape, total, u, f)
             else
-               call point_forces(bricks, b, shape, total, step, u, velocity, &
-                  & history(:, :, 1, b), f)
+               call point_forces(bricks, b, total, step, u, velocity, history(:, :, 1, b), f)
             end if
          end associate
          call scatter(bricks%target(:, :, b), f, force)
@@ -106,10 +105,9 @@ contains
    end subroutine elastic_forces
 
    !> One point, with a law or viscous hourglass control
-   pure subroutine point_forces(bricks, batch, shape, large, step, u, velocity, history, f)
+   pure subroutine point_forces(bricks, batch, large, step, u, velocity, history, f)
       type(bricks_type), intent(in) :: bricks
       integer, intent(in) :: batch
-      type(brick_shape_type), intent(in) :: shape
       real(wp), intent(in) :: large, step, u(lanes, corners, 3), velocity(*)
       real(wp), intent(inout) :: history(lanes, bricks%histories)
       real(wp), intent(out) :: f(lanes, corners, 3)
@@ -117,22 +115,24 @@ contains
       real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), pull(lanes, 3, shapes_unfelt)
       real(wp) :: q(lanes, 3, shapes_unfelt), rate(lanes, 3, 3), s(lanes, 6), v(lanes, corners, 3)
 
-      call gradient_of(u, shape%gradient(:, :, :, 1), h)
-      call strain_of(h, large, e)
-      call find_stress(bricks, step, e, history, s)
-      call to_flux(h, large, shape%volume(:, 1), s, p)
-      if (bricks%drag > 0.0_wp) then
-         call gather(bricks%place(:, :, batch), velocity, v)
-         call gradient_of(v, shape%gradient(:, :, :, 1), rate)
-         call unfelt_motion(v, rate, shape%bent, q)
-         call add_drag(bricks%drag, shape%volume(:, 1), step, q, pull, &
-            & history(:, bricks%histories))
-      else
-         call unfelt_motion(u, h, shape%bent, q)
-         call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
-      end if
-      call spread_unfelt(pull, shape%bent, p, f)
-      call integrate(p, shape%gradient(:, :, :, 1), f)
+      associate (shape => bricks%shapes(bricks%shape(batch)))
+         call gradient_of(u, shape%gradient(:, :, :, 1), h)
+         call strain_of(h, large, e)
+         call find_stress(bricks, step, e, history, s)
+         call to_flux(h, large, shape%volume(:, 1), s, p)
+         if (bricks%drag > 0.0_wp) then
+            call gather(bricks%place(:, :, batch), velocity, v)
+            call gradient_of(v, shape%gradient(:, :, :, 1), rate)
+            call unfelt_motion(v, rate, shape%bent, q)
+            call add_drag(bricks%drag, shape%volume(:, 1), step, q, pull, &
+               & history(:, bricks%histories))
+         else
+            call unfelt_motion(u, h, shape%bent, q)
+            call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
+         end if
+         call spread_unfelt(pull, shape%bent, p, f)
+         call integrate(p, shape%gradient(:, :, :, 1), f)
+      end associate
    end subroutine point_forces
 
    !> Eight points, with the mean of the volume strain and of the pressure if they share it

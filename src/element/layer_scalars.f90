@@ -1,7 +1,7 @@
 !> What the laws of a layer show of their histories, at its Gauss points.
 module plydyn_element_layer_scalars
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate, only : history_pitch, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_law_law, only : scalars
    implicit none
    private
@@ -57,7 +57,7 @@ contains
       row = m - 1 + (batch%expansion%order + 1)*(q - 1 + size(plate%node, 1)*(block - 1 &
          & + batch%blocks*(quad - 1)))
       do k = 1, batch%histories
-         first = batch%first_history + lanes*(row + history_pitch(plate, batch)*(k - 1))
+         first = batch%first_history + lanes*(row + batch%pitch*(k - 1))
          point(:, k) = history(first:first + lanes - 1)
       end do
    end function point_history

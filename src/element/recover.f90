@@ -2,7 +2,7 @@
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : layer_scalars, point_history
-   use plydyn_element_plate, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_law_ply_elastic, only : strain_rotation
    use plydyn_law_law, only : scalars
    implicit none
@@ -104,7 +104,7 @@ contains
          point(:, :) = matmul(column_values(batch, block, lane, c, plate%node(:, quad), &
             & displacement), transpose(batch%expansion%to_gauss))
          rise(:, :) = matmul(point, transpose(batch%expansion%gauss_slope)) &
-            & *batch%slant(lane, block)
+            & *batch%two_over_h(lane, block)
          do q = 1, size(point, 1)
             local(:, :) = gauss_metric(plate, quad, q)
             do m = 1, size(h, 4)
@@ -123,8 +123,8 @@ contains
       integer, intent(in) :: quad, q
       real(wp) :: metric(2, 2)
 
-      metric(:, 1) = 2.0_wp*plate%reach*plate%metric(1:2, q, quad)
-      metric(:, 2) = 2.0_wp*plate%reach*plate%metric(3:4, q, quad)
+      metric(:, 1) = 2.0_wp*plate%gauss_abscissa*plate%metric(1:2, q, quad)
+      metric(:, 2) = 2.0_wp*plate%gauss_abscissa*plate%metric(3:4, q, quad)
    end function gauss_metric
 
    !> One direction of the displacement of a layer at the nodes of a quad, (nodes, levels)
@@ -157,7 +157,7 @@ contains
          c(5, 5:6) = k(11:12)
          c(6, 5:6) = k(12:13)
       end associate
-      c(:, :) = c*batch%slant(lane, block)
+      c(:, :) = c*batch%two_over_h(lane, block)
    end function full_stiffness
 
    !> Strain of a displacement gradient

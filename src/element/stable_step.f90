@@ -7,7 +7,8 @@
 !> quad: it is the same to the last bit, whichever other quads a rank has.
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate, only : add_elastic_forces, layer_batch_type
+   use plydyn_element_plate, only : linear_forces
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
    use plydyn_element_thickness, only : layer_springs, level_table
    implicit none
@@ -145,7 +146,7 @@ contains
 
          same_layer = batch%layer(i, j) > 0 &
             & .and. maxval(abs(batch%stiffness(i, :, j) - batch%stiffness(l, :, b))) <= 0.0_wp &
-            & .and. abs(batch%slant(i, j) - batch%slant(l, b)) <= 0.0_wp &
+            & .and. abs(batch%two_over_h(i, j) - batch%two_over_h(l, b)) <= 0.0_wp &
             & .and. abs(surface_density(i, j) - surface_density(l, b)) <= 0.0_wp
       end function same_layer
    end function find_twin
@@ -158,9 +159,11 @@ contains
       real(wp), intent(in) :: metric(:, :)
       real(wp), allocatable :: k(:, :, :, :)
 
+      type(plate_type) :: plate
       real(wp), allocatable :: force(:, :, :), motion(:, :, :)
       integer :: freedoms, i, j
 
+      plate = one_quad(batch, side, metric)
       freedoms = (batch%expansion%order + 1)*3*side*side
       allocate (k(freedoms, freedoms, lanes, batch%blocks))
       allocate (force(lanes, batch%blocks, freedoms), motion(lanes, batch%blocks, freedoms))
@@ -168,12 +171,28 @@ contains
          motion(:, :, :) = 0.0_wp
          motion(:, :, j) = 1.0_wp
          force(:, :, :) = 0.0_wp
-         call add_elastic_forces(batch, side, metric, motion, force)
+         call linear_forces(plate, 1, [1, 1], motion, force)
          do i = 1, freedoms
             k(i, j, :, :) = -force(:, :, i)
          end do
       end do
    end function dense_stiffness
+
+   !> A plate of one quad and one batch of layers, whose columns hold nothing else
+   pure function one_quad(batch, side, metric) result(plate)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: side
+      real(wp), intent(in) :: metric(:, :)
+      type(plate_type) :: plate
+      integer :: i
+
+      plate%side = side
+      plate%node = reshape([(i, i=1, side**2)], [side**2, 1])
+      plate%target = plate%node
+      plate%metric = reshape(metric, [5, side**2, 1])
+      plate%batches = [batch]
+      plate%batches(1)%height = 3*lanes*batch%blocks*(batch%expansion%order + 1)
+   end function one_quad
 
    !> Take springs through the thickness, at the nodes, out of a stiffness
    pure subroutine relieve(k, area, spring, table)

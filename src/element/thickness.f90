@@ -6,7 +6,7 @@
 !> stiffnesses, so that x, y and z do not couple and nothing is stiffer than this.
 module plydyn_element_thickness
    use plydyn_base_precision, only : wp
-   use plydyn_element_plate, only : layer_batch_type
+   use plydyn_element_plate_layers, only : layer_batch_type
    use plydyn_fem_expansion, only : expansion_type
    implicit none
    private
@@ -31,7 +31,7 @@ contains
          spring(3) = c(c33)
       end associate
       ! the constants are times half of the thickness
-      spring(:) = spring*batch%slant(lane, block)**2
+      spring(:) = spring*batch%two_over_h(lane, block)**2
    end function layer_springs
 
    !> Integrals of the products of the derivatives of the polynomials from -1 to 1

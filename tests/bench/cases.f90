@@ -5,7 +5,6 @@ module plydyn_bench_cases
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate, only : history_pitch
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_metal_kinematic, only : plastic_kinematic_type
@@ -93,7 +92,7 @@ contains
          allocate (batch%laws(1)%law, source=law)
          batch%histories = law%histories
          batch%first_history = front + 1
-         domain%histories = front + lanes*batch%histories*history_pitch(domain%plates(1), batch)
+         domain%histories = front + lanes*batch%histories*batch%pitch
       end associate
    end subroutine give_law
 

@@ -6,7 +6,7 @@ module plydyn_io_csv_profile
    use plydyn_base_sort, only : sorted_order
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate, only : plate_type
+   use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : plane_table
    use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &

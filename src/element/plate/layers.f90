@@ -1,0 +1,86 @@
+!> Layer-wise plates as flat arrays: the quads of a part, and its layers by their order.
+module plydyn_element_plate_layers
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_fem_expansion, only : expansion_type
+   use plydyn_law_law, only : block_law_type
+   implicit none
+   private
+
+   public :: batch_stiffness, history_rows
+
+   !> Layers of one order over all quads of a part, eight side by side
+   type, public :: layer_batch_type
+      !> Blocks of layers above a quad, each of as many layers as there are lanes
+      integer :: blocks = 0
+      !> First of its points in the column of the first node, and the length of a column
+      integer :: first = 0, height = 0
+      !> Layer in each lane, counted from the bottom of the part; 0 where there is none
+      integer, allocatable :: layer(:, :)
+      !> Tables of the expansion
+      type(expansion_type) :: expansion
+      !> Stiffness in the axes of the plate times half the thickness, (lanes, 13, blocks):
+      !> C11 C12 C13 C14 C22 C23 C24 C33 C34 C44 C55 C56 C66; zero in lanes without a layer
+      real(wp), allocatable :: stiffness(:, :, :)
+      !> Half the thickness, and 2 over the thickness, (lanes, blocks)
+      real(wp), allocatable :: half_thickness(:, :), two_over_h(:, :)
+      !> Cosine and sine of the fibre direction, (lanes, 2, blocks)
+      real(wp), allocatable :: rotation(:, :, :)
+      !> Laws of the layers; none where all are elastic
+      type(block_law_type), allocatable :: laws(:)
+      !> History variables of a Gauss point, and where those of this batch begin in the state
+      integer :: histories = 0, first_history = 0
+      !> Rows of the history from one variable of a Gauss point to the next: all points of all quads
+      integer :: pitch = 0
+   end type layer_batch_type
+
+   !> A part: its quads and its layers
+   type, public :: plate_type
+      !> Nodes along a side of a quad
+      integer :: side = 0
+      !> Index of each quad in the mesh
+      integer, allocatable :: quad(:)
+      !> Nodes of each quad in tensor order, (side**2, quads)
+      integer, allocatable :: node(:, :)
+      !> Columns that take the forces of each quad: those of its nodes, or others behind them; less
+      !> than 0 where no quad before has added to one
+      integer, allocatable :: target(:, :)
+      !> Geometry of each quad at its Gauss points, (5, side**2, quads); see `quad_metric`
+      real(wp), allocatable :: metric(:, :, :)
+      !> Distance of the outer Gauss points from the middle of the quad
+      real(wp) :: gauss_abscissa = 0.0_wp
+      !> Shape functions at the Gauss points, (points, nodes), and their derivatives along xi and
+      !> eta, (2, nodes, points)
+      real(wp), allocatable :: shape(:, :), slope(:, :, :)
+      !> Fibre direction of each layer, degrees from the x axis
+      real(wp), allocatable :: angle(:)
+      !> Layers by their order
+      type(layer_batch_type), allocatable :: batches(:)
+   end type plate_type
+
+   !> The constants of a monoclinic stiffness that kernels use, by row and column
+   integer, parameter :: row(13) = [1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 5, 6]
+   integer, parameter :: column(13) = [1, 2, 3, 4, 2, 3, 4, 3, 4, 4, 5, 6, 6]
+
+contains
+
+   !> The constants of a stiffness in the order that kernels use
+   pure function batch_stiffness(stiffness) result(constants)
+      !> Stiffness in the axes of the plate; a plane of symmetry across z
+      real(wp), intent(in) :: stiffness(6, 6)
+      real(wp) :: constants(13)
+      integer :: i
+
+      constants(:) = [(stiffness(row(i), column(i)), i=1, 13)]
+   end function batch_stiffness
+
+   !> Rows of a variable of the history in a quad: its Gauss points, those of a block together
+   elemental integer function history_rows(batch, side) result(rows)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Nodes along a side
+      integer, intent(in) :: side
+
+      rows = (batch%expansion%order + 1)*side**2*batch%blocks
+   end function history_rows
+
+end module plydyn_element_plate_layers
