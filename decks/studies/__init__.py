@@ -1,1 +1,1 @@
-"""The parts of decks/study.py: jobs, what is read off their results, tables and figures."""
+"""Studies of the impacts: which cases are run, and what is told of them."""

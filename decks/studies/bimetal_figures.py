@@ -18,8 +18,6 @@ from plydyn_post.style import PLAIN_MAP, WIDE, figure, legend_above, look_of, sa
 ON_FACE = 1e-6
 #: Half the length of the line of figure 7, and half the width of the pictures of figure 8, mm
 LINE, AROUND = 10.0, 3.0
-#: Milliseconds
-MS = 1e3
 
 
 @dataclass(frozen=True)
@@ -115,7 +113,7 @@ def _draw_deflections(states: Sequence[Sequence[tuple[str, Face]]], path: Path) 
         for axes, faces in zip(panels, states, strict=True):
             for k, (name, face) in enumerate(faces):
                 axes.plot(*along_y(face, "deflection"), label=name, **look_of(k))
-            time = f"at {MS * faces[0][1].time:.2g} ms"
+            time = f"at {1e3 * faces[0][1].time:.2g} ms"
             axes.set_xlabel(f"y from the middle [mm], {time}")
         panels[0].set_ylabel("Deflection $u_z$ of the face [mm]")
         legend_above(drawn, panels[0], longest=100)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Annotated
 
-from plydyn_pre.recipe import load_recipe
+import typer
 
-from studies.damage import RECIPES, Answer, change
-from studies.jobs import Job
-from studies.markdown import table
+from runner.cases import Case, Run, StudyError, made_by
+from runner.commands import Study, command
+from runner.pages import Page, Quantity, Section, tabulate
+from studies import damage
 
 PLY, BOND = "materials.hts40_9772", "materials.interface"
 #: The recipe that the choices are made for, and how far: beyond the peak
@@ -62,21 +65,42 @@ CHOICES = (
 )  # fmt: skip
 
 
+@command()
+def choices(
+    given: tuple[str, ...],
+    model: Annotated[str, typer.Option(help="Recipe that the others differ from.")] = MODEL,
+    only: Annotated[str, typer.Option(help="Names of choices, by commas.")] = "",
+    without: Annotated[str, typer.Option(help="Names of those not to make.")] = "",
+) -> Study:
+    """What each choice that the paper leaves open does to the force and to the areas."""
+    return Study(pick(only, model, given, without), _report)
+
+
+@dataclass(frozen=True)
+class ChoiceCase(Case):
+    """A choice on a model."""
+
+    choice: Choice = BASE
+
+
+def case_of(choice: Choice, model: str) -> ChoiceCase:
+    """The case of a choice on a model."""
+    name, recipe = f"{model}_{choice.name}", f"damage_impact/{model}"
+    return ChoiceCase(name, recipe, choice.name, choice.overrides, SHORT, choice=choice)
+
+
 def pick(
-    names: str, recipe: str, overrides: Sequence[str] = (), unwanted: str = ""
-) -> list[Choice]:
+    names: str, model: str, given: tuple[str, ...] = (), unwanted: str = ""
+) -> list[ChoiceCase]:
     """The base and the choices with some names, separated by commas; all without.
 
     A choice that a recipe has made already is left out, and so are those with unwanted names.
     """
-    wanted = _split(names)
-    path = RECIPES / f"{recipe}.toml"
-    base = load_recipe(path, overrides)
-    others = [choice for choice in CHOICES if not wanted or choice.name in wanted]
-    others = [choice for choice in others if choice.name not in _split(unwanted)]
-    return [BASE] + [
-        choice for choice in others if load_recipe(path, (*overrides, *choice.overrides)) != base
-    ]
+    wanted, left_out = _split(names), _split(unwanted)
+    base, *others = (replace(case_of(one, model), given=given) for one in (BASE, *CHOICES))
+    others = [one for one in others if not wanted or one.label in wanted]
+    others = [one for one in others if one.label not in left_out]
+    return [base, *(one for one in others if one.model != base.model)]
 
 
 def _split(names: str) -> set[str]:
@@ -84,32 +108,28 @@ def _split(names: str) -> set[str]:
     return {name.strip() for name in names.split(",") if name.strip()}
 
 
-def job_of(choice: Choice, recipe: str, overrides: Sequence[str]) -> Job:
-    """The job of a choice on a model."""
-    replaced = (*overrides, *choice.overrides)
-    return Job(f"{recipe}_{choice.name}", RECIPES / f"{recipe}.toml", replaced)
+def _report(runs: list[Run], folder: Path) -> list[Page]:
+    found = [damage.read_impact(run) for run in runs]
+    if found[0].run.case.choice is not BASE:
+        raise StudyError(f"the base of the choices has not run to its end in {folder}")
+    text = f"{choices_text(found)}\n{made_by(runs)}"
+    areas = Section("Areas", damage.areas_text(found))
+    return [Page("choices", [Section("Open choices", text, "choices"), areas])]
 
 
-def choices_text(found: Sequence[tuple[Choice, Answer]]) -> str:
-    """How far each choice moves the peak force and the delaminated area."""
-    base = next(answer for choice, answer in found if choice is BASE)
-    headings = (
-        "open question", "other answer", "peak force [N]", "change", "projected area [mm2]",
-        "change", "all interfaces [mm2]", "dissipated [J]", "displacement [mm]",
-    )  # fmt: skip
-    rows = []
-    for choice, answer in found:
-        rows.append(
-            [
-                choice.question,
-                choice.answer or "–",
-                f"{answer.peak:.0f}",
-                change(answer.peak, base.peak),
-                f"{answer.projected:.0f}",
-                change(answer.projected, base.projected),
-                f"{answer.total:.0f}",
-                f"{sum(answer.taken.values()) / 1e3:.2f}",
-                f"{answer.displacement:.2f}",
-            ]
-        )
-    return table(headings, rows)
+COLUMNS = (
+    Quantity("open question", lambda one: one.run.case.choice.question),
+    Quantity("other answer", lambda one: one.run.case.choice.answer),
+    damage.PEAK,
+    damage.PEAK.change,
+    damage.PROJECTED,
+    damage.PROJECTED.change,
+    damage.TOTAL,
+    damage.DISSIPATED_ALL,
+    damage.DISPLACEMENT,
+)
+
+
+def choices_text(found: Sequence[damage.Impact]) -> str:
+    """How far each choice moves the peak force and the delaminated area; the base is the first."""
+    return tabulate(COLUMNS, found, lambda _: found[0])

@@ -1,77 +1,56 @@
-"""The damage impact: its models, and what is read off a run of one."""
+"""The impact with damage: its models, what is read off a run of one, and the tables of it."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 from plydyn_post.curves import contact, running_mean
 from plydyn_post.dissipation import mechanisms
+from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
-from plydyn_pre.recipe import load_recipe
+from plydyn_post.table import Table
 
-from studies.jobs import ROOT, Job
-from studies.markdown import table
+from runner.cases import Case, Run
+from runner.pages import Quantity, table, tabulate
+from studies.differences import WINDOW
 
-RECIPES = ROOT / "decks/damage_impact"
-#: Window of the running mean of forces, s
-WINDOW = 20e-6
 #: A delaminated area that counts as the beginning of delamination, mm2
 BEGUN = 1.0
-#: Headings of a table of answers
-HEADINGS = (
-    "peak force [N]",
-    "at [ms]",
-    "first delamination at [N]",
-    "contact [ms]",
-    "displacement [mm]",
-    "absorbed [J]",
-    "projected area [mm2]",
-    "all interfaces [mm2]",
-    "delamination [J]",
-    "matrix [J]",
-    "shear [J]",
-    "fibres [J]",
-    "energy error [%]",
-)
 
 
 @dataclass(frozen=True)
-class Model:
+class DamageCase(Case):
     """A model of Table 7."""
 
-    recipe: str
-    label: str
-    quads: int
-    order: int
-    paper: str  # its time there on six cores, h:mm:ss
+    quads: int = 0
+    order: int = 0
+    paper: str = ""  # its time there on six cores, h:mm:ss
 
-    def job(self, overrides: Sequence[str] = ()) -> Job:
-        """The job of the model, with values replaced."""
-        return Job(self.recipe, RECIPES / f"{self.recipe}.toml", tuple(overrides))
+
+def _model(quads: int, order: int, paper: str) -> DamageCase:
+    name = f"q{quads}_le{order}"
+    recipe, label = f"damage_impact/{name}", f"{quads} Q9/LE{order}"
+    return DamageCase(name, recipe, label, quads=quads, order=order, paper=paper)
 
 
 MODELS = (
-    Model("q132_le2", "132 Q9/LE2", 132, 2, "5:13:44"),
-    Model("q192_le1", "192 Q9/LE1", 192, 1, "6:45:13"),
-    Model("q192_le2", "192 Q9/LE2", 192, 2, "8:46:22"),
-    Model("q192_le3", "192 Q9/LE3", 192, 3, "11:37:57"),
-    Model("q260_le2", "260 Q9/LE2", 260, 2, "11:49:58"),
+    _model(132, 2, "5:13:44"),
+    _model(192, 1, "6:45:13"),
+    _model(192, 2, "8:46:22"),
+    _model(192, 3, "11:37:57"),
+    _model(260, 2, "11:49:58"),
 )
 
 
-def model_of(recipe: str) -> Model:
-    """The model of a recipe."""
-    return next(model for model in MODELS if model.recipe == recipe)
-
-
 @dataclass(frozen=True)
-class Answer:
-    """What an impact with damage comes to; forces are 20 µs means."""
+class Impact:
+    """What a run came to, for the whole plate; forces are 20 µs means, areas those at its end."""
 
+    run: Run
     peak: float  # N
     peak_time: float  # s
     threshold: float | None  # N, when delamination begins
@@ -79,44 +58,88 @@ class Answer:
     displacement: float  # mm
     absorbed: float | None  # mJ, nothing while in contact
     projected: float  # mm2
-    total: float  # mm2
-    taken: dict[str, float]  # mJ by mechanism
+    interfaces: dict[int, float]  # mm2, by their numbers from the lowest up
+    dissipated: dict[str, float]  # mJ by mechanism
     error: float  # share
 
-    def cells(self) -> list[str]:
-        """The cells of a row of a table."""
-        return [
-            f"{self.peak:.0f}",
-            f"{1e3 * self.peak_time:.2f}",
-            _number(self.threshold, 1.0, ".0f"),
-            _number(self.duration, 1e3, ".2f"),
-            f"{self.displacement:.2f}",
-            _number(self.absorbed, 1e-3, ".2f"),
-            f"{self.projected:.0f}",
-            f"{self.total:.0f}",
-            *(f"{one:.2f}" for one in energies(self)),
-            f"{100.0 * self.error:.0e}",
-        ]
+    @property
+    def label(self) -> str:
+        """What tables call it."""
+        return self.run.case.label
+
+    @property
+    def total(self) -> float:
+        """Delaminated area of all interfaces, mm2."""
+        return sum(self.interfaces.values())
 
 
-#: Mechanisms in the order of the headings
-_ENERGIES = ("delamination", "matrix damage", "ply plasticity", "fibre damage")
+#: Dissipated energies: heading, mechanism
+ENERGIES = {
+    "delamination [J]": "delamination",
+    "matrix [J]": "matrix damage",
+    "shear [J]": "ply plasticity",
+    "fibres [J]": "fibre damage",
+}
 
 
-def energies(answer: Answer) -> list[float]:
-    """Dissipated energies in J, in the order of the headings."""
-    return [answer.taken.get(name, 0.0) / 1e3 for name in _ENERGIES]
+def _energy(heading: str, mechanism: str) -> Quantity:
+    return Quantity(heading, lambda one: one.dissipated.get(mechanism, 0.0) / 1e3, ".2f")
 
 
-def _number(value: float | None, scale: float, form: str) -> str:
-    return "–" if value is None else f"{scale * value:{form}}"
+LABEL = Quantity("model", lambda one: one.label)
+PEAK = Quantity("peak force [N]", lambda one: one.peak, ".0f")
+DISPLACEMENT = Quantity("displacement [mm]", lambda one: one.displacement, ".2f")
+PROJECTED = Quantity("projected area [mm2]", lambda one: one.projected, ".0f")
+TOTAL = Quantity("all interfaces [mm2]", lambda one: one.total, ".0f")
+DISSIPATED = tuple(_energy(heading, mechanism) for heading, mechanism in ENERGIES.items())
+DELAMINATION = DISSIPATED[0]
+#: Energy of these mechanisms, and of all that there are
+DISSIPATED_SUM = Quantity(
+    "dissipated in all [J]", lambda one: sum(energy.value(one) for energy in DISSIPATED), ".2f"
+)
+DISSIPATED_ALL = Quantity("dissipated [J]", lambda one: sum(one.dissipated.values()) / 1e3, ".2f")
+COLUMNS = (
+    PEAK,
+    Quantity("at [ms]", lambda one: one.peak_time, ".2f", 1e3),
+    Quantity("first delamination at [N]", lambda one: one.threshold, ".0f"),
+    Quantity("contact [ms]", lambda one: one.duration, ".2f", 1e3),
+    DISPLACEMENT,
+    Quantity("absorbed [J]", lambda one: one.absorbed, ".2f", 1e-3),
+    PROJECTED,
+    TOTAL,
+    *DISSIPATED,
+    Quantity("energy error [%]", lambda one: one.error, ".0e", 100.0),
+)
 
 
-def change(value: float, base: float) -> str:
-    """A change as a share, with its sign."""
-    if base in (value, 0.0):
-        return "–"
-    return f"{round(100.0 * (value / base - 1.0)):+d} %"
+def impacts_text(found: Sequence[Impact], label: Quantity = LABEL) -> str:
+    """A table of what runs came to."""
+    return tabulate((label, *COLUMNS), found)
+
+
+def areas_text(found: Sequence[Impact], label: Quantity = LABEL) -> str:
+    """Delaminated area of each interface at the end."""
+    headings = [f"interface {number} [mm2]" for number in found[-1].interfaces]
+    rows = [[label.cell(one), *(f"{it:.0f}" for it in one.interfaces.values())] for one in found]
+    return table((label.heading, *headings), rows)
+
+
+def parts_of(case: Case) -> int:
+    """How many parts like that of the model make the whole plate."""
+    return round(1.0 / case.model.share)
+
+
+def core_size(case: Case) -> float:
+    """The size of the quads in the core, mm."""
+    return case.model.mesh.core / case.model.mesh.n
+
+
+def mesh_words(case: Case) -> str:
+    """The number of quads and the size of those in the core."""
+    mesh = case.model.mesh
+    quads = mesh.n**2 + 4 * mesh.n * mesh.rings
+    share = "a quarter of " if mesh.quarter else ""
+    return f"{share}{quads} Q9, {core_size(case):.3g} mm in the core"
 
 
 def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:
@@ -125,11 +148,9 @@ def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:
     return history["time"], running_mean(history["time"], history["force"], WINDOW)
 
 
-def read_answer(results: Results, parts: int = 1) -> Answer:
-    """Read the answer off a run; areas are those at its end.
-
-    A run of one of several equal parts, such as a quarter of a disc, counts as often as there are.
-    """
+def read_impact(run: Run) -> Impact:
+    """Read what a run came to; that of a part counts as often as there are parts."""
+    parts, results = parts_of(run.case), run.results
     time, force = mean_force(results)
     force = parts * force
     history, energy = results.impactor(), results.energy()
@@ -137,11 +158,11 @@ def read_answer(results: Results, parts: int = 1) -> Answer:
     over = end < time[-1]
     peak = int(np.argmax(force))
     areas = results.delamination() if results.has("delamination") else None
-    each = None
-    if areas is not None:
-        each = parts * np.sum([areas[name] for name in area_columns(areas).values()], 0)
-    began = None if each is None or each[-1] < BEGUN else areas["time"][np.argmax(each >= BEGUN)]
-    return Answer(
+    columns = {} if areas is None else dict(sorted(area_columns(areas).items()))
+    each = parts * np.sum([areas[name] for name in columns.values()], 0) if columns else [0.0]
+    began = areas["time"][np.argmax(each >= BEGUN)] if each[-1] >= BEGUN else None
+    return Impact(
+        run,
         peak=float(force[peak]),
         peak_time=float(time[peak]),
         threshold=None if began is None else float(np.interp(began, time, force)),
@@ -149,42 +170,33 @@ def read_answer(results: Results, parts: int = 1) -> Answer:
         displacement=float(np.abs(history["displacement"]).max()),
         absorbed=parts * float(np.interp(end, time, history["absorbed"])) if over else None,
         projected=0.0 if areas is None else parts * float(areas["projected area"][-1]),
-        total=0.0 if each is None else float(each[-1]),
-        taken={name: parts * float(taken[-1]) for name, taken in mechanisms(energy).items()},
+        interfaces={number: parts * areas[name][-1] for number, name in columns.items()},
+        dissipated={name: parts * float(taken[-1]) for name, taken in mechanisms(energy).items()},
         error=float(np.abs(energy["error"]).max()),
     )
 
 
-def answers_text(rows: Sequence[tuple[str, Answer]]) -> str:
-    """A table of answers, one row for each name."""
-    return table(("model", *HEADINGS), [[name, *answer.cells()] for name, answer in rows])
+def draw_forces(
+    runs: Sequence[Run],
+    path: Path,
+    tests: Sequence[Path] = (),
+    label: Callable[[Case], str] = lambda case: case.label,
+) -> list[Path]:
+    """Contact force of runs over time and over displacement, tests laid over."""
+    curves = [
+        Curve(label(run.case), whole_force(run.results.impactor(), parts_of(run.case)))
+        for run in runs
+    ]
+    curves += [curve for curve in curves_of([], tests) if curve.measured]
+    made = []
+    for across, ending in (("time", ""), ("displacement", "_displacement")):
+        shown = [one for one in curves if {across, "force"} <= set(one.table.names)]
+        file = path.with_name(f"{path.stem}{ending}{path.suffix}")
+        made.append(draw_history(shown, across, "force", file))
+    return made
 
 
-def areas_text(found: Sequence[tuple[str, Results]], parts: int = 1) -> str:
-    """Delaminated area of each interface at the end in mm2, one row for each run of equal parts."""
-    rows, numbers = [], []
-    for name, results in found:
-        areas = results.delamination()
-        columns = area_columns(areas)
-        numbers = sorted(columns)
-        rows.append([name, *(f"{parts * areas[columns[one]][-1]:.0f}" for one in numbers)])
-    return table(("model", *(f"interface {one} [mm2]" for one in numbers)), rows)
-
-
-def mesh_words(recipe: Path, overrides: Sequence[str]) -> str:
-    """The number of quads and the size of those in the core."""
-    mesh = load_recipe(recipe, overrides).mesh
-    quads = mesh.n**2 + 4 * mesh.n * mesh.rings
-    share = "a quarter of " if mesh.quarter else ""
-    return f"{share}{quads} Q9, {mesh.core / mesh.n:.3g} mm in the core"
-
-
-def parts_of(recipe: Path, overrides: Sequence[str]) -> int:
-    """How many parts like that of the recipe make the whole."""
-    return round(1.0 / load_recipe(recipe, overrides).share)
-
-
-def core_size(recipe: Path, overrides: Sequence[str]) -> float:
-    """The size of the quads in the core, mm."""
-    mesh = load_recipe(recipe, overrides).mesh
-    return mesh.core / mesh.n
+def whole_force(history: Table, parts: int) -> Table:
+    """A history with the force on all of some equal parts of the plate."""
+    factors = [parts if name == "force" else 1 for name in history.names]
+    return replace(history, values=history.values * np.array(factors))

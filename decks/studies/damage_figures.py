@@ -1,81 +1,73 @@
-"""Figures of the damage impact: forces over each other, and what refinement changes."""
+"""The paper's figures 11 to 14: forces of the damage impact, damaged plies and interfaces."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Annotated
 
-import numpy as np
-from plydyn_post.figures import Curve, curves_of, draw_history
+import typer
+from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results
-from plydyn_post.style import WIDE, figure, look_of, save
-from plydyn_post.table import Table
+from plydyn_post.section import draw_section
 
-from studies.damage import Answer
+from runner.cases import Run, made_by
+from runner.commands import Study, command
+from runner.pages import Page, Section
+from studies import damage
 
-
-def draw_forces(
-    found: Sequence[tuple[str, Results]],
-    tests: Sequence[Path],
-    folder: Path,
-    name: str,
-    parts: int = 1,
-) -> list[Path]:
-    """Contact force of models over time and over displacement, tests laid over.
-
-    Each run is of one of some equal parts of the plate.
-    """
-    curves = [Curve(label, whole_force(results.impactor(), parts)) for label, results in found]
-    curves += [curve for curve in curves_of([], tests) if curve.measured]
-    made = []
-    for across, ending in (("time", ""), ("displacement", "_displacement")):
-        shown = [one for one in curves if {across, "force"} <= set(one.table.names)]
-        made.append(draw_history(shown, across, "force", folder / f"{name}{ending}.png"))
-    return made
+Tests = Annotated[
+    list[Path] | None, typer.Option("--test", help="CSV of a test to lay over the forces.")
+]
 
 
-def whole_force(history: Table, parts: int) -> Table:
-    """A history with the force on all of some equal parts of the plate."""
-    factors = [parts if name == "force" else 1 for name in history.names]
-    return replace(history, values=history.values * np.array(factors))
+@command(folder="damage")
+def figure11(tests: Tests = None) -> Study:
+    """Meshes of the damage impact: 132, 192 and 260 Q9 with LE2 over each other."""
+    return _forces("figure11", [model for model in damage.MODELS if model.order == 2], tests)
 
 
-def draw_refinement(found: Sequence[tuple[float, Answer]], path: Path) -> Path:
-    """Peak force, areas and energies over the size of the quads in the core."""
-    size = np.array([one for one, _ in found])
-    answers = [answer for _, answer in found]
-    with figure(1, 3, size=(WIDE, 2.7)) as (made, (force, area, energy)):
-        _plot(force, size, {"peak": [one.peak for one in answers]})
-        force.set_ylabel("Force, 20 µs mean [N]")
-        _plot(
-            area,
-            size,
-            {
-                "projected": [one.projected for one in answers],
-                "all interfaces": [one.total for one in answers],
-            },
-        )
-        area.set_ylabel("Delaminated area [mm²]")
-        names = {"delamination": "delamination", "matrix damage": "matrix",
-                 "ply plasticity": "shear", "fibre damage": "fibres"}  # fmt: skip
-        _plot(
-            energy,
-            size,
-            {
-                words: [one.taken.get(name, 0.0) / 1e3 for one in answers]
-                for name, words in names.items()
-            },
-        )
-        energy.set_ylabel("Dissipated energy [J]")
-        for axes in (force, area, energy):
-            axes.set_xlabel("Quads of the core [mm]")
-            axes.set_ylim(bottom=0.0)
-            axes.set_xlim(left=0.0)
-            axes.legend(fontsize=7)
-        return save(made, path)
+@command(folder="damage")
+def figure12(tests: Tests = None) -> Study:
+    """Orders of the damage impact: 192 Q9 with LE1, LE2 and LE3 over each other."""
+    return _forces("figure12", [model for model in damage.MODELS if model.quads == 192], tests)
 
 
-def _plot(axes: object, size: np.ndarray, values: dict[str, list[float]]) -> None:
-    for place, (label, numbers) in enumerate(values.items()):
-        axes.plot(size, numbers, marker="o", markersize=3.5, label=label, **look_of(place))
+@command(folder="damage")
+def figure13() -> Study:
+    """Damage of the plies after the impact, 192 Q9 with LE3, and a cut."""
+    return _maps({"figure13": draw_ply_maps, "figure13_section": draw_section})
+
+
+@command(folder="damage")
+def figure14() -> Study:
+    """Delamination of each interface after the impact, 192 Q9 with LE3, and a scan of all."""
+    return _maps({"figure14": draw_delamination, "figure14_scan": draw_cscan})
+
+
+def _forces(name: str, models: Sequence[damage.DamageCase], tests: Sequence[Path] | None) -> Study:
+    """Forces of models over each other, and what the impacts come to."""
+
+    def report(runs: list[Run], folder: Path) -> list[Page]:
+        found = [damage.read_impact(run) for run in runs]
+        text = f"{damage.impacts_text(found)}\n{made_by(runs)}"
+        sections = [
+            Section(name.capitalize(), text, name),
+            Section("Areas", damage.areas_text(found)),
+        ]
+        return [Page(name, sections, damage.draw_forces(runs, folder / f"{name}.png", tests or ()))]
+
+    return Study(models, report, needs_all=True)
+
+
+def _maps(drawings: dict[str, Callable[[Results, Path], Path]]) -> Study:
+    """Figures of the model with the most unknowns on 192 Q9."""
+
+    def report(runs: list[Run], folder: Path) -> list[Page]:
+        results = runs[0].results
+        made = [draw(results, folder / f"{name}.png") for name, draw in drawings.items()]
+        return [Page("maps", figures=made)]
+
+    models = [model for model in damage.MODELS if (model.quads, model.order) == (192, 3)]
+    return Study(models, report, needs_all=True)

@@ -1,11 +1,12 @@
-"""Differences of histories and of profiles, as shares of what they are measured against."""
+"""Differences of histories and of profiles, as shares of what they are compared with."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
-from plydyn_post.curves import running_mean
+from plydyn_post.curves import Numbers, read_numbers, running_mean
 from plydyn_post.profile import instants
 from plydyn_post.results import Results
 
@@ -18,7 +19,7 @@ PLACES = 12
 
 
 @dataclass(frozen=True)
-class Section:
+class Profiles:
     """A component of stress through the thickness over time."""
 
     times: np.ndarray  # (times,)
@@ -27,6 +28,13 @@ class Section:
     ends: np.ndarray  # (times, 2), at the bottom and the top
 
 
+@cache
+def impact_numbers(results: Results) -> Numbers:
+    """The numbers of an impact, read once."""
+    return read_numbers(results)
+
+
+@cache
 def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:
     """Times at equal distances, and the mean of the contact force around each."""
     table = results.impactor()
@@ -66,14 +74,14 @@ def peak_time(results: Results) -> float:
     return float(time[np.argmax(force)])
 
 
-def section(results: Results, number: int, component: str) -> Section:
+def read_component(results: Results, number: int, component: str) -> Profiles:
     """A component at the place of a profile, for all its instants."""
     table = results.profile(number)
     times, starts = instants(table)
     blocks = [slice(*ends) for ends in zip(starts[:-1], starts[1:], strict=True)]
     z, ply, values = table["z"], table["ply"], table[component]
     faces = [np.flatnonzero(np.diff(ply[block])) for block in blocks]
-    return Section(
+    return Profiles(
         times,
         np.array([_sampled(z[block], ply[block], values[block]) for block in blocks]),
         np.array(

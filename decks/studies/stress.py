@@ -1,4 +1,4 @@
-"""Stress through the thickness at the points of the paper's figures 4 and 5."""
+"""Stress through the thickness of the elastic plate: the paper's figures 4 and 5."""
 
 from __future__ import annotations
 
@@ -10,28 +10,55 @@ import numpy as np
 from plydyn_post.profile import INTERLAMINAR, draw_profiles, read_profiles
 from plydyn_post.results import Results
 
+from runner.cases import Case, Run
+from runner.commands import Study, command
+from runner.pages import Page, Quantity, Section, percent, tabulate
 from studies.differences import (
-    Section,
+    Profiles,
     block_at,
     norm_share,
     peak_share,
     peak_time,
     ply_means,
-    section,
+    read_component,
 )
-from studies.markdown import table
 
-#: Models of the paper's figures; the one that the others are measured against
+#: Models of the paper's figures; the one that the others are compared with
 MODELS, REFERENCE = ("le1", "le2", "le3", "3le1"), "le3"
+#: Fewer and smaller states than in the recipes, more profiles
+OUTPUTS = (
+    "outputs.field_interval=1.0",
+    "outputs.profiles=[{at=[48.0,48.0],interval=5.0e-6},{at=[40.0,40.0],interval=5.0e-6}]",
+)
 #: Number of the profile, its place, component: figures 4a, 4b and 5
 SHOWN = ((1, "(48, 48)", "sxx", "4a"), (1, "(48, 48)", "sxy", "4b"), (2, "(40, 40)", "syz", "5"))
-MICRO = 1e6
+#: Number of the profile, components and name of each picture
+FIGURES = ((1, ("sxx", "sxy"), "figure_4_at_48_48"), (2, ("sxz", "syz"), "figure_5_at_40_40"))
+
+
+@command()
+def profiles() -> Study:
+    """Stress through the thickness: the paper's figures 4 and 5 in numbers."""
+    cases = [Case(name, f"elastic_impact/{name}", common=OUTPUTS) for name in MODELS]
+    return Study(cases, _report, needs_all=True)
+
+
+def _report(runs: list[Run], folder: Path) -> list[Page]:
+    found = {run.case.name: run.results for run in runs}
+    time = peak_time(found[REFERENCE])
+    drawn = [
+        draw_profiles(read_profiles(found.values(), number, time), names, folder / f"{name}.png")
+        for number, names, name in FIGURES
+    ]
+    pictures = {f"elastic_{one.name}": one for one in drawn}
+    return [Page("profiles", [Section("Profiles", _text(found), "profiles")], drawn, pictures)]
 
 
 @dataclass(frozen=True)
 class Agreement:
-    """How a profile compares with that of the reference; shares of the reference's size."""
+    """How the profile of a run compares with that of the reference, as shares of its size."""
 
+    name: str
     largest: float  # difference at the instant, largest over largest
     size: float  # difference at the instant, root of squares
     whole: float  # difference over all instants, root of squares
@@ -41,13 +68,24 @@ class Agreement:
     peak: float  # largest stress at the instant
 
 
-def agreement(ours: Section, reference: Section, time: float) -> Agreement:
-    """Compare a profile with the reference at an instant and over all of them."""
+NAME = Quantity("model", lambda one: one.name.upper())
+PEAK = Quantity("largest [MPa]", lambda one: one.peak, ".4g")
+LARGEST = Quantity("largest difference", lambda one: percent(one.largest))
+SIZE = Quantity("relative L2", lambda one: percent(one.size))
+WHOLE = Quantity("over the run", lambda one: percent(one.whole))
+MEANS = Quantity("means of plies, L2", lambda one: percent(one.means))
+JUMP = Quantity("largest jump between plies", lambda one: percent(one.jump))
+END = Quantity("on the free faces", lambda one: percent(one.end))
+
+
+def agreement(name: str, ours: Profiles, reference: Profiles, time: float) -> Agreement:
+    """Compare profiles with those of the reference at an instant and over all of them."""
     rows = min(len(ours.times), len(reference.times))
     gap = ours.values[:rows] - reference.values[:rows]
     k = block_at(reference.times[:rows], time)
     largest = float(np.max(np.abs(reference.values[k])))
     return Agreement(
+        name,
         largest=peak_share(gap[k], reference.values[k]),
         size=norm_share(gap[k], reference.values[k]),
         whole=norm_share(gap, reference.values[:rows]),
@@ -59,57 +97,28 @@ def agreement(ours: Section, reference: Section, time: float) -> Agreement:
 
 
 def agreements(
-    jobs: dict[str, Results], reference: str, number: int, component: str
-) -> dict[str, Agreement]:
-    """The comparison of all jobs with one of them, at the peak of its mean force."""
-    base = section(jobs[reference], number, component)
-    time = peak_time(jobs[reference])
-    return {
-        name: agreement(section(job, number, component), base, time) for name, job in jobs.items()
-    }
+    found: dict[str, Results], reference: str, number: int, component: str
+) -> list[Agreement]:
+    """The comparison of all results with one of them, at the peak of its mean force."""
+    base, time = read_component(found[reference], number, component), peak_time(found[reference])
+    return [
+        agreement(name, read_component(results, number, component), base, time)
+        for name, results in found.items()
+    ]
 
 
-def stress_text(jobs: dict[str, Results]) -> str:
-    """One table for each of the figures."""
-    name, time = REFERENCE.upper(), peak_time(jobs[REFERENCE])
-    first = (
-        f"At {time * MICRO:.0f} µs, the peak of the 20 µs mean of the contact force of {name}."
+def _text(found: dict[str, Results]) -> str:
+    """One table for each of the figures; jumps only of components that should have none."""
+    name, time = REFERENCE.upper(), peak_time(found[REFERENCE])
+    parts = [
+        f"At {1e6 * time:.0f} µs, the peak of the 20 µs mean of the contact force of {name}."
         f" Differences are to {name}: the largest as a share of its largest stress, relative L2 as"
         " a share of its size through the thickness, or through the thickness and all instants.\n"
-    )
-    parts = [first]
-    for number, place, component, figure in SHOWN:
-        parts.append(f"Figure {figure}, `{component}` at {place}:\n")
-        found = agreements(jobs, REFERENCE, number, component)
-        parts.append(_table(found, component in INTERLAMINAR))
-    return "\n".join(parts)
-
-
-def _table(found: dict[str, Agreement], continuous: bool) -> str:
-    """Differences; jumps only of a component that should have none."""
-    headings = ["model", "largest [MPa]", "largest difference", "relative L2", "over the run"]
-    headings += ["means of plies, L2"]
-    if continuous:
-        headings += ["largest jump between plies", "on the free faces"]
-    rows = []
-    for name, one in found.items():
-        shares = [one.largest, one.size, one.whole, one.means]
-        shares += [one.jump, one.end] if continuous else []
-        rows.append([name.upper(), f"{one.peak:.4g}", *map(percent, shares)])
-    return table(headings, rows)
-
-
-def percent(share: float) -> str:
-    """A share in print."""
-    return f"{100.0 * share:.1f} %"
-
-
-def draw_stress(jobs: Sequence[Results], folder: Path) -> list[Path]:
-    """The paper's figures 4 and 5, all models at the same instant."""
-    reference = next(job for job in jobs if job.job == REFERENCE)
-    time = peak_time(reference)
-    groups = ((1, ("sxx", "sxy"), "figure_4_at_48_48"), (2, ("sxz", "syz"), "figure_5_at_40_40"))
-    return [
-        draw_profiles(read_profiles(jobs, number, time), components, folder / f"{name}.png")
-        for number, components, name in groups
     ]
+    for number, place, component, figure in SHOWN:
+        columns: Sequence[Quantity] = (NAME, PEAK, LARGEST, SIZE, WHOLE, MEANS)
+        if component in INTERLAMINAR:
+            columns = (*columns, JUMP, END)
+        parts.append(f"Figure {figure}, `{component}` at {place}:\n")
+        parts.append(tabulate(columns, agreements(found, REFERENCE, number, component)))
+    return "\n".join(parts)

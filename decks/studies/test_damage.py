@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from plydyn_post.results import Results, open_results
+from plydyn_post.results import open_results
 
-from studies.damage import answers_text, areas_text, read_answer
-from studies.damage_figures import whole_force
+from runner.cases import Case, Effort, Run
+from studies.damage import areas_text, impacts_text, read_impact, whole_force
 
 
 @pytest.fixture
-def run(tmp_path: Path) -> Results:
+def run(tmp_path: Path) -> Run:
     """A run whose force rises to 4 kN and falls back over 2 ms; delamination begins at 2 kN."""
     time = np.linspace(0.0, 3e-3, 3001)
     force = 4000.0 * np.maximum(0.0, 1.0 - np.abs(time - 1e-3) / 1e-3)
@@ -27,35 +28,37 @@ def run(tmp_path: Path) -> Results:
     (tmp_path / "job.delamination.csv").write_text(
         head + "0,0,0,0,0\n5e-4,1,0,1,1\n1e-3,60,40,100,70\n"
     )
-    return open_results(tmp_path / "job")
+    case = Case("job", "damage_impact/coarse", "one")
+    return Run(case, Effort(1.0, 1.0, 1.0, 3000, 1), open_results(tmp_path / "job"))
 
 
-def test_an_answer_is_read_off_the_histories_of_a_run(run: Results):
-    answer = read_answer(run)
+def test_an_impact_is_read_off_the_histories_of_a_run(run: Run):
+    impact = read_impact(run)
     # the mean of a peak over 20 microseconds lies a quarter of their slope below it
-    assert answer.peak == pytest.approx(4000.0 - 4e6 * 5e-6, rel=1e-6)
-    assert answer.peak_time == pytest.approx(1e-3)
-    assert answer.threshold == pytest.approx(2000.0, rel=1e-3)
-    assert answer.duration == pytest.approx(2e-3, rel=1e-2)
-    assert (answer.projected, answer.total) == (70.0, 100.0)
-    assert answer.taken == {"delamination": 900.0, "matrix damage": 100.0}
-    assert answer.absorbed == pytest.approx(2000.0, rel=1e-2)
-    (row,) = answers_text([("one", answer)]).splitlines()[2:]
+    assert impact.peak == pytest.approx(4000.0 - 4e6 * 5e-6, rel=1e-6)
+    assert impact.peak_time == pytest.approx(1e-3)
+    assert impact.threshold == pytest.approx(2000.0, rel=1e-3)
+    assert impact.duration == pytest.approx(2e-3, rel=1e-2)
+    assert (impact.projected, impact.total) == (70.0, 100.0)
+    assert impact.dissipated == {"delamination": 900.0, "matrix damage": 100.0}
+    assert impact.absorbed == pytest.approx(2000.0, rel=1e-2)
+    (row,) = impacts_text([impact]).splitlines()[2:]
     assert row.startswith("| one | 3980 | 1.00 | 2000 |")
-    head, _, row = areas_text([("one", run)]).splitlines()
+    head, _, row = areas_text([impact]).splitlines()
     assert head == "| model | interface 1 [mm2] | interface 2 [mm2] |"
     assert row == "| one | 60 | 40 |"
 
 
-def test_one_of_four_parts_counts_four_times(run: Results):
-    answer, whole = read_answer(run), read_answer(run, 4)
-    assert (whole.peak, whole.threshold) == pytest.approx((4.0 * answer.peak, 8000.0), rel=1e-3)
+def test_one_of_four_parts_counts_four_times(run: Run):
+    impact = read_impact(run)
+    whole = read_impact(replace(run, case=Case("job", "damage_impact/quarter", "one")))
+    assert (whole.peak, whole.threshold) == pytest.approx((4.0 * impact.peak, 8000.0), rel=1e-3)
     assert (whole.projected, whole.total) == (280.0, 400.0)
-    assert whole.taken == {"delamination": 3600.0, "matrix damage": 400.0}
-    assert whole.absorbed == pytest.approx(4.0 * answer.absorbed)
-    assert (whole.duration, whole.displacement) == (answer.duration, answer.displacement)
-    assert areas_text([("one", run)], 4).endswith("| one | 240 | 160 |\n")
-    history = run.impactor()
+    assert whole.dissipated == {"delamination": 3600.0, "matrix damage": 400.0}
+    assert whole.absorbed == pytest.approx(4.0 * impact.absorbed)
+    assert (whole.duration, whole.displacement) == (impact.duration, impact.displacement)
+    assert areas_text([whole]).endswith("| one | 240 | 160 |\n")
+    history = run.results.impactor()
     forces = whole_force(history, 4)
     assert forces["force"] == pytest.approx(4.0 * history["force"])
     assert forces["time"] == pytest.approx(history["time"])

@@ -1,0 +1,149 @@
+"""Cases of a study, and the runs that are kept of them in a folder."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from plydyn_post.results import Results, open_results
+from plydyn_pre.recipe import load_recipe
+from plydyn_pre.study import Study as Model
+
+#: Top of the checkout
+ROOT = Path(__file__).resolve().parents[2]
+#: A process that had less than this share of its time on the processor was disturbed
+UNDISTURBED = 0.97
+
+
+class StudyError(Exception):
+    """Something that a study needs is missing or failed."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """A recipe with values replaced, under the name of its job.
+
+    What ``common`` replaces, ``--set`` may replace again; what ``varied`` replaces is what makes
+    this case, and stands.
+    """
+
+    name: str
+    recipe: str  # folder and name below decks, without ending
+    label: str = ""  # in tables and legends
+    varied: tuple[str, ...] = ()
+    common: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()  # by --set
+    threads: int = 1
+
+    @property
+    def path(self) -> Path:
+        """The file of the recipe."""
+        return ROOT / f"decks/{self.recipe}.toml"
+
+    @property
+    def overrides(self) -> tuple[str, ...]:
+        """All that is replaced in the recipe; the last one counts."""
+        return (*self.common, *self.given, *self.varied)
+
+    @cached_property
+    def model(self) -> Model:
+        """The model that the deck is made from."""
+        return load_recipe(self.path, self.overrides)
+
+
+@dataclass(frozen=True)
+class Effort:
+    """What a run took."""
+
+    wall: float  # s, from start to end of the process
+    processor: float  # s, of the process on the processor
+    loop: float  # s, of the time loop
+    steps: int
+    dofs: int
+
+    @property
+    def ns_per_dof_step(self) -> float:
+        """Time of the loop per degree of freedom and step, ns."""
+        return 1e9 * self.loop / (self.steps * self.dofs)
+
+    @property
+    def is_disturbed(self) -> bool:
+        """Whether the machine was busy with something else."""
+        return self.processor < UNDISTURBED * self.wall
+
+
+@dataclass(frozen=True)
+class Run:
+    """A case that has run, to its end or until it was asked to stop."""
+
+    case: Case
+    effort: Effort
+    results: Results
+
+    @property
+    def listing(self) -> str:
+        """The text of its listing."""
+        return _listing(self.results.folder, self.case).read_text(encoding="utf-8")
+
+
+def read_runs(cases: Sequence[Case], folder: Path) -> list[Run]:
+    """The runs of those cases that have run in a folder."""
+    return [
+        Run(case, effort, open_results(folder / case.name))
+        for case in cases
+        if (effort := read_effort(case, folder))
+    ]
+
+
+def read_effort(case: Case, folder: Path) -> Effort | None:
+    """What the run of a case took, nothing if there is none that came to a good end."""
+    kept, listing = effort_file(case, folder), _listing(folder, case)
+    if not (kept.is_file() and listing.is_file()):
+        return None
+    took = json.loads(kept.read_text(encoding="utf-8"))
+    text = listing.read_text(encoding="utf-8")
+
+    def number(pattern: str) -> str:
+        found = re.search(pattern, text)
+        if found is None:
+            raise StudyError(f"{listing} has no line like {pattern!r}")
+        return found[1]
+
+    return Effort(
+        took["wall"],
+        took["processor"],
+        loop=float(number(r"seconds\s+(\S+) in the loop")),
+        steps=int(number(r"cycle (\d+), time")),
+        dofs=int(number(r"degrees of freedom\s+(\d+)")),
+    )
+
+
+def effort_file(case: Case, folder: Path) -> Path:
+    """Where the times of a run are kept; there only after a good end."""
+    return folder / f"{case.name}.effort"
+
+
+def is_whole(case: Case, folder: Path, version: str) -> bool:
+    """Whether a build has run a case to its end."""
+    if read_effort(case, folder) is None:
+        return False
+    text = _listing(folder, case).read_text(encoding="utf-8")
+    return text.startswith(version) and "\nnormal end" in text
+
+
+def _listing(folder: Path, case: Case) -> Path:
+    return folder / f"{case.name}.out"
+
+
+def builds(runs: Sequence[Run], lines: int = 1) -> str:
+    """The builds that made some runs, by the first lines of their listings."""
+    return " and ".join(sorted({"; ".join(run.listing.splitlines()[:lines]) for run in runs}))
+
+
+def made_by(runs: Sequence[Run]) -> str:
+    """A sentence that names the builds which made some runs."""
+    return f"Made by {builds(runs)}.\n"

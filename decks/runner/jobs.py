@@ -1,0 +1,178 @@
+"""Jobs: the deck of a case, and its run by the solver, some at a time."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import groupby
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
+
+from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
+
+#: Exit codes of the solver at the end of a run, and where it was stopped on request
+GOOD = (0, 4)
+_DONE = re.compile(r"\s(\d+\.\d)%\s")
+console = Console(highlight=False)
+
+
+@dataclass(frozen=True)
+class Tools:
+    """The programs."""
+
+    pre: Path
+    solver: Path
+
+    @cached_property
+    def version(self) -> str:
+        """The first line of what the solver prints of its build."""
+        words = [self.solver, "--version"]
+        return subprocess.run(words, capture_output=True, text=True, check=True).stdout.split("\n")[
+            0
+        ]
+
+
+def find_tools(solver: Path | None = None) -> Tools:
+    """The programs of this checkout, else those on PATH."""
+    bins = (Path(sys.executable).parent, ROOT / ".venv/bin")
+    return Tools(
+        _program("plydyn-pre", bins), solver or _program("plydyn", (ROOT / "build/release",))
+    )
+
+
+def _program(name: str, folders: Sequence[Path]) -> Path:
+    """A program in one of some folders, else on PATH."""
+    for folder in folders:
+        if os.access(folder / name, os.X_OK):
+            return folder / name
+    found = shutil.which(name)
+    if found is None:
+        places = ", ".join(str(folder) for folder in folders)
+        raise StudyError(f"there is no {name} in {places} or on PATH; decks/quickstart.sh makes it")
+    return Path(found)
+
+
+def processor() -> str:
+    """Name of the processor, as lscpu prints it."""
+    try:
+        printed = subprocess.run(["lscpu"], capture_output=True, text=True, check=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        return "a processor without a name"
+    lines = dict(line.split(":", 1) for line in printed.splitlines() if ":" in line)
+    return lines.get("Model name", "a processor without a name").strip()
+
+
+@dataclass(frozen=True)
+class Queue:
+    """How cases are run: where, how many at a time, and on which core."""
+
+    tools: Tools
+    folder: Path
+    parallel: int = 1
+    again: bool = False  # also what the same build has run to its end already
+    core: int | None = None  # any without a number
+
+    def run(self, cases: Sequence[Case]) -> list[str]:
+        """Run all cases, those of several threads alone; gives what went wrong with any."""
+        failed: list[str] = []
+        columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
+        columns += (TextColumn("{task.description}"),)
+        with Progress(*columns, console=console, transient=True) as bars:
+            whole = bars.add_task("all", total=len(cases))
+
+            def work(case: Case) -> None:
+                try:
+                    self._run_case(case, bars)
+                except StudyError as error:
+                    failed.append(str(error))
+                bars.advance(whole)
+
+            for threads, group in groupby(cases, key=lambda case: case.threads):
+                at_once = min(self.parallel, os.cpu_count() or 1) if threads == 1 else 1
+                _run_group(work, list(group), at_once)
+        return failed
+
+    def _run_case(self, case: Case, bars: Progress) -> None:
+        """Make the deck of a case, and run it unless that has been done."""
+        deck, same = make_deck(self.tools, case, self.folder)
+        if same and not self.again and is_whole(case, self.folder, self.tools.version):
+            return
+        bar = bars.add_task(case.name, total=1.0)
+        try:
+            wall = self._solve(case, deck, lambda share: bars.update(bar, completed=share))
+        finally:
+            bars.remove_task(bar)
+        console.print(f"{case.name}: {wall:.0f} s", markup=False)
+
+    def _solve(self, case: Case, deck: Path, tick: Callable[[float], None]) -> float:
+        """Run a deck and keep what it took; gives the wall time."""
+        words = [self.tools.solver, "run", deck, "-j", case.name, "-o", self.folder]
+        words.append(f"ncpu={case.threads}")
+        if self.core is not None and shutil.which("taskset"):
+            words = ["taskset", "-c", str(self.core), *words]
+        kept = effort_file(case, self.folder)
+        kept.unlink(missing_ok=True)
+        start = time.perf_counter()
+        with subprocess.Popen(
+            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        ) as process:
+            last = _follow(process, self.folder / f"{case.name}.screen", tick)
+            _, status, usage = os.wait4(process.pid, 0)
+            wall = time.perf_counter() - start
+            process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode not in GOOD:
+            code = process.returncode
+            raise StudyError(f"{case.name}: the solver left with {code}: {last.strip()}")
+        took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
+        kept.write_text(json.dumps(took), encoding="utf-8")
+        return wall
+
+
+def _run_group(work: Callable[[Case], None], cases: Sequence[Case], at_once: int) -> None:
+    """Run cases, some at a time; an interrupt leaves out those that have not begun."""
+    with ThreadPoolExecutor(at_once) as pool:
+        try:
+            for _ in pool.map(work, cases):
+                pass
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+
+
+def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
+    """Write the deck of a case; gives also whether the same one was there already."""
+    folder.mkdir(parents=True, exist_ok=True)
+    deck = folder / f"{case.name}.k"
+    before = deck.read_bytes() if deck.is_file() else b""
+    replaced = [word for override in case.overrides for word in ("--set", override)]
+    words = [tools.pre, "deck", case.path, "-o", deck, *replaced]
+    made = subprocess.run(words, capture_output=True, text=True, check=False)
+    if made.returncode:
+        raise StudyError(f"{case.name}: {made.stderr.strip() or made.stdout.strip()}")
+    same = deck.read_bytes() == before
+    if not same:
+        effort_file(case, folder).unlink(missing_ok=True)
+    return deck, same
+
+
+def _follow(process: subprocess.Popen[str], log: Path, tick: Callable[[float], None]) -> str:
+    """Keep what a process prints, and report the share that is done; gives its last line."""
+    last = ""
+    with log.open("w", buffering=1, encoding="utf-8") as file:
+        for line in process.stdout or ():
+            last = line
+            file.write(line)
+            if found := _DONE.search(line):
+                tick(float(found[1]) / 100.0)
+    return last

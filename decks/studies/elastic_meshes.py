@@ -1,0 +1,300 @@
+"""The elastic impact on finer and finer meshes, with both contact discretisations and orders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from matplotlib.axes import Axes
+from plydyn_post.profile import draw_profiles, read_profiles
+from plydyn_post.results import Results
+from plydyn_post.style import COLOURS, WIDE, figure, legend_above, look_of, save
+
+from runner.cases import ROOT, Case, Run, StudyError
+from runner.commands import Study, command
+from runner.pages import Page, Quantity, Section, percent, table, tabulate
+from studies.differences import (
+    PLATEAU,
+    force_difference,
+    impact_numbers,
+    mean_force,
+    peak_time,
+    velocity_difference,
+)
+from studies.stress import JUMP, LARGEST, MEANS, OUTPUTS, SIZE, WHOLE, agreements
+
+FOLDER = "elastic_impact_ladder"
+#: Meshes without a recipe of their own: name, and what is replaced in the recipe of n4
+EXTRA = {
+    "n16": ("mesh.n=16", "mesh.rings=8"),
+    "n24": ("mesh.n=24", "mesh.rings=12"),
+    **{
+        f"c8_n{n}": ("mesh.core=8", f"mesh.n={n}", f"mesh.rings={n}", "mesh.grading=4")
+        for n in (4, 8, 12, 16)
+    },
+}
+#: Where contact is looked for, with its words in figures
+CONTACTS = {"nodes": "nodes on the impactor", "points": "points of the plate"}
+#: The order that meshes are compared with; orders are compared on meshes up to some quads
+ORDER, MOST_QUADS = 2, 450
+
+
+@dataclass(frozen=True)
+class MeshCase(Case):
+    """A mesh with a contact discretisation and an order."""
+
+    mesh: str = ""
+    contact: str = "nodes"
+    order: int = ORDER
+
+    @property
+    def core(self) -> float:
+        """Side of the core, mm."""
+        return self.model.mesh.core
+
+    @property
+    def quads(self) -> int:
+        """All quads."""
+        return self.model.mesh.n**2 + 4 * self.model.mesh.n * self.model.mesh.rings
+
+    @property
+    def spacing(self) -> float:
+        """Distance of the points of the plate in the core, mm."""
+        return self.core / (2 * self.model.mesh.n)
+
+
+@command()
+def converge(
+    orders: Annotated[str, typer.Option(help="Orders through a ply.")] = "1,2,3",
+) -> Study:
+    """Finer meshes, both contact discretisations and orders; takes about an hour."""
+    wanted = sorted(int(order) for order in orders.split(","))
+    if ORDER not in wanted:
+        raise StudyError(f"meshes are compared with order {ORDER}; --orders must name it")
+    return Study(mesh_cases(wanted), lambda runs, folder: _report(runs, wanted, folder), True)
+
+
+def mesh_cases(orders: Sequence[int]) -> list[MeshCase]:
+    """All cases, those with a large core first; other orders on the smaller meshes only."""
+    found = []
+    for contact in CONTACTS:
+        ending = f"_{contact}.toml"
+        own = {path.name.removesuffix(ending) for path in _recipes().glob(f"*{ending}")}
+        meshes = {name: (name, ()) for name in sorted(own)}
+        meshes |= {name: ("n4", mesh) for name, mesh in EXTRA.items() if name not in own}
+        found += [
+            MeshCase(
+                f"{name}_{contact}_le{order}",
+                f"{FOLDER}/{recipe}_{contact}",
+                varied=(*mesh, f"laminate.order={order}"),
+                common=OUTPUTS,
+                mesh=name,
+                contact=contact,
+                order=order,
+            )
+            for name, (recipe, mesh) in meshes.items()
+            for order in orders
+        ]
+    chosen = [one for one in found if one.order == ORDER or one.quads <= MOST_QUADS]
+    return sorted(
+        chosen, key=lambda one: (-one.core, -one.spacing, one.contact != "nodes", one.order)
+    )
+
+
+def _recipes() -> Path:
+    return ROOT / "decks" / FOLDER
+
+
+def pick(
+    runs: Sequence[Run], mesh: str | None = None, contact: str | None = None, order: int = ORDER
+) -> list[Run]:
+    """Those of a mesh, of a contact discretisation, and of an order."""
+    return [
+        run
+        for run in runs
+        if run.case.order == order
+        and mesh in (None, run.case.mesh)
+        and contact in (None, run.case.contact)
+    ]
+
+
+def meshes_of(runs: Sequence[Run], orders: Sequence[int] = (ORDER,)) -> list[str]:
+    """The meshes that were run with some orders."""
+    found = dict.fromkeys(run.case.mesh for run in runs)
+    return [mesh for mesh in found if all(pick(runs, mesh, order=order) for order in orders)]
+
+
+def _report(runs: list[Run], orders: Sequence[int], folder: Path) -> list[Page]:
+    sections = [
+        Section("Numbers", tabulate(NUMBERS, pick(runs)), "numbers"),
+        Section("Meshes and contact", _meshes_text(runs), "meshes and contact"),
+        Section("Orders", _orders_text(runs, orders), "orders"),
+    ]
+    return [Page("converge", sections, _draw(runs, orders, folder))]
+
+
+def _rebound(run: Run) -> str:
+    speed = impact_numbers(run.results).rebound_velocity
+    return "in contact" if speed is None else f"{1e-3 * speed:.3f}"
+
+
+def _plateau(run: Run) -> float:
+    time, force = mean_force(run.results)
+    return force[time < PLATEAU].max()
+
+
+#: What an analyst reads off each run
+NUMBERS = (
+    Quantity("mesh and contact", lambda run: f"{run.case.mesh}_{run.case.contact}"),
+    Quantity("quads", lambda run: run.case.quads, ","),
+    Quantity("DOF", lambda run: run.effort.dofs, ","),
+    Quantity("points apart [mm]", lambda run: run.case.spacing, ".3g"),
+    Quantity("most in contact", lambda run: run.results.impactor()["contacts"].max(), ".0f"),
+    Quantity("peak force, raw [N]", lambda run: impact_numbers(run.results).peak_force, ".0f"),
+    Quantity("20 µs mean [N]", lambda run: mean_force(run.results)[1].max(), ".0f"),
+    Quantity("first plateau [N]", _plateau, ".0f"),
+    Quantity("duration [ms]", lambda run: impact_numbers(run.results).contact_duration, ".3f", 1e3),
+    Quantity(
+        "displacement [mm]", lambda run: impact_numbers(run.results).largest_displacement, ".3f"
+    ),
+    Quantity("rebound [m/s]", _rebound),
+    Quantity(
+        "energy error [-]", lambda run: impact_numbers(run.results).energy_error or 0.0, ".0e"
+    ),
+)
+
+
+def _meshes_text(runs: Sequence[Run]) -> str:
+    """Differences to the finest run, and between both contact discretisations on each mesh."""
+    finest = pick(runs)[-1]
+    headings = [f"mesh; to {finest.case.mesh}_{finest.case.contact}", "points apart [mm]"]
+    for pair in (*CONTACTS, "points to nodes"):
+        headings += [f"{pair}: force", "first contact", "velocity"]
+    rows = []
+    for mesh in meshes_of(runs):
+        nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
+        pairs = ((nodes, finest), (points, finest), (points, nodes))
+        texts = [text for ours, theirs in pairs for text in _differences(ours, theirs)]
+        rows.append([mesh, f"{nodes.case.spacing:.3g}", *texts])
+    return table(headings, rows)
+
+
+def _differences(one: Run, other: Run) -> list[str]:
+    """Differences in force over the run, over the first contact, and in velocity, in print."""
+    if one is other:
+        return ["0"] * 3
+    ours, theirs = one.results, other.results
+    shares = (
+        force_difference(ours, theirs),
+        force_difference(ours, theirs, first_end(theirs)),
+        velocity_difference(ours, theirs),
+    )
+    return [percent(share) for share in shares]
+
+
+def first_end(results: Results) -> float:
+    """The end of the contact during which the mean force is largest."""
+    time, force = mean_force(results)
+    peak = int(np.argmax(force))
+    silent = np.flatnonzero(force[peak:] <= 1e-3 * force[peak])
+    return float(time[peak + silent[0]]) if len(silent) else float(time[-1])
+
+
+def _orders_text(runs: Sequence[Run], orders: Sequence[int]) -> str:
+    """Differences of lower orders to the highest: force and velocity, and shear at (40, 40)."""
+    best = f"LE{max(orders)}"
+    shear = (LARGEST, SIZE, WHOLE, MEANS, JUMP)
+    headings = [f"mesh and contact; to {best}", "order", "force", "first contact", "velocity"]
+    headings += ["syz at (40, 40): largest", *(one.heading for one in shear[1:])]
+    rows = []
+    for mesh in meshes_of(runs, orders):
+        for contact in CONTACTS:
+            own = {f"LE{order}": pick(runs, mesh, contact, order)[0] for order in orders}
+            results = {name: run.results for name, run in own.items()}
+            for one in agreements(results, best, 2, "syz"):
+                cells = [*_differences(own[one.name], own[best]), *(it.cell(one) for it in shear)]
+                rows.append([f"{mesh}_{contact}", one.name, *cells])
+    return table(headings, rows)
+
+
+def _draw(runs: Sequence[Run], orders: Sequence[int], folder: Path) -> list[Path]:
+    """Forces over each other, differences over the mesh, and shear of the orders."""
+    cores = sorted({run.case.core for run in runs}, reverse=True)
+    meshes = {
+        f"{words}, core {core:g} mm": {
+            run.case.mesh: run for run in pick(runs, contact=contact) if run.case.core == core
+        }
+        for core in cores
+        for contact, words in CONTACTS.items()
+    }
+    contacts = {
+        f"{mesh}, points {pick(runs, mesh)[0].case.spacing:.2g} mm apart": {
+            words: pick(runs, mesh, contact)[0] for contact, words in CONTACTS.items()
+        }
+        for mesh in meshes_of(runs)
+    }
+    ends = meshes_of(runs, orders)
+    compared = {
+        f"{mesh}, {CONTACTS['nodes']}": {
+            f"LE{order}": pick(runs, mesh, "nodes", order)[0] for order in orders
+        }
+        for mesh in (ends[0], ends[-1])
+    }
+    finest = [pick(runs, ends[-1], "nodes", order)[0].results for order in orders]
+    shear = read_profiles(finest, 2, peak_time(finest[-1]))
+    return [
+        _draw_forces(meshes, 2, folder / "force_meshes.png"),
+        _draw_forces(contacts, 3, folder / "force_contacts.png"),
+        _draw_forces(compared, 2, folder / "force_orders.png"),
+        _draw_differences(runs, cores, folder / "differences.png"),
+        draw_profiles(shear, ("sxz", "syz"), folder / "shear_orders.png"),
+    ]
+
+
+def _draw_forces(panels: Mapping[str, Mapping[str, Run]], across: int, path: Path) -> Path:
+    """Mean forces over each other in panels with titles, some of them beside each other."""
+    rows = -(-len(panels) // across)
+    size, shares = (WIDE, 0.4 + 2.5 * rows), {"sharex": True, "sharey": True, "squeeze": False}
+    with figure(rows, across, size=size, **shares) as (made, grid):
+        for axes in grid.flat[len(panels) :]:
+            axes.set_visible(False)
+        for axes, (title, runs) in zip(grid.flat, panels.items(), strict=False):
+            for place, (label, run) in enumerate(runs.items()):
+                time, force = mean_force(run.results)
+                axes.plot(1e3 * time, force, label=label, **(look_of(place) | {"linewidth": 1.1}))
+            axes.set_title(title, fontsize=7.5, loc="left")
+            axes.set_xlabel("Time [ms]")
+            axes.margins(x=0.0)
+            axes.legend(fontsize=6, loc="upper right")
+            axes.label_outer()
+        made.supylabel("Contact force, 20 µs mean [N]", fontsize=9)
+        return save(made, path)
+
+
+def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -> Path:
+    """Differences of the mean force over the distance of points, a panel for each core."""
+    finest = pick(runs)[-1]
+    with figure(1, len(cores), size=(WIDE, 3.2), sharey=True, squeeze=False) as (made, grid):
+        for axes, core in zip(grid[0], cores, strict=True):
+            own = [run for run in pick(runs) if run.case.core == core]
+            for place, (contact, words) in enumerate(CONTACTS.items()):
+                pairs = [(one, finest) for one in pick(own, contact=contact) if one is not finest]
+                _plot_differences(axes, pairs, f"{words}, to the finest", place)
+            pairs = [tuple(pick(own, mesh)[:2]) for mesh in meshes_of(own)]
+            _plot_differences(axes, pairs, "one to the other on the same mesh", 2)
+            axes.set(xlabel="Distance of points in the core [mm]", ylim=(0.0, None))
+            axes.set_title(f"core {core:g} mm", fontsize=8.5, loc="left")
+            axes.set_xlim(left=0.0)
+        grid[0][0].set_ylabel("Force, relative L2 [%]")
+        legend_above(made, grid[0][0], longest=80)
+        return save(made, path)
+
+
+def _plot_differences(axes: Axes, pairs: Sequence[tuple[Run, Run]], label: str, place: int) -> None:
+    shares = [100.0 * force_difference(one.results, its.results) for one, its in pairs]
+    spacing = [one.case.spacing for one, _ in pairs]
+    axes.plot(spacing, shares, "os^"[place] + "-", label=label, color=COLOURS[place], markersize=4)
