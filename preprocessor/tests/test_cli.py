@@ -31,7 +31,24 @@ def test_a_deck_goes_where_it_is_told_with_the_values_it_is_told(
     result = run(tmp_path, "deck", decks / "elastic_impact" / "le2.toml", *words)
     assert result.returncode == 0
     assert "84 of 9 nodes" in result.stdout
-    assert (tmp_path / "other.k").exists()
+    title = (tmp_path / "other.k").read_text().split("*TITLE\n")[1].splitlines()[0]
+    assert title == (
+        "Elastic impact on a quasi-isotropic plate LE2; mesh.n=6 contact.method=points..."
+    )
+
+
+def test_a_deck_goes_into_a_folder_that_is_made(tmp_path: Path, decks: Path) -> None:
+    recipe = decks / "elastic_impact" / "le1.toml"
+    for output, path in (("new/", "new/le1.k"), ("new", "new/le1.k"), ("a/b/x.k", "a/b/x.k")):
+        assert run(tmp_path, "deck", recipe, "-o", output).returncode == 0
+        assert (tmp_path / path).is_file()
+        (tmp_path / path).unlink()
+    (tmp_path / "file").write_text("")
+    for output in ("file/", "file/x.k"):
+        result = run(tmp_path, "deck", recipe, "-o", output)
+        assert result.returncode == 2
+        assert "file cannot be made: " in result.stderr
+        assert "Traceback" not in result.stderr
 
 
 def test_a_mesh_tells_its_sizes_and_sets(tmp_path: Path, decks: Path) -> None:

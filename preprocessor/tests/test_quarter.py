@@ -17,12 +17,15 @@ CENTRE = (3.0, -2.0)
 DISC = pre.OgridDisc(diameter=20.0, core=8.0, n=4, rings=2, centre=CENTRE)
 
 
+LAMINATE = pre.Laminate("[0/90]s", 0.25, "carbon", order=1, interfaces="bond")
+
+
 def study_of(mesh: pre.OgridDisc) -> pre.Study:
     """A disc of four plies on bonds, hit in the middle."""
     return pre.Study(
         title="Disc",
         materials={"carbon": CARBON, "bond": BOND},
-        laminate=pre.Laminate("[0/90]s", 0.25, "carbon", order=1, interfaces="bond"),
+        laminate=LAMINATE,
         mesh=mesh,
         supports=(pre.Support("boundary"),),
         impactor=pre.Impactor(5.0, 4.0e-5, (0.0, 0.0, -2.0e4), gap=0.001, guided=True),
@@ -78,7 +81,7 @@ def test_the_deck_of_a_quarter_is_held_and_hit_as_a_quarter() -> None:
 @pytest.mark.parametrize(
     ("words", "changes"),
     [
-        ("0 and 90 only", {"laminate": pre.Laminate("[45/90]s", 0.25, "carbon")}),
+        ("0 and 90 only", {"laminate": replace(LAMINATE, layup="[45/90]s")}),
         ("hit along z", {"impactor": pre.Impactor(5.0, 4.0e-5, (1.0, 0.0, -2000.0))}),
         ("in the middle", {"impactor": pre.Impactor(5.0, 1e-5, (0.0, 0.0, -1.0), (4.0, -2.0))}),
         ("pressures", {"loads": (pre.FrameAcceleration(direction="x", value=1.0),)}),

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
 from rich.console import Console
@@ -19,6 +21,7 @@ from plydyn_pre.deck import deck_text, write_deck
 from plydyn_pre.errors import PreError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
+from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
 from plydyn_pre.study import Study, unused
 from plydyn_pre.version import VERSION
@@ -48,8 +51,15 @@ def main() -> None:
     try:
         app()
     except PreError as error:
-        err.print(Text("error: ", style="bold red") + Text(str(error)), soft_wrap=True)
-        sys.exit(INPUT_ERROR)
+        _fail(str(error))
+    except MemoryError:
+        _fail("the machine has too little memory for this mesh; take fewer quads")
+
+
+def _fail(words: str) -> NoReturn:
+    """Tell an error and end."""
+    err.print(Text("error: ", style="bold red") + Text(words), soft_wrap=True)
+    sys.exit(INPUT_ERROR)
 
 
 @app.callback(invoke_without_command=True)
@@ -66,14 +76,16 @@ def common(
 def deck(
     recipe: Recipe,
     output: Annotated[
-        Path | None,
-        typer.Option("-o", "--output", help="The deck; else the recipe's name with .k, here."),
+        str | None,
+        typer.Option(
+            "-o", "--output", help="The deck, or its folder with a /; else the recipe's name, here."
+        ),
     ] = None,
     overrides: Overrides = None,
 ) -> None:
     """Make a deck from a recipe."""
     study, mesh = _study_and_mesh(recipe, overrides)
-    path = output or Path(recipe.with_suffix(".k").name)
+    path = _deck_path(recipe, output)
     with blaming(recipe):
         write_deck(_with_progress(deck_text(study, mesh), mesh), path)
         _tell_counts(study, mesh)
@@ -128,6 +140,19 @@ def new(
     _tell("recipe", path)
 
 
+def _deck_path(recipe: Path, output: str | None) -> Path:
+    """Where the deck goes: its name, or that of the recipe in a folder; folders are made."""
+    name = recipe.with_suffix(".k").name
+    path = Path(output or name)
+    is_folder = bool(output) and (output.endswith(("/", os.sep)) or path.is_dir())
+    path = path / name if is_folder else path
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise PreError(f"{path.parent} cannot be made: {error.strerror}") from error
+    return path
+
+
 def _with_progress(pieces: Iterator[str], mesh: Mesh) -> Iterator[str]:
     """The pieces of a deck, with a bar on the screen where there is one."""
     lines = len(mesh.nodes) + len(mesh.quads)
@@ -156,6 +181,7 @@ def _waiting(words: str) -> Iterator[None]:
 def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, Mesh]:
     """Read a recipe and make its mesh."""
     study = load_recipe(recipe, overrides or [])
+    study = replace(study, title=title_with(study.title, overrides or []))
     for key in unused(study):
         err.print(f"note: {recipe}: {key} is never used", markup=False, soft_wrap=True)
     with _waiting("meshing"):

@@ -47,3 +47,17 @@ def require_positive(thing: object, *names: str) -> None:
     for name in names:
         value = getattr(thing, name)
         require(value > 0, name, f"{value!r} must be above zero")
+
+
+def require_not_negative(thing: object, *names: str) -> None:
+    """Raise an error about the first of some fields that is below zero."""
+    for name in names:
+        value = getattr(thing, name)
+        require(value >= 0, name, f"{value!r} must not be negative")
+
+
+def require_between(thing: object, low: float, high: float, *names: str) -> None:
+    """Raise an error about the first of some fields that is not from `low` to `high`."""
+    for name in names:
+        value = getattr(thing, name)
+        require(low <= value <= high, name, f"{value!r} must be from {low:g} to {high:g}")

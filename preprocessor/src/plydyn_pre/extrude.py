@@ -6,11 +6,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from plydyn_pre.errors import RecipeError
+from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.mesh.grid import Integers, Reals
 from plydyn_pre.study import Laminate, Study
 
+#: Nodes of a plate of bricks: its deck has some 1.6 GB
+_MOST_NODES = 10_000_000
 #: Corners of the four quads that a quad of nine nodes is divided into
 _QUARTERS = ((0, 4, 8, 7), (4, 1, 5, 8), (8, 5, 2, 6), (7, 8, 6, 3))
 
@@ -48,6 +50,10 @@ def extrude(study: Study, mesh: Mesh) -> Extrusion:
     if study.bricks is None:
         raise RecipeError("bricks", "missing")
     laminate = laminate_of_all(study, mesh)
+    levels = len(laminate.stack) * study.bricks.per_ply + 1
+    nodes = levels * len(mesh.nodes)
+    rule = f"{nodes:,} nodes would be made, at most {_MOST_NODES:,} can be; take fewer"
+    require(nodes <= _MOST_NODES, "bricks", rule)
     per_ply = study.bricks.per_ply
     steps = [ply.thickness / per_ply for ply in laminate.stack for _ in range(per_ply)]
     heights = laminate.bottom + np.concatenate([[0.0], np.cumsum(steps)])

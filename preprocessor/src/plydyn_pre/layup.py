@@ -24,6 +24,7 @@ _SIGNS = {"": (1,), "+": (1,), "-": (-1,), "−": (-1,)}
 _SIGNS |= {"±": (1, -1), "+-": (1, -1), "∓": (-1, 1), "-+": (-1, 1)}
 _LARGEST_ANGLE = 180.0
 _MOST_PLIES = 10_000
+_DEEPEST = 20  # groups within groups
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ def parse(notation: str) -> tuple[Ply, ...]:
     reader.expect("[", "a stacking sequence starts with [, as in [0/90]2s")
     plies = reader.sequence("]")
     repeat, mirror = reader.tail()
-    if len(plies) * repeat > _MOST_PLIES:
+    if len(plies) * repeat * (2 if mirror else 1) > _MOST_PLIES:
         raise LayupError(notation, len(notation), f"more than {_MOST_PLIES} plies")
     if reader.middle is not None and not mirror:
         reader.fail("~ marks the ply on the mid-plane: the sequence must end with s", reader.middle)
@@ -57,6 +58,7 @@ class _Reader:
         self.notation = notation
         self.at = 0
         self.middle: int | None = None  # where the ~ is
+        self.depth = 0  # groups around the present place
 
     def fail(self, message: str, at: int | None = None) -> NoReturn:
         """Raise an error at a place, the present one unless told."""
@@ -100,15 +102,25 @@ class _Reader:
     def item(self) -> list[Ply]:
         """Read a ply, or a group in parentheses, with its repeat."""
         if self.sees("("):
+            self.depth += 1
+            if self.depth > _DEEPEST:
+                self.fail(f"more than {_DEEPEST} groups within groups", self.at - 1)
             plies = self.sequence(")")
-            return plies * self.repeat(_GROUP_REPEAT)
-        plies = self.ply()
-        plies = plies * self.repeat(_PLY_REPEAT)
+            self.depth -= 1
+            return self.repeated(plies, _GROUP_REPEAT)
+        plies = self.repeated(self.ply(), _PLY_REPEAT)
         if self.sees("~"):
             self.middle = self.at - 1
             if len(plies) > 1:
                 self.fail("~ marks a single ply; write the others before it", self.middle)
         return plies
+
+    def repeated(self, plies: list[Ply], pattern: re.Pattern[str]) -> list[Ply]:
+        """Plies as often as what follows them says."""
+        count = self.repeat(pattern)
+        if len(plies) * count > _MOST_PLIES:
+            self.fail(f"more than {_MOST_PLIES} plies", self.at - 1)
+        return plies * count
 
     def repeat(self, pattern: re.Pattern[str]) -> int:
         """Read how often something is repeated."""

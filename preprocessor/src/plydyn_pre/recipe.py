@@ -3,26 +3,27 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from plydyn_pre.errors import RecipeError
+from plydyn_pre.files import is_file
+from plydyn_pre.overrides import with_overrides
 from plydyn_pre.study import Study
+from plydyn_pre.tables import Table, merged
 from plydyn_pre.typed import build
 
-Table = dict[str, Any]
+#: Bytes of a recipe
+_LARGEST = 16 << 20
 
 
 def load_recipe(path: Path, overrides: Iterable[str] = ()) -> Study:
-    """Read a recipe; each override, ``mesh.n=6`` for instance, has the last word."""
+    """Read a recipe; overrides such as ``mesh.n=6`` have the last word."""
     with blaming(path):
         table = _read(path, ())
-        for override in overrides:
-            table = merged(table, parse_override(override))
-        return build(Study, table)
+        return build(Study, with_overrides(table, overrides))
 
 
 @contextmanager
@@ -40,44 +41,14 @@ def example_recipe() -> str:
     return files("plydyn_pre").joinpath("example.toml").read_text(encoding="utf-8")
 
 
-def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> Table:
-    """One table on top of another: tables are merged, lists and values are replaced.
-
-    A table that names another `kind` replaces the one below as a whole.
-    """
-    result = dict(below)
-    for key, value in above.items():
-        under = result.get(key)
-        if isinstance(value, dict) and isinstance(under, dict) and not _differ(value, under):
-            value = merged(under, value)
-        result[key] = value
-    return result
-
-
-def parse_override(text: str) -> Table:
-    """A table from ``key.key=value``; a value that is not TOML is text."""
-    key, equals, value = text.partition("=")
-    if not equals or not key.strip():
-        raise RecipeError("", f"{text!r} is no override such as mesh.n=6")
-    for candidate in (value, f'"{value.strip()}"'):
-        try:
-            return tomllib.loads(f"{key} = {candidate}")
-        except tomllib.TOMLDecodeError:
-            continue
-    raise RecipeError("", f"{text!r} is no override such as mesh.n=6")
-
-
 def _read(path: Path, above: tuple[Path, ...]) -> Table:
     """The table of a recipe, on top of that of its base."""
+    if not is_file(path):
+        raise RecipeError("base" if above else "", f"there is no file {str(path)!r}")
     path = path.resolve()
     if path in above:
         raise RecipeError("base", f"{path.name} is based on itself")
-    try:
-        table = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise RecipeError("", f"{path} cannot be read: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise RecipeError("", f"{path.name} is not TOML: {error}") from error
+    table = _parse(path)
     _anchor(table, path.parent)
     base = table.pop("base", None)
     if base is None:
@@ -87,13 +58,24 @@ def _read(path: Path, above: tuple[Path, ...]) -> Table:
     return merged(_read(path.parent / base, (*above, path)), table)
 
 
+def _parse(path: Path) -> Table:
+    """The table of a file."""
+    try:
+        if path.stat().st_size > _LARGEST:
+            raise RecipeError("", f"{path.name} is larger than {_LARGEST >> 20} MB: no recipe")
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise RecipeError("", f"{path} cannot be read: {error.strerror}") from error
+    except ValueError as error:
+        if isinstance(error, RecipeError):
+            raise
+        raise RecipeError("", f"{path.name} is not TOML: {error}") from error
+    except RecursionError:
+        raise RecipeError("", f"{path.name} has lists or tables nested too deeply") from None
+
+
 def _anchor(table: Table, folder: Path) -> None:
     """Take the file of a mesh relative to the recipe that names it."""
     mesh = table.get("mesh")
     if isinstance(mesh, dict) and isinstance(mesh.get("file"), str):
         mesh["file"] = str(folder / mesh["file"])
-
-
-def _differ(above: Mapping[str, Any], below: Mapping[str, Any]) -> bool:
-    """Whether two tables are of different kinds."""
-    return "kind" in above and above["kind"] != below.get("kind")

@@ -13,6 +13,9 @@ from plydyn_pre.suggest import suggestion
 
 T = TypeVar("T")
 
+#: Sizes of numbers that a deck can hold, zero aside; whole numbers are those of four bytes
+_SMALLEST, _LARGEST, _LARGEST_WHOLE = 1e-100, 1e100, 2**31 - 1
+_LONGEST_SHOWN = 60  # characters of a wrong value that a message repeats
 _WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "text in quotes"}
 _WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
 
@@ -81,7 +84,7 @@ def _kind_of(choices: tuple[Any, ...], value: object, path: str) -> Any:  # noqa
     place, words = _join(path, "kind"), ", ".join(f'"{kind}"' for kind in kinds)
     if "kind" not in value:
         raise RecipeError(place, f"missing; one of {words} is needed")
-    if value["kind"] not in kinds:
+    if not isinstance(value["kind"], str) or value["kind"] not in kinds:
         raise RecipeError(place, f"{_shown(value['kind'])} was given, one of {words} is needed")
     return kinds[value["kind"]]
 
@@ -91,7 +94,7 @@ def _convert_word(words: tuple[Any, ...], value: object, path: str) -> object:
     if value not in words or isinstance(value, bool):
         known = ", ".join(f'"{word}"' if isinstance(word, str) else str(word) for word in words)
         raise RecipeError(path, f"{_shown(value)} was given, one of {known} is needed")
-    return value
+    return words[words.index(value)]
 
 
 def _convert_list(hints: tuple[Any, ...], value: object, path: str) -> tuple[Any, ...]:
@@ -114,6 +117,18 @@ def _expect(kind: type, value: object, path: str) -> None:
         raise RecipeError(path, f"{_shown(value)} was given, {_WORDS[kind]} is needed")
     if isinstance(value, float) and not isfinite(value):
         raise RecipeError(path, f"{value} was given, a finite number is needed")
+    if isinstance(value, int | float):
+        _expect_size(kind, value, path)
+
+
+def _expect_size(kind: type, value: float, path: str) -> None:
+    """Refuse a number that a deck cannot hold."""
+    if kind is int and abs(value) > _LARGEST_WHOLE:
+        rule = f"a whole number of at most {_LARGEST_WHOLE:,} in size is needed"
+        raise RecipeError(path, f"{_shown(value)} was given, {rule}")
+    if value != 0 and not _SMALLEST <= abs(value) <= _LARGEST:
+        rule = f"a number from {_SMALLEST:g} to {_LARGEST:g} in size, or 0, is needed"
+        raise RecipeError(path, f"{_shown(value)} was given, {rule}")
 
 
 def _is_required(field: Field[Any]) -> bool:
@@ -138,7 +153,10 @@ def _shown(value: object) -> str:
     """A value as it looks in a recipe."""
     if isinstance(value, bool):
         return str(value).lower()
-    return {dict: "a table", list: "a list"}.get(type(value), repr(value))
+    if isinstance(value, int) and abs(value) > _LARGEST:
+        return "a huge number"
+    text = {dict: "a table", list: "a list"}.get(type(value), repr(value))
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
 
 
 def _join(path: str, key: str) -> str:

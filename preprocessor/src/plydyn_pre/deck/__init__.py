@@ -8,6 +8,7 @@ from pathlib import Path
 
 from plydyn_pre.deck import bricks, conditions, control, grid, materials, plates
 from plydyn_pre.deck.names import Names
+from plydyn_pre.deck.places import check_places
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Study
@@ -19,6 +20,7 @@ __all__ = ["deck_text", "write_deck"]
 def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     """The deck in pieces, each of some lines without the last line's end."""
     names = Names(study, mesh)
+    check_places(names)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
     if study.bricks is not None:
         yield from bricks.brick_keywords(names)

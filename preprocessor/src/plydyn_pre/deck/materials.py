@@ -86,15 +86,16 @@ def _codam2_cards(names: Names, ply: PlyCodam2, mid: int) -> tuple[Card, ...]:
     strengths = ("XT", "XC", "YT", "YC", "SL", "ST")
     energies = {name.lower(): getattr(ply, name) for name in ("G1T", "G1C", "G2T", "G2C")}
     band = {"lstar": ply.width, "dmax": ply.largest_damage, "g2s": ply.G2S}
+    power = ply.shear == "ramberg_osgood"
     curve = {
         "shear": _SHEARS[ply.shear],
         "lcid": names.curve(ply.shear_curve),
-        "gamu": ply.shear_strain,
-        "alpha": ply.shear_coefficient,
-        "n": ply.shear_exponent,
+        "gamu": ply.shear_strain if ply.shear == "exponential" else 0.0,
+        "alpha": ply.shear_coefficient if power else 0.0,
+        "n": ply.shear_exponent if power else 0.0,
     }
     choices = {
-        "lrule": _WIDTHS[ply.width_rule],
+        "lrule": 0 if ply.width > 0.0 else _WIDTHS[ply.width_rule],
         "snap": _SNAPS[ply.snap_back],
         "rsnap": ply.snap_ratio,
         "mcomp": _COMPRESSIONS[ply.matrix_compression],

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from plydyn_pre.mesh.gmsh_file import GmshFile, mesh_gmsh_file
 from plydyn_pre.mesh.grid import Mesh, node_near
+from plydyn_pre.mesh.limits import refuse_slivers
 from plydyn_pre.mesh.ogrid import OgridDisc, OgridSquare, mesh_ogrid_disc, mesh_ogrid_square
 from plydyn_pre.mesh.quality import Quality, quality
 from plydyn_pre.mesh.rectangle import Rectangle, mesh_rectangle
@@ -34,4 +35,4 @@ __all__ = [
 
 def make_mesh(shape: Shape) -> Mesh:
     """Mesh a shape."""
-    return _MESHERS[type(shape)](shape)
+    return refuse_slivers(_MESHERS[type(shape)](shape))

@@ -8,6 +8,7 @@ from types import ModuleType
 from typing import ClassVar
 
 from plydyn_pre.errors import MeshError
+from plydyn_pre.files import is_file
 from plydyn_pre.mesh.grid import Mesh, with_centre
 from plydyn_pre.mesh.session import collect, generate, session
 
@@ -29,7 +30,7 @@ class GmshFile:
 
 def mesh_gmsh_file(shape: GmshFile) -> Mesh:
     """Read a mesh, or read a geometry and mesh it as it says itself."""
-    if not shape.file.is_file():
+    if not is_file(shape.file):
         raise MeshError(f"there is no file {shape.file}")
     with session() as gmsh:
         try:

@@ -11,6 +11,7 @@ import numpy as np
 from plydyn_pre.errors import require, require_positive
 from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
 from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
+from plydyn_pre.mesh.limits import require_few, require_grading
 from plydyn_pre.mesh.quarter import quarter_of
 from plydyn_pre.mesh.session import collect, generate, session
 
@@ -37,7 +38,9 @@ class OgridSquare:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
-        require_positive(self, "side", "core", "n", "rings", "grading")
+        require_positive(self, "side", "core", "n", "rings")
+        require_grading(self.grading)
+        require_few(self.n**2 + 4 * self.n * self.rings, "n")
         rule = f"{self.core:g} must be less than the side, {self.side:g}"
         require(self.core < self.side, "core", rule)
 
@@ -62,7 +65,9 @@ class OgridDisc:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
-        require_positive(self, "diameter", "core", "n", "rings", "grading")
+        require_positive(self, "diameter", "core", "n", "rings")
+        require_grading(self.grading)
+        require_few(self.n**2 + 4 * self.n * self.rings, "n")
         limit = self.diameter / np.sqrt(2.0)
         rule = f"{self.core:g} must be less than diameter / sqrt(2) = {limit:g}"
         require(self.core < limit, "core", rule)

@@ -10,6 +10,7 @@ import numpy as np
 from plydyn_pre.errors import require
 from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
 from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre
+from plydyn_pre.mesh.limits import require_few, require_grading
 from plydyn_pre.mesh.session import collect, generate, session
 
 
@@ -29,7 +30,8 @@ class Rectangle:
         """Refuse what cannot be meshed."""
         require(min(self.sides) > 0.0, "sides", f"{self.sides} must be above zero")
         require(min(self.quads) >= 1, "quads", f"{self.quads} must be 1 or more")
-        require(self.grading > 0.0, "grading", f"{self.grading} must be above zero")
+        require_few(self.quads[0] * self.quads[1], "quads")
+        require_grading(self.grading)
         even = all(count % 2 == 0 for count in self.quads)
         rule = f"{self.quads} must be even: a grading is finest on both sides of the middle"
         require(self.grading == 1.0 or even, "quads", rule)

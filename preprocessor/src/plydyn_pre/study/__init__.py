@@ -18,16 +18,14 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.joints import Cohesive, Joint, Springs
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
 from plydyn_pre.study.materials import (
-    Cohesive,
     Elastic,
-    Joint,
     Material,
     PlasticKinematic,
     PlyCodam2,
     PlyElastic,
-    Springs,
 )
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused

@@ -5,7 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from plydyn_pre.errors import require
+from plydyn_pre.errors import require, require_between
+
+_MOST_PER_PLY = 100
 
 
 @dataclass(frozen=True)
@@ -19,6 +21,6 @@ class Bricks:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be extruded."""
-        require(self.per_ply >= 1, "per_ply", f"{self.per_ply} must be 1 or more")
+        require_between(self, 1, _MOST_PER_PLY, "per_ply")
         share = 0.0 < self.coefficient <= 1.0
         require(share, "coefficient", f"{self.coefficient!r} must be above 0 and not above 1")

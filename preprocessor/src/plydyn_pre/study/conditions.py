@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import ClassVar, Literal
 
-from plydyn_pre.errors import require, require_positive
+from plydyn_pre.errors import require, require_not_negative, require_positive
 
 Direction = Literal["x", "y", "z"]
 Face = Literal["bottom", "top"]
@@ -77,7 +77,9 @@ class Impactor:
     def __post_init__(self) -> None:
         """Refuse what is no impactor."""
         require_positive(self, "radius", "mass")
-        require(self.gap >= 0.0, "gap", f"{self.gap!r} must not be negative")
+        require_not_negative(self, "gap")
+        straight = not self.guided or self.velocity[:2] == (0.0, 0.0)
+        require(straight, "velocity", "a guided impactor moves along z: [0.0, 0.0, ...]")
 
 
 @dataclass(frozen=True)
@@ -91,7 +93,7 @@ class Contact:
 
     def __post_init__(self) -> None:
         """Refuse a negative distance."""
-        require(self.spacing >= 0.0, "spacing", f"{self.spacing!r} must not be negative")
+        require_not_negative(self, "spacing")
 
 
 @dataclass(frozen=True)

@@ -5,7 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from plydyn_pre.errors import require, require_positive
+from plydyn_pre.errors import (
+    require,
+    require_between,
+    require_not_negative,
+    require_positive,
+)
+
+#: Points of a profile in a numerical layer
+_MOST_POINTS = 100
 
 Quantity = Literal[
     "displacement",
@@ -39,7 +47,7 @@ class Control:
     kinematics: Literal["linear", "total_lagrangian"] = "total_lagrangian"
     scheme: Literal["explicit", "implicit_interfaces", "implicit_thickness"] = "explicit"
     largest_step: float = 0.0  # time; 0 for none
-    step_factor: float = 0.9  # share of the stable step that is taken
+    step_factor: float | None = None  # share of the stable step; 0.8, or 0.9 where waves have room
     first_step: float = 0.0  # time; 0 for the stable one
     smallest_step: float = 0.0  # share of the first step at which the run stops; 0 for none
     step_curve: str = ""  # name of a curve of the largest step over time
@@ -50,12 +58,15 @@ class Control:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be run."""
+        if self.step_factor is None:
+            # waves through the plies need room with large displacement: 0.9 leaves little
+            roomy = self.kinematics == "linear" or self.scheme == "implicit_thickness"
+            object.__setattr__(self, "step_factor", 0.9 if roomy else 0.8)
         require_positive(self, "end_time", "step_factor", "energy_limit")
-        require(self.step_factor <= 1.0, "step_factor", f"{self.step_factor!r} must not be above 1")
-        share = 0.0 <= self.smallest_step <= 1.0
-        require(share, "smallest_step", f"{self.smallest_step!r} must be from 0 to 1")
-        for name in ("first_step", "largest_step", "damping", "end_cycle"):
-            require(getattr(self, name) >= 0, name, f"{getattr(self, name)!r} must not be negative")
+        rule = f"{self.step_factor!r} must not be above 1"
+        require(self.step_factor <= 1.0, "step_factor", rule)
+        require_between(self, 0.0, 1.0, "smallest_step")
+        require_not_negative(self, "first_step", "largest_step", "damping", "end_cycle")
 
 
 @dataclass(frozen=True)
@@ -68,8 +79,8 @@ class Profile:
 
     def __post_init__(self) -> None:
         """Refuse what cannot be written."""
-        require(self.points >= 2, "points", f"{self.points} must be 2 or more")
-        require(self.interval >= 0.0, "interval", f"{self.interval!r} must not be negative")
+        require_between(self, 2, _MOST_POINTS, "points")
+        require_not_negative(self, "interval")
 
 
 @dataclass(frozen=True)
@@ -77,7 +88,7 @@ class Outputs:
     """What to write, and the time between; what is absent is left to the solver."""
 
     field_interval: float | None = None
-    fields: tuple[Quantity, ...] = ()
+    fields: tuple[Quantity, ...] | None = None
     energy_interval: float | None = None
     impactor_interval: float | None = None
     node_interval: float | None = None
@@ -95,5 +106,7 @@ class Outputs:
             require(value is None or value > 0.0, f"{name}_interval", rule)
         rule = f"{self.restart_steps!r} must be above zero; leave it out for no restart files"
         require(self.restart_steps is None or self.restart_steps > 0, "restart_steps", rule)
+        rule = "empty; name a field, or leave the key out for the solver's own"
+        require(self.fields is None or len(self.fields) > 0, "fields", rule)
         both = bool(self.nodes) or self.node_interval is None
         require(both, "nodes", 'missing; name the node sets, such as nodes = ["centre"]')

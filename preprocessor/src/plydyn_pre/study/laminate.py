@@ -9,6 +9,7 @@ from plydyn_pre.errors import LayupError, RecipeError, require
 from plydyn_pre.layup import parse
 
 _HIGHEST_ORDER = 4
+_MOST_LAYERS = 100  # numerical layers in a ply
 
 
 @dataclass(frozen=True)
@@ -82,7 +83,8 @@ class Laminate:
 def _check_expansion(order: int, layers: int) -> None:
     """Refuse an expansion that there is not."""
     require(1 <= order <= _HIGHEST_ORDER, "order", f"{order} must be from 1 to {_HIGHEST_ORDER}")
-    require(layers >= 1, "layers", f"{layers} must be 1 or more")
+    rule = f"{layers} must be from 1 to {_MOST_LAYERS}"
+    require(1 <= layers <= _MOST_LAYERS, "layers", rule)
 
 
 def _stack(laminate: Laminate) -> tuple[StackPly, ...]:
@@ -97,6 +99,10 @@ def _stack(laminate: Laminate) -> tuple[StackPly, ...]:
         material = ply.material or laminate.material
         require(bool(material), "material", "missing; the layup names no material for some plies")
         stack.append(StackPly(material, _thickness(laminate, material), ply.angle, order, layers))
+    if isinstance(laminate.thickness, dict):
+        used = {ply.material for ply in stack}
+        for name in laminate.thickness:
+            require(name in used, f"thickness.{name}", "the layup has no ply of this material")
     return tuple(stack)
 
 

@@ -3,14 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import prod, sqrt
 from typing import ClassVar, Literal
 
-from plydyn_pre.errors import require, require_positive
+from plydyn_pre.errors import (
+    require,
+    require_between,
+    require_not_negative,
+    require_positive,
+)
+from plydyn_pre.study.joints import Cohesive, Springs
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
 _POISSON = "must be above -1 and below 0.5"
-
-Quadrature = Literal["gauss", "nodes"]
+#: Largest damage: the solver keeps a share of the stiffness
+_MOST_DAMAGE = 0.999999
+#: Share of XC that crushed fibres keep, or from which they drop
+_MOST_CRUSHED = 0.99
 
 
 @dataclass(frozen=True)
@@ -34,6 +43,7 @@ class PlyElastic:
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "density", *_YOUNG_SHEAR)
+        require_stable(self)
 
 
 @dataclass(frozen=True)
@@ -87,8 +97,16 @@ class PlyCodam2:
         """Refuse numbers that no material has."""
         require_positive(self, "density", *_YOUNG_SHEAR, "XT", "XC", "YT", "YC", "SL")
         require_positive(self, "G1T", "G1C", "G2T", "G2C")
-        has_curve = bool(self.shear_curve) == (self.shear == "curve")
-        require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
+        require_stable(self)
+        require_not_negative(self, "ST", "G2S", "width", "average_along", "average_across")
+        above = 0.0 < self.largest_damage <= _MOST_DAMAGE
+        rule = f"{self.largest_damage!r} must be above 0 and at most {_MOST_DAMAGE}"
+        require(above, "largest_damage", rule)
+        rule = f"{self.snap_ratio!r} must be 1 or more"
+        require(self.snap_ratio >= 1.0, "snap_ratio", rule)
+        require_between(self, 0.0, _MOST_CRUSHED, "plateau", "brittle")
+        self._check_strengths()
+        self._check_shear()
         hashin = self.matrix_compression == "hashin"
         require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
         require(min(self.plateau, self.brittle) <= 0.0, "brittle", "0 with a plateau")
@@ -96,6 +114,42 @@ class PlyCodam2:
         both = min(radii) > 0.0 or max(radii) == min(radii) == 0.0
         require(both, "average_across", "above zero as average_along is, or none of the two")
         require(not (self.closure and max(radii) > 0.0), "closure", "false with averages")
+
+    def _check_strengths(self) -> None:
+        """Refuse strengths in other units than the moduli."""
+        for names, modulus in ((("XT", "XC"), "E1"), (("YT", "YC"), "E2"), (("SL",), "G12")):
+            for name in names:
+                value, limit = getattr(self, name), getattr(self, modulus)
+                rule = f"{value:g} must be far below {modulus} = {limit:g}, in the same unit"
+                require(value < limit, name, rule)
+
+    def _check_shear(self) -> None:
+        """Refuse a curve of shear that cannot be."""
+        has_curve = bool(self.shear_curve) == (self.shear == "curve")
+        require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
+        require_not_negative(self, "shear_coefficient", "shear_exponent")
+        require_positive(self, "shear_strain")
+        least = self.SL / self.G12
+        rule = f"{self.shear_strain!r} must be above SL/G12 = {least:g}"
+        reached = self.shear != "exponential" or self.shear_strain > least
+        require(reached, "shear_strain", rule)
+        if self.shear == "ramberg_osgood":
+            require_positive(self, "shear_coefficient")
+            rule = f"{self.shear_exponent!r} must be above 1"
+            require(self.shear_exponent > 1.0, "shear_exponent", rule)
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Keys that say something and have no effect, by what else is chosen."""
+        power = self.shear == "ramberg_osgood"
+        without = {
+            "shear_strain": self.shear != "exponential" and self.shear_strain != 0.05,
+            "shear_coefficient": not power and self.shear_coefficient > 0.0,
+            "shear_exponent": not power and self.shear_exponent > 0.0,
+            "width_rule": self.width > 0.0 and self.width_rule != "band",
+            "ST": self.matrix_compression != "hashin" and self.ST > 0.0,
+        }
+        return tuple(name for name, has_none in without.items() if has_none)
 
 
 @dataclass(frozen=True)
@@ -139,52 +193,24 @@ class PlasticKinematic:
         between = f"{self.tangent!r} must be zero or more and below young"
         require(0.0 <= self.tangent < self.young, "tangent", between)
         require(0.0 <= self.beta <= 1.0, "beta", f"{self.beta!r} must be from 0 to 1")
-        require(self.rate >= 0.0, "rate", f"{self.rate!r} must be zero or more")
-        has_power = self.power > 0.0 if self.rate > 0.0 else self.power >= 0.0
+        require_not_negative(self, "rate", "power")
+        has_power = self.rate <= 0.0 or self.power > 0.0
         require(has_power, "power", f"{self.power!r} must be above zero where there is a rate")
 
 
-@dataclass(frozen=True)
-class Springs:
-    """Elastic springs between the faces of two plies."""
-
-    kind: ClassVar[str] = "springs"
-
-    normal: float  # traction per opening, stress per length
-    shear: float  # traction per sliding, stress per length
-    quadrature: Quadrature = "gauss"  # where springs are: Gauss points or nodes
-    title: str = ""
-
-    def __post_init__(self) -> None:
-        """Refuse numbers that no material has."""
-        require_positive(self, "normal", "shear")
-
-
-@dataclass(frozen=True)
-class Cohesive:
-    """A bond between two plies that softens and fails in opening, sliding and both."""
-
-    kind: ClassVar[str] = "cohesive"
-
-    normal: float  # traction per opening, stress per length
-    shear: float  # traction per sliding, stress per length
-    N: float  # strength in opening
-    S: float  # strength in sliding
-    GIC: float  # toughness in opening, energy per area
-    GIIC: float  # toughness in sliding
-    exponent: float = 1.634  # of the toughness of mixed modes
-    mixing: Literal["benzeggagh_kenane", "power"] = "benzeggagh_kenane"
-    quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
-    closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged
-    friction: float = 0.0  # coefficient, of failed faces
-    fit: Literal["none", "stiffness", "strengths", "both"] = "none"  # constants that are fitted
-    title: str = ""
-
-    def __post_init__(self) -> None:
-        """Refuse numbers that no material has."""
-        require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC", "exponent")
-        require(self.friction >= 0.0, "friction", f"{self.friction!r} must be zero or more")
+def require_stable(ply: PlyElastic | PlyCodam2) -> None:
+    """Refuse Poisson's ratios with which some strain would give energy."""
+    shares = []
+    for first, second in ((1, 2), (1, 3), (2, 3)):
+        name = f"nu{first}{second}"
+        bound = sqrt(getattr(ply, f"E{first}") / getattr(ply, f"E{second}"))
+        value = getattr(ply, name)
+        rule = f"{value:g} must be less than sqrt(E{first}/E{second}) = {bound:g} in size"
+        require(abs(value) < bound, name, rule)
+        shares.append(value / bound)
+    determinant = 1.0 - sum(share**2 for share in shares) - 2.0 * prod(shares)
+    rule = "the three Poisson's ratios together are too large for these moduli"
+    require(determinant > 0.0, "nu23", rule)
 
 
-Joint = Springs | Cohesive
 Material = PlyElastic | PlyCodam2 | Elastic | PlasticKinematic | Springs | Cohesive

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Shape
 from plydyn_pre.study.bricks import Bricks
+from plydyn_pre.study.checks import check_fields, check_scheme, check_step_curve
 from plydyn_pre.study.conditions import (
     Contact,
     Curve,
@@ -18,8 +19,9 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
-from plydyn_pre.study.materials import Cohesive, Material, PlyCodam2, Springs
+from plydyn_pre.study.materials import Material, PlyCodam2
 from plydyn_pre.study.quarter import check_quarter, is_quarter, planes
 from plydyn_pre.suggest import suggestion
 
@@ -48,6 +50,7 @@ class Study:
 
     def __post_init__(self) -> None:
         """Refuse names of things that there are not."""
+        require(bool(self.title.strip()), "title", "empty; a deck needs some words")
         require(bool(self.laminate or self.laminates), "laminate", "missing")
         for path, laminate in _laminates(self):
             for material in sorted({ply.material for ply in laminate.stack}):
@@ -63,8 +66,10 @@ class Study:
         rule = "one frame acceleration at most in each direction"
         require(len(set(frames)) == len(frames), "loads", rule)
         if is_quarter(self.mesh):
-            laminates = [laminate for _, laminate in _laminates(self)]
-            check_quarter(self.mesh, laminates, self.impactor, self.loads)
+            check_quarter(self.mesh, self.all_laminates, self.impactor, self.loads)
+        check_fields(self.all_laminates, self.materials, self.outputs)
+        check_scheme(self.all_laminates, self.bricks, self.control)
+        check_step_curve(self.curves, self.control)
 
     def laminate_of(self, part: str) -> Laminate:
         """The laminate of a part of the mesh."""
@@ -72,6 +77,11 @@ class Study:
         if laminate is None:
             raise RecipeError(f"laminates.{part}", "missing; the mesh has a part of this name")
         return laminate
+
+    @property
+    def all_laminates(self) -> tuple[Laminate, ...]:
+        """The laminates of all parts, each once."""
+        return tuple(laminate for _, laminate in _laminates(self))
 
     @property
     def held(self) -> tuple[Support, ...]:

@@ -12,11 +12,22 @@ def unused(study: Study) -> list[str]:
         "sets": _sets(study),
         "curves": _curves(study),
     }
-    return [
+    names = [
         f"{table}.{name}"
         for table, names in used.items()
         for name in getattr(study, table)
         if name not in names
+    ]
+    return names + _idle(study, used["materials"])
+
+
+def _idle(study: Study, used: set[str]) -> list[str]:
+    """Keys of materials that have no effect by what else is chosen."""
+    return [
+        f"materials.{name}.{key}"
+        for name, material in study.materials.items()
+        if name in used
+        for key in getattr(material, "idle", ())
     ]
 
 

@@ -1,0 +1,80 @@
+"""What a study asks of the places of its mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import pi, sqrt
+
+import numpy as np
+
+from plydyn_pre.deck.names import Names
+from plydyn_pre.errors import RecipeError, require
+from plydyn_pre.mesh.grid import Integers, Mesh
+from plydyn_pre.study import Motion
+
+#: Contact nodes of an impactor
+_MOST_CONTACT_NODES = 1_000_000
+# reach of contact nodes from the axis over that of the plate
+_TRAVEL = 2.0
+# share of a quad by which a place may lie beside its straight sides: sides of nine nodes are curved
+_BESIDE = 0.05
+_FACES = {"all": {"bottom", "inside", "top"}, "plane": {"inside"}}
+
+
+def check_places(names: Names) -> None:
+    """Refuse places off the plate and nodes that are held and moved."""
+    for number, profile in enumerate(names.study.outputs.profiles, start=1):
+        rule = f"{list(profile.at)} is not on the plate"
+        require(_is_on(names.mesh, profile.at), f"outputs.profiles[{number}].at", rule)
+    _check_motions(names)
+    _check_spacing(names)
+
+
+def _check_spacing(names: Names) -> None:
+    """Refuse more contact nodes than the solver takes; each has a square of the spacing."""
+    impactor, contact = names.study.impactor, names.study.touch
+    if impactor is None or contact.spacing <= 0.0 or contact.method == "points_on_plate":
+        return
+    centre = np.array(impactor.position or names.mesh.middle)
+    reach = _TRAVEL * float(np.hypot(*(names.mesh.nodes - centre).T).max())
+    cap = impactor.radius - sqrt(max(0.0, impactor.radius**2 - reach**2))
+    least = 1.01 * sqrt(2.0 * pi * impactor.radius * cap / _MOST_CONTACT_NODES)
+    rule = f"{contact.spacing:g} gives too many contact nodes; {least:.3g} or more is needed"
+    require(contact.spacing >= least, "contact.spacing", rule)
+
+
+def _is_on(mesh: Mesh, place: tuple[float, float]) -> bool:
+    """Whether a place lies in some quad, or hardly beside it."""
+    corners = mesh.nodes[mesh.quads[:, :4]]
+    sides = np.roll(corners, -1, axis=1) - corners
+    to_place = np.array(place) - corners
+    turns = sides[..., 0] * to_place[..., 1] - sides[..., 1] * to_place[..., 0]
+    areas = np.abs(sides[:, :1, 0] * sides[:, 1:2, 1] - sides[:, :1, 1] * sides[:, 1:2, 0])
+    return bool(np.any(np.all(turns >= -_BESIDE * areas, axis=1)))
+
+
+def _check_motions(names: Names) -> None:
+    """Refuse nodes that a motion moves and something else holds or moves in its direction."""
+    known = list(_held(names))
+    for number, load in enumerate(names.study.loads, start=1):
+        if not isinstance(load, Motion):
+            continue
+        path = f"loads[{number}]"
+        nodes = names.nodes_of(load.set, f"{path}.set")
+        faces = _FACES.get(load.face, {load.face})
+        for where, direction, others, held_faces in known:
+            twice = np.intersect1d(nodes, others) if direction == load.direction else ()
+            if len(twice) and faces & held_faces:
+                node = names.mesh.node_ids[twice[0]]
+                rule = f"node {node} is held or moved along {direction} by {where} already"
+                raise RecipeError(f"{path}.set", rule)
+        known.append((path, load.direction, nodes, faces))
+
+
+def _held(names: Names) -> Iterator[tuple[str, str, Integers, set[str]]]:
+    """What holds which nodes in which direction on which faces."""
+    for number, support in enumerate(names.study.held, start=1):
+        path = f"supports[{number}]"
+        nodes = names.nodes_of(support.set, f"{path}.set")
+        for direction in support.hold:
+            yield path, direction, nodes, _FACES.get(support.face, {support.face})

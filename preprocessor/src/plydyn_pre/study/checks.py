@@ -1,0 +1,55 @@
+"""What the parts of a study ask of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from plydyn_pre.errors import require
+from plydyn_pre.study.bricks import Bricks
+from plydyn_pre.study.conditions import Curve
+from plydyn_pre.study.control import Control, Outputs
+from plydyn_pre.study.joints import Cohesive
+from plydyn_pre.study.laminate import Laminate
+from plydyn_pre.study.materials import Material, PlasticKinematic, PlyCodam2
+
+#: Fields that need a material of some kind, and what such a material does
+_NEEDS = {
+    "plastic_strain": (PlasticKinematic, "yields"),
+    "damage_fibre": (PlyCodam2, "is damaged"),
+    "damage_matrix": (PlyCodam2, "is damaged"),
+    "damage_shear": (PlyCodam2, "is damaged"),
+    "dissipated": (PlasticKinematic | PlyCodam2, "yields or is damaged"),
+}
+
+
+def check_fields(
+    laminates: Iterable[Laminate], materials: Mapping[str, Material], outputs: Outputs
+) -> None:
+    """Refuse fields and histories that no material fills."""
+    plies = [materials[ply.material] for laminate in laminates for ply in laminate.stack]
+    for number, name in enumerate(outputs.fields or (), start=1):
+        if name in _NEEDS:
+            kinds, does = _NEEDS[name]
+            rule = f"{name!r} needs a ply of a material that {does}"
+            filled = any(isinstance(material, kinds) for material in plies)
+            require(filled, f"outputs.fields[{number}]", rule)
+    fails = any(isinstance(materials.get(each.interfaces), Cohesive) for each in laminates)
+    rule = "needs interfaces of a cohesive material; leave it out"
+    asked = outputs.delamination_interval is not None
+    require(fails or not asked, "outputs.delamination_interval", rule)
+
+
+def check_scheme(laminates: Iterable[Laminate], bricks: Bricks | None, control: Control) -> None:
+    """Refuse a scheme without what it makes implicit."""
+    if bricks is not None:
+        require(control.scheme == "explicit", "control.scheme", 'bricks need "explicit"')
+    joined = any(each.interfaces not in ("tied", "apart") for each in laminates)
+    rule = "no plies are joined by an interface that could be implicit"
+    require(joined or control.scheme != "implicit_interfaces", "control.scheme", rule)
+
+
+def check_step_curve(curves: Mapping[str, Curve], control: Control) -> None:
+    """Refuse a curve that bounds the step by zero or less."""
+    if curve := curves.get(control.step_curve):
+        rule = "values that bound the step must be above zero"
+        require(min(curve.value) > 0.0, f"curves.{control.step_curve}.value", rule)

@@ -1,0 +1,92 @@
+"""What joins two plies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar, Literal
+
+from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
+
+#: Exponents of the toughness of mixed modes that the solver takes
+_EXPONENTS = (0.1, 20.0)
+#: Mixes of modes at which the law is looked at
+_MIXES = 100
+
+Quadrature = Literal["gauss", "nodes"]
+
+
+@dataclass(frozen=True)
+class Springs:
+    """Elastic springs between the faces of two plies."""
+
+    kind: ClassVar[str] = "springs"
+
+    normal: float  # traction per opening, stress per length
+    shear: float  # traction per sliding, stress per length
+    quadrature: Quadrature = "gauss"  # where springs are: Gauss points or nodes
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "normal", "shear")
+
+
+@dataclass(frozen=True)
+class Cohesive:
+    """A bond between two plies that softens and fails in opening, sliding and both."""
+
+    kind: ClassVar[str] = "cohesive"
+
+    normal: float  # traction per opening, stress per length
+    shear: float  # traction per sliding, stress per length
+    N: float  # strength in opening
+    S: float  # strength in sliding
+    GIC: float  # toughness in opening, energy per area
+    GIIC: float  # toughness in sliding
+    exponent: float = 1.634  # of the toughness of mixed modes
+    mixing: Literal["benzeggagh_kenane", "power"] = "benzeggagh_kenane"
+    quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
+    closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged
+    friction: float = 0.0  # coefficient, of failed faces
+    fit: Literal["none", "stiffness", "strengths", "both"] = "none"  # constants that are fitted
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
+        require_not_negative(self, "friction")
+        require_between(self, *_EXPONENTS, "exponent")
+        for name, strength, stiffness in (
+            ("GIC", self.N, self.normal),
+            ("GIIC", self.S, self.shear_stiffness),
+        ):
+            elastic = strength**2 / (2.0 * stiffness)
+            rule = f"{getattr(self, name):g} must be above {elastic:g}, the elastic energy at onset"
+            require(getattr(self, name) > elastic, name, rule)
+        shares = [i / _MIXES for i in range(1, _MIXES)]
+        rule = "some mix of modes has less toughness than elastic energy at onset"
+        require(all(self.toughness(b) > self.elastic(b) for b in shares), "exponent", rule)
+
+    @property
+    def shear_stiffness(self) -> float:
+        """Traction per sliding, fitted where that is asked for."""
+        if self.fit in ("stiffness", "both"):
+            return self.normal * self.GIC / self.GIIC * (self.S / self.N) ** 2
+        return self.shear
+
+    def toughness(self, share: float) -> float:
+        """Energy per area where sliding has a share of the energy."""
+        if self.mixing == "benzeggagh_kenane":
+            return self.GIC + (self.GIIC - self.GIC) * share**self.exponent
+        parts = ((1.0 - share) / self.GIC, share / self.GIIC)
+        largest = max(parts)
+        powers = sum((part / largest) ** self.exponent for part in parts)
+        return 1.0 / (largest * powers ** (1.0 / self.exponent))
+
+    def elastic(self, share: float) -> float:
+        """Elastic energy per area at onset where sliding has a share of the energy."""
+        opening, sliding = self.normal / self.N**2, self.shear_stiffness / self.S**2
+        return 0.5 / (opening * (1.0 - share) + sliding * share)
+
+
+Joint = Springs | Cohesive

@@ -1,0 +1,27 @@
+"""Tables on top of each other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+Table = dict[str, Any]
+
+
+def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> Table:
+    """One table on top of another: tables are merged, lists and values are replaced.
+
+    A table that names another `kind` replaces the one below as a whole.
+    """
+    result = dict(below)
+    for key, value in above.items():
+        under = result.get(key)
+        if isinstance(value, dict) and isinstance(under, dict) and not _differ(value, under):
+            value = merged(under, value)
+        result[key] = value
+    return result
+
+
+def _differ(above: Mapping[str, Any], below: Mapping[str, Any]) -> bool:
+    """Whether two tables are of different kinds."""
+    return "kind" in above and above["kind"] != below.get("kind")
