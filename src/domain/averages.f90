@@ -43,7 +43,7 @@ contains
       real(wp) :: reach
       integer :: a, p
 
-      allocate (domain%averages(count_averages(domain%plates)))
+      allocate (domain%averaging%averages(count_averages(domain%plates)))
       strain_halo = new_strain_halo()
       a = 0
       do p = 1, size(domain%plates)
@@ -54,9 +54,9 @@ contains
          call build_part(model, around, p, domain, a, strain_halo, error)
          if (allocated(error)) return
       end do
-      domain%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%lent, &
+      domain%averaging%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%lent, &
          & strain_halo%halo_strains)
-      domain%neighbours = count_points(model, domain)
+      domain%averaging%neighbours = count_points(model, domain)
    end subroutine build_averages
 
    !> The averages of a part
@@ -81,14 +81,15 @@ contains
             do k = 1, size(batch%laws)
                if (batch%laws(k)%law%driving == 0) cycle
                a = a + 1
-               domain%averages(a) = new_average(plate, b, k)
-               domain%averages(a)%plate = p
+               domain%averaging%averages(a) = new_average(plate, b, k)
+               domain%averaging%averages(a)%plate = p
                call find_neighbours(around, batch%rotation(:, :, batch%laws(k)%block), &
-                  & batch%laws(k)%law, domain%averages(a), point)
-               length = domain%histories + domain%halo_strains
-               call add_loans(around, point, length, domain%averages(a), strain_halo)
-               domain%halo_strains = length - domain%histories
-               call check_reach(model, domain, domain%averages(a), batch%laws(k)%law, error)
+                  & batch%laws(k)%law, domain%averaging%averages(a), point)
+               length = domain%histories + domain%averaging%halo_strains
+               call add_loans(around, point, length, domain%averaging%averages(a), strain_halo)
+               domain%averaging%halo_strains = length - domain%histories
+               call check_reach(model, domain, domain%averaging%averages(a), batch%laws(k)%law, &
+                  & error)
                if (allocated(error)) return
             end do
          end associate
@@ -342,8 +343,8 @@ contains
       integer :: a, i, l, now, place
 
       extremes(:) = -huge(extremes)
-      do a = 1, size(domain%averages)
-         associate (average => domain%averages(a))
+      do a = 1, size(domain%averaging%averages)
+         associate (average => domain%averaging%averages(a))
             do l = 1, lanes
                if (.not. average%owns(l)) cycle
                place = 2*material_of(model, domain, average, l) - 1

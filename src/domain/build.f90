@@ -12,7 +12,7 @@ module plydyn_domain_build
    use plydyn_domain_build_elements, only : build_elements, build_masses, build_shapes
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
-   use plydyn_domain_chunks, only : give_held, set_targets
+   use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_columns, only : new_columns, new_solid_columns
    use plydyn_domain_decomposition, only : column_owners, divide_bricks, divide_plane, &
       & decomposition_type
@@ -62,8 +62,8 @@ contains
 
       domain%control = model%control
       domain%curves = model%curves
-      domain%impactors = model%impactors
-      domain%contacts = model%contacts
+      domain%contact%impactors = model%impactors
+      domain%contact%contacts = model%contacts
       domain%layers = new_layers(model%parts(1))
       if (size(model%mesh%brick_id) > 0) then
          call begin_bricks(model, domain, division)
@@ -84,9 +84,9 @@ contains
 
       associate (joint => domain%layers%joint)
          domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
-         domain%ties = pack([(k, k=1, size(joint))], joint == faces_tied)
-         do k = 1, size(domain%ties)
-            call domain%columns%tie(domain%ties(k), side_by_side)
+         domain%inertia%ties = pack([(k, k=1, size(joint))], joint == faces_tied)
+         do k = 1, size(domain%inertia%ties)
+            call domain%columns%tie(domain%inertia%ties(k), side_by_side)
          end do
          allocate (domain%bricks(0), domain%plates(size(model%parts)), domain%interfaces(0))
          do p = 1, size(model%parts)
@@ -105,7 +105,7 @@ contains
       type(decomposition_type), intent(out) :: division
 
       domain%columns = new_solid_columns(size(model%mesh%node_id))
-      allocate (domain%plates(0), domain%interfaces(0), domain%ties(0))
+      allocate (domain%plates(0), domain%interfaces(0), domain%inertia%ties(0))
       domain%bricks = new_bricks(model)
       division = divide_bricks(model%mesh, domain%bricks)
    end subroutine begin_bricks
@@ -137,13 +137,13 @@ contains
       call build_shapes(model, domain)
       call limit_step(model, domain, error)
       if (allocated(error)) return
-      domain%bands = find_bands(model, domain)
+      domain%crack_bands = find_bands(model, domain)
       call build_averages(model, division, rank_of_chunk, domain, error)
       if (allocated(error)) return
       call renumber_chunks(numbering, domain)
       call set_targets(domain)
       call build_supports(model, numbering, domain)
-      call give_held(domain)
+      call assign_held_points(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
       call build_surfaces(model, numbering, owner, domain)

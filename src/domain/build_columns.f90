@@ -56,7 +56,7 @@ contains
       type(classes_type) :: classes
 
       self%active = .true.
-      call number_rows(self, domain%columns, domain%ties)
+      call number_rows(self, domain%columns, domain%inertia%ties)
       self%area = sum(area, 2)
       call classify(domain, number, node_springs(domain, area), self, classes)
       call set_stretches(domain, classes, self)
@@ -71,7 +71,7 @@ contains
       integer :: n, r
 
       do n = 1, size(self%area)
-         density(:, n) = domain%mass(self%mass_place(domain%columns, &
+         density(:, n) = domain%inertia%mass(self%mass_place(domain%columns, &
             & [(r, r=1, size(self%freedom))], n))/self%area(n)
       end do
    end function densities
@@ -112,7 +112,7 @@ contains
       integer :: i
 
       is_held(:) = .false.
-      is_held(domain%held) = .true.
+      is_held(domain%supports%held) = .true.
       do i = 1, size(held, 2)
          held(:, i) = is_held(self%place(domain%columns, self%row, direction_of(i), node_of(i)))
       end do
@@ -297,20 +297,21 @@ contains
       type(inertia_links_type) :: links
 
       real(wp), allocatable :: added(:, :), spring(:, :, :)
-      integer :: c, i, j, n, place(size(domain%thickness%row))
+      integer :: c, i, j, n, place(size(domain%inertia%thickness%row))
 
       spring = node_springs(domain, area)
       allocate (links%place(2, 0), links%inertia(0))
       do n = 1, domain%columns%nodes
          do c = 1, directions
-            place(:) = domain%thickness%place(domain%columns, domain%thickness%row, c, n)
+            place(:) = domain%inertia%thickness%place(domain%columns, &
+               & domain%inertia%thickness%row, c, n)
             if (count(chosen(place)) < 2) cycle
-            added = added_inertia(domain, domain%thickness, c, joint, spring(:, :, n))
+            added = added_inertia(domain, domain%inertia%thickness, c, joint, spring(:, :, n))
             do j = 2, size(place)
                do i = 1, j - 1
                   if (.not. all(chosen(place([i, j])))) cycle
                   if (abs(added(i, j)) <= 0.0_wp) cycle
-                  links%inertia = [links%inertia, -domain%thickness%area(n)*added(i, j)]
+                  links%inertia = [links%inertia, -domain%inertia%thickness%area(n)*added(i, j)]
                   links%place = reshape([links%place, place([i, j])], [2, size(links%inertia)])
                end do
             end do
@@ -330,23 +331,25 @@ contains
       type(inertia_links_type) :: links
 
       real(wp), allocatable :: added(:, :), spring(:, :, :)
-      integer :: d, i, j, number(domain%columns%freedoms), place(size(domain%thickness%row))
+      integer :: d, i, j, number(domain%columns%freedoms), place(size(domain%inertia%thickness%row))
 
       spring = node_springs(domain, area)
       number(:) = 0
-      number(domain%held) = [(d, d=1, size(domain%held))]
+      number(domain%supports%held) = [(d, d=1, size(domain%supports%held))]
       allocate (links%place(2, 0), links%inertia(0))
       do i = 1, directions*domain%columns%nodes
-         place(:) = domain%thickness%place(domain%columns, domain%thickness%row, direction_of(i), &
+         place(:) = domain%inertia%thickness%place(domain%columns, domain%inertia%thickness%row, &
+            & direction_of(i), &
             & node_of(i))
          if (all(number(place) > 0) .or. all(number(place) == 0)) cycle
-         added = added_inertia(domain, domain%thickness, direction_of(i), joint, &
+         added = added_inertia(domain, domain%inertia%thickness, direction_of(i), joint, &
             & spring(:, :, node_of(i)))
          do d = 1, size(place)
             if (number(place(d)) == 0) cycle
             do j = 1, size(place)
                if (number(place(j)) > 0 .or. abs(added(d, j)) <= 0.0_wp) cycle
-               links%inertia = [links%inertia, -domain%thickness%area(node_of(i))*added(d, j)]
+               links%inertia = [links%inertia, &
+                  & -domain%inertia%thickness%area(node_of(i))*added(d, j)]
                links%place = reshape([links%place, number(place(d)), place(j)], &
                   & [2, size(links%inertia)])
             end do

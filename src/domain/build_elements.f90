@@ -40,7 +40,7 @@ contains
       domain%histories = front
       allocate (share%history(3, 0))
       do p = 1, size(division%parts)
-         own = places_of(domain%chunks, p)
+         own = places_of(domain%chunks%list, p)
          associate (element => division%parts(p)%element)
             if (size(domain%bricks) > 0) then
                call set_batches(mesh, own, numbering, domain%columns, domain%bricks(p))
@@ -55,7 +55,7 @@ contains
             associate (plate => domain%plates(batch%plate))
                call set_plane(batch, plate%quad, plate%node, domain%position)
             end associate
-            call place_histories(places_of(domain%chunks, batch%plate), &
+            call place_histories(places_of(domain%chunks%list, batch%plate), &
                & lanes*batch%side**2, batch%law%histories, &
                & size(division%parts(batch%plate)%element), batch%first_history, domain%histories, &
                & share)
@@ -72,7 +72,7 @@ contains
       integer :: p
 
       do p = 1, size(domain%bricks)
-         call find_shapes(model, places_of(domain%chunks, p), domain%bricks(p))
+         call find_shapes(model, places_of(domain%chunks%list, p), domain%bricks(p))
       end do
    end subroutine build_shapes
 
@@ -86,13 +86,13 @@ contains
 
       n = 0
       do c = 1, size(chunks)
-         if (chunks(c)%plate == part) n = n + chunks(c)%quads(2) - chunks(c)%quads(1) + 1
+         if (chunks(c)%set == part) n = n + chunks(c)%elements(2) - chunks(c)%elements(1) + 1
       end do
       allocate (places(n))
       n = 0
       do c = 1, size(chunks)
-         if (chunks(c)%plate /= part) cycle
-         do e = chunks(c)%quads(1), chunks(c)%quads(2)
+         if (chunks(c)%set /= part) cycle
+         do e = chunks(c)%elements(1), chunks(c)%elements(2)
             n = n + 1
             places(n) = e
          end do
@@ -179,24 +179,25 @@ contains
 
       integer :: k, p
 
-      allocate (domain%mass(domain%columns%masses))
-      domain%mass(:) = 0.0_wp
+      allocate (domain%inertia%mass(domain%columns%masses))
+      domain%inertia%mass(:) = 0.0_wp
       do p = 1, size(domain%plates)
          call add_masses(model, p, domain%plates(p), division%parts(p)%element, numbering, &
-            & domain%columns, domain%mass)
+            & domain%columns, domain%inertia%mass)
       end do
       do p = 1, size(domain%bricks)
          call add_brick_masses(model, domain%bricks(p)%part, domain%bricks(p)%brick, numbering, &
-            & domain%columns, domain%mass)
+            & domain%columns, domain%inertia%mass)
       end do
-      allocate (domain%inverse_mass(size(domain%mass)), domain%far_ties(2, 0))
-      where (domain%mass > 0.0_wp)
-         domain%inverse_mass(:) = 1.0_wp/domain%mass
+      allocate (domain%inertia%inverse_mass(size(domain%inertia%mass)), &
+         & domain%inertia%far_ties(2, 0))
+      where (domain%inertia%mass > 0.0_wp)
+         domain%inertia%inverse_mass(:) = 1.0_wp/domain%inertia%mass
       else where
-         domain%inverse_mass(:) = 0.0_wp
+         domain%inertia%inverse_mass(:) = 0.0_wp
       end where
-      do k = 1, size(domain%ties)
-         call tie_layers(domain, domain%ties(k))
+      do k = 1, size(domain%inertia%ties)
+         call tie_layers(domain, domain%inertia%ties(k))
       end do
    end subroutine build_masses
 
@@ -212,13 +213,14 @@ contains
          do n = 1, columns%nodes
             below = columns%mass_of(layer, columns%levels(layer), n)
             above = columns%mass_of(layer + 1, 1, n)
-            domain%inverse_mass([below, above]) = 1.0_wp/(domain%mass(below) + domain%mass(above))
+            domain%inertia%inverse_mass([below, above]) = &
+               & 1.0_wp/(domain%inertia%mass(below) + domain%inertia%mass(above))
          end do
          if (columns%home(1, layer) == columns%home(1, layer + 1)) return
-         domain%far_ties = reshape([domain%far_ties, &
+         domain%inertia%far_ties = reshape([domain%inertia%far_ties, &
             & ([([columns%freedom(layer, columns%levels(layer), c, n), &
             & columns%freedom(layer + 1, 1, c, n)], c=1, 3)], n=1, columns%nodes)], &
-            & [2, size(domain%far_ties, 2) + 3*columns%nodes])
+            & [2, size(domain%inertia%far_ties, 2) + 3*columns%nodes])
       end associate
    end subroutine tie_layers
 
@@ -237,7 +239,7 @@ contains
       do c = 1, size(own)
          if (.not. own(c)) cycle
          do i = front + points*(c - 1) + 1, front + points*c
-            call sums%add(1, domain%mass(i))
+            call sums%add(1, domain%inertia%mass(i))
          end do
       end do
       call domain%comm%add_up(sums%limb)

@@ -43,25 +43,27 @@ contains
       real(wp) :: joint(3, size(domain%layers%joint))
       real(wp), allocatable :: area(:, :)
 
-      allocate (domain%moved_links%place(2, 0), domain%moved_links%inertia(0))
-      allocate (domain%held_links%place(2, 0), domain%held_links%inertia(0))
+      allocate (domain%inertia%moved_links%place(2, 0), domain%inertia%moved_links%inertia(0))
+      allocate (domain%inertia%held_links%place(2, 0), domain%inertia%held_links%inertia(0))
       if (domain%control%scheme /= all_explicit) then
          joint(:, :) = joint_stiffness(domain%interfaces, size(joint, 2), &
             & domain%control%kinematics == total_lagrangian)
          area = node_areas(model%mesh, division, numbering)
-         domain%pairs = new_pair_inertia(domain%comm, numbering%here, domain%columns, domain%mass, &
+         domain%inertia%pairs = new_pair_inertia(domain%comm, numbering%here, domain%columns, &
+            & domain%inertia%mass, &
             & sum(area, 2), joint, domain%step)
       end if
       if (domain%control%scheme == implicit_interfaces) then
-         domain%moved_links = domain%pairs%links_between(domain%columns, is_moved(domain))
+         domain%inertia%moved_links = domain%inertia%pairs%links_between(domain%columns, &
+            & is_moved(domain))
       else if (domain%control%scheme == implicit_thickness) then
          ! columns take the pairs with them
-         domain%pairs%active = .false.
-         domain%thickness = new_column_inertia(domain, numbering%here, area, joint)
-         domain%moved_links = links_within(domain, area, joint, is_moved(domain))
-         domain%held_links = held_links(domain, area, joint)
+         domain%inertia%pairs%active = .false.
+         domain%inertia%thickness = new_column_inertia(domain, numbering%here, area, joint)
+         domain%inertia%moved_links = links_within(domain, area, joint, is_moved(domain))
+         domain%inertia%held_links = held_links(domain, area, joint)
       end if
-      associate (moved => domain%moved_links, held => domain%held_links)
+      associate (moved => domain%inertia%moved_links, held => domain%inertia%held_links)
          moved%own = numbering%own(domain%columns%column_of(moved%place(1, :)))
          held%own = numbering%own(domain%columns%column_of(held%place(2, :)))
       end associate
@@ -74,8 +76,8 @@ contains
       integer :: m
 
       moved(:) = .false.
-      do m = 1, size(domain%motions)
-         moved(domain%motions(m)%freedom) = .true.
+      do m = 1, size(domain%supports%motions)
+         moved(domain%supports%motions(m)%freedom) = .true.
       end do
    end function is_moved
 
@@ -92,8 +94,8 @@ contains
 
       integer :: c, freedom, i
 
-      if (.not. domain%thickness%active) return
-      associate (columns => domain%thickness)
+      if (.not. domain%inertia%thickness%active) return
+      associate (columns => domain%inertia%thickness)
          freedom = columns%freedom(columns%row_of(domain%columns, face(1), face(2)))
          surface%follow = columns%followers(freedom)
          do i = 1, size(surface%here)

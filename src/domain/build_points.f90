@@ -26,16 +26,17 @@ contains
       type(domain_type), intent(inout) :: domain
       integer :: i
 
-      call find_held(model%holds, numbering, domain%layers, domain%columns, domain%held, &
-         & domain%holder)
-      allocate (domain%motions(size(model%motions)))
+      call find_held(model%holds, numbering, domain%layers, domain%columns, domain%supports%held, &
+         & domain%supports%holder)
+      allocate (domain%supports%motions(size(model%motions)))
       do i = 1, size(model%motions)
-         domain%motions(i) = new_prescribed(model%motions(i), numbering, domain%layers, &
+         domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain%layers, &
             & domain%columns)
       end do
-      domain%initial_velocities = model%initial_velocities
+      domain%supports%initial_velocities = model%initial_velocities
       do i = 1, size(model%initial_velocities)
-         domain%initial_velocities(i)%nodes = numbering%only(model%initial_velocities(i)%nodes)
+         domain%supports%initial_velocities(i)%nodes = &
+            & numbering%only(model%initial_velocities(i)%nodes)
       end do
    end subroutine build_supports
 
@@ -55,7 +56,8 @@ contains
       associate (layers => domain%layers, columns => domain%columns, loads => domain%loads)
          do i = 1, size(model%point_loads)
             k = k + 1
-            loads(k) = new_point_load(model%point_loads(i), numbering, layers, columns, domain%mass)
+            loads(k) = new_point_load(model%point_loads(i), numbering, layers, columns, &
+               & domain%inertia%mass)
          end do
          do i = 1, size(model%line_loads)
             k = k + 1
@@ -71,7 +73,7 @@ contains
          end do
          do i = 1, size(model%body_loads)
             k = k + 1
-            loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%mass)
+            loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%inertia%mass)
          end do
          do k = 1, size(loads)
             call order_load(loads(k), numbering, columns)
@@ -92,18 +94,18 @@ contains
 
       integer :: i, point(2)
 
-      allocate (domain%surfaces(size(model%contacts)))
+      allocate (domain%contact%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
          point(:) = 1
          if (size(domain%bricks) > 0) then
-            domain%surfaces(i) = new_brick_surface(model%contacts(i), model%mesh)
+            domain%contact%surfaces(i) = new_brick_surface(model%contacts(i), model%mesh)
          else
             point(:) = face_point(domain%layers, model%contacts(i)%face)
-            domain%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
+            domain%contact%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
          end if
          call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, &
-            & domain%surfaces(i))
-         call set_resistance(domain, point, domain%surfaces(i))
+            & domain%contact%surfaces(i))
+         call set_resistance(domain, point, domain%contact%surfaces(i))
       end do
    end subroutine build_surfaces
 
@@ -119,15 +121,16 @@ contains
       integer :: c, i, mover(domain%columns%freedoms)
 
       held(:) = .false.
-      held(domain%held) = .true.
+      held(domain%supports%held) = .true.
       mover(:) = 0
-      do i = 1, size(domain%motions)
-         mover(domain%motions(i)%freedom) = i
+      do i = 1, size(domain%supports%motions)
+         mover(domain%supports%motions(i)%freedom) = i
       end do
       values(:, :) = 0.0_wp
       associate (here => surface%here)
          do c = 1, 3
-            values(c, here) = merge(0.0_wp, domain%inverse_mass(domain%columns%mass_of(point(1), &
+            values(c, here) = merge(0.0_wp, domain%inertia%inverse_mass( &
+               & domain%columns%mass_of(point(1), &
                & point(2), surface%node(here))), held(surface%freedom(c, here)))
             values(3 + c, here) = real(mover(surface%freedom(c, here)), wp)
          end do

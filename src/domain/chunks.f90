@@ -9,10 +9,10 @@ module plydyn_domain_chunks
    implicit none
    private
 
-   public :: border_nodes, divide_quads, give_borders, give_held, give_makers, list_chunks, &
+   public :: nodes_of_columns, divide_quads, assign_shared_nodes, assign_held_points, find_contributors, list_chunks, &
       & quad_centres, set_targets
 
-   !> Most quads of a chunk: large enough that few nodes lie on borders, small enough that chunks
+   !> Most quads of a chunk: large enough that few nodes are shared, small enough that chunks
    !> outnumber threads and one stays in the cache
    integer, parameter :: most_quads = 8
    !> Parts of the width that coordinates are rounded to: quads in a row stay in it
@@ -79,23 +79,23 @@ contains
       end do
    end function quad_centres
 
-   !> Column of the node of each column: itself, or that of its border where it lies behind
-   pure function border_nodes(columns, borders) result(node)
+   !> Column of the node of each column: itself, or the node's own where it lies behind
+   pure function nodes_of_columns(columns, shared_nodes) result(node)
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> As in `domain_type`
-      integer, intent(in) :: borders(:, :)
+      !> As in `chunks_type`
+      integer, intent(in) :: shared_nodes(:, :)
       integer, allocatable :: node(:)
       integer :: b, c
 
       allocate (node((columns%forces - front)/columns%height))
       node(:columns%count) = [(c, c=1, columns%count)]
-      do b = 1, size(borders, 2)
-         node(borders(2, b):borders(3, b)) = borders(1, b)
+      do b = 1, size(shared_nodes, 2)
+         node(shared_nodes(2, b):shared_nodes(3, b)) = shared_nodes(1, b)
       end do
-   end function border_nodes
+   end function nodes_of_columns
 
-   !> Let all quads and bricks add to the columns of their chunks
+   !> Let all elements add to the columns of their chunks
    pure subroutine set_targets(domain)
       !> The domain; its chunks have their columns, plates and bricks get their targets
       type(domain_type), intent(inout) :: domain
@@ -103,15 +103,15 @@ contains
       integer :: c, k, target(domain%columns%count)
       integer, allocatable :: node(:)
 
-      node = border_nodes(domain%columns, domain%borders)
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c))
+      node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
+      do c = 1, size(domain%chunks%list)
+         associate (chunk => domain%chunks%list(c))
             target(node(chunk%column)) = chunk%column
             if (size(domain%bricks) > 0) then
-               call aim_bricks(domain%columns%height, chunk, target, domain%bricks(chunk%plate))
+               call aim_bricks(domain%columns%height, chunk, target, domain%bricks(chunk%set))
             else
-               call aim_quads(chunk, target, domain%plates(chunk%plate)%node, &
-                  & domain%plates(chunk%plate)%target)
+               call aim_quads(chunk, target, domain%plates(chunk%set)%node, &
+                  & domain%plates(chunk%set)%target)
             end if
          end associate
       end do
@@ -120,53 +120,54 @@ contains
       end do
    end subroutine set_targets
 
-   !> Let every chunk add up the borders at the columns that it moves
-   pure subroutine give_borders(domain)
-      !> With the columns of all chunks; the chunks get their borders
+   !> Assign each shared node to the chunk that moves its column
+   pure subroutine assign_shared_nodes(domain)
+      !> With the columns of all chunks; the chunks get their shared nodes
       type(domain_type), intent(inout) :: domain
 
-      integer :: chunk(size(domain%borders, 2)), c, i
+      integer :: chunk(size(domain%chunks%shared_nodes, 2)), c, i
 
-      chunk(:) = chunks_of(domain, domain%borders(1, :))
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%borders = pack([(i, i=1, size(chunk))], chunk == c)
+      chunk(:) = chunks_of(domain, domain%chunks%shared_nodes(1, :))
+      do c = 1, size(domain%chunks%list)
+         domain%chunks%list(c)%shared_nodes = pack([(i, i=1, size(chunk))], chunk == c)
       end do
-   end subroutine give_borders
+   end subroutine assign_shared_nodes
 
-   !> Let every chunk know whose forces its points need
-   pure subroutine give_makers(domain)
-      !> With columns and borders of all chunks; the chunks get their makers
+   !> Find the chunks whose forces the points of each chunk need
+   pure subroutine find_contributors(domain)
+      !> With columns and shared nodes of all chunks; the chunks get their contributors
       type(domain_type), intent(inout) :: domain
 
       integer :: c, i, maker(column_count(domain))
       integer, allocatable :: list(:)
 
-      maker(:) = makers_of(domain)
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c))
-            list = [c, maker([chunk%own, chunk%guests])]
-            do i = 1, size(chunk%borders)
-               associate (border => domain%borders(:, chunk%borders(i)))
+      maker(:) = chunk_of_columns(domain)
+      do c = 1, size(domain%chunks%list)
+         associate (chunk => domain%chunks%list(c))
+            list = [c, maker([chunk%owned_columns, chunk%ghost_columns])]
+            do i = 1, size(chunk%shared_nodes)
+               associate (border => domain%chunks%shared_nodes(:, chunk%shared_nodes(i)))
                   list = [list, maker(border(2):border(3))]
                end associate
             end do
-            chunk%makers = each_once(list)
+            chunk%contributors = each_once(list)
          end associate
       end do
-   end subroutine give_makers
+   end subroutine find_contributors
 
-   !> Let every chunk hold the points of the columns that it moves
-   pure subroutine give_held(domain)
+   !> Assign each held point to the chunk that moves its column
+   pure subroutine assign_held_points(domain)
       !> With the columns of all chunks, and held points; the chunks get theirs
       type(domain_type), intent(inout) :: domain
 
-      integer :: chunk(size(domain%held)), c, i
+      integer :: chunk(size(domain%supports%held)), c, i
 
-      chunk(:) = chunks_of(domain, domain%columns%column_of(domain%held))
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%held = runs_of(domain%held, pack([(i, i=1, size(chunk))], chunk == c))
+      chunk(:) = chunks_of(domain, domain%columns%column_of(domain%supports%held))
+      do c = 1, size(domain%chunks%list)
+         domain%chunks%list(c)%held = runs_of(domain%supports%held, &
+            & pack([(i, i=1, size(chunk))], chunk == c))
       end do
-   end subroutine give_held
+   end subroutine assign_held_points
 
    !> Held points that follow each other, in their list as in the arrays of motion: first and last
    !> of each run, (2, runs)
@@ -193,7 +194,7 @@ contains
 
    !> Chunks at the points of each facet of a face
    pure subroutine list_chunks(domain, surface, last, list)
-      !> With columns and borders of all chunks
+      !> With columns and shared nodes of all chunks
       type(domain_type), intent(in) :: domain
       !> The face
       type(surface_type), intent(in) :: surface
@@ -206,9 +207,9 @@ contains
       integer :: b, f, i
       integer, allocatable :: here(:)
 
-      maker(:) = makers_of(domain)
+      maker(:) = chunk_of_columns(domain)
       border(:) = 0
-      border(domain%borders(1, :)) = [(b, b=1, size(domain%borders, 2))]
+      border(domain%chunks%shared_nodes(1, :)) = [(b, b=1, size(domain%chunks%shared_nodes, 2))]
       allocate (last(0:size(surface%facet, 2)), source=0)
       allocate (list(size(surface%facet)))
       do f = 1, size(surface%facet, 2)
@@ -219,7 +220,8 @@ contains
                b = domain%columns%column_of(place)
                here = [here, maker(b)]
                if (border(b) == 0) cycle
-               here = [here, maker(domain%borders(2, border(b)):domain%borders(3, border(b)))]
+               here = [here, maker(domain%chunks%shared_nodes(2, &
+                  & border(b)):domain%chunks%shared_nodes(3, border(b)))]
             end associate
          end do
          here = each_once(pack(here, here > 0))
@@ -237,16 +239,16 @@ contains
    end function column_count
 
    !> Chunk that makes the forces of each column; 0 where another rank does
-   pure function makers_of(domain) result(maker)
+   pure function chunk_of_columns(domain) result(maker)
       type(domain_type), intent(in) :: domain
       integer :: maker(column_count(domain))
       integer :: c
 
       maker(:) = 0
-      do c = 1, size(domain%chunks)
-         maker(domain%chunks(c)%column) = c
+      do c = 1, size(domain%chunks%list)
+         maker(domain%chunks%list(c)%column) = c
       end do
-   end function makers_of
+   end function chunk_of_columns
 
    !> Numbers in rising order, each once
    pure function each_once(list) result(numbers)
@@ -265,9 +267,9 @@ contains
 
       integer :: c, mover(domain%columns%count)
 
-      do c = 1, size(domain%chunks)
-         mover(domain%chunks(c)%own) = c
-         mover(domain%chunks(c)%guests) = c
+      do c = 1, size(domain%chunks%list)
+         mover(domain%chunks%list(c)%owned_columns) = c
+         mover(domain%chunks%list(c)%ghost_columns) = c
       end do
       chunk(:) = mover(column)
    end function chunks_of
@@ -286,7 +288,7 @@ contains
       logical :: is_new(size(column))
 
       is_new(:) = .true.
-      do e = chunk%quads(1), chunk%quads(2)
+      do e = chunk%elements(1), chunk%elements(2)
          do i = 1, size(node, 1)
             target(i, e) = merge(-1, 1, is_new(node(i, e)))*column(node(i, e))
             is_new(node(i, e)) = .false.
@@ -304,7 +306,7 @@ contains
 
       integer :: b, n
 
-      do b = chunk%quads(1), chunk%quads(2)
+      do b = chunk%elements(1), chunk%elements(2)
          do n = 1, size(bricks%place, 2)
             associate (place => bricks%place(:, n, b) - front - 1)
                bricks%target(:, n, b) = front + 1 + mod(place, height) &

@@ -37,8 +37,8 @@ contains
       integer :: i, k
 
       if (all(model%materials%ply%snap_back /= snap_refuse)) return
-      do i = 1, size(domain%bands)
-         associate (material => model%materials(i), band => domain%bands(i))
+      do i = 1, size(domain%crack_bands)
+         associate (material => model%materials(i), band => domain%crack_bands(i))
             if (material%ply%snap_back /= snap_refuse .or. band%points == 0) cycle
             do k = 1, 2
                length(:) = 0.0_wp

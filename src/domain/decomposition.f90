@@ -43,7 +43,7 @@ module plydyn_domain_decomposition
       !> Column of each node, or of each so many as are abreast, and that of each column
       integer, allocatable :: column(:), node(:)
       !> Columns where chunks meet, as in `domain_type`
-      integer, allocatable :: borders(:, :)
+      integer, allocatable :: shared_nodes(:, :)
    end type decomposition_type
 
 contains
@@ -69,8 +69,8 @@ contains
       call list_chunks(self)
       do c = 1, size(self%chunks)
          associate (chunk => self%chunks(c))
-            associate (all => mesh%quad_node(:, self%parts(chunk%plate)%element( &
-               & chunk%quads(1):chunk%quads(2))))
+            associate (all => mesh%quad_node(:, self%parts(chunk%set)%element( &
+               & chunk%elements(1):chunk%elements(2))))
                chunk%column = each_once(reshape(all, [size(all)]))
             end associate
          end associate
@@ -98,9 +98,9 @@ contains
       self%nodes = (size(mesh%node_id) + lanes - 1)/lanes
       call list_chunks(self)
       do c = 1, size(self%chunks)
-         associate (chunk => self%chunks(c), brick => bricks(self%chunks(c)%plate)%brick)
-            associate (all => mesh%brick_node(:, brick(lanes*(chunk%quads(1) - 1) + 1: &
-               & min(lanes*chunk%quads(2), size(brick)))))
+         associate (chunk => self%chunks(c), brick => bricks(self%chunks(c)%set)%brick)
+            associate (all => mesh%brick_node(:, brick(lanes*(chunk%elements(1) - 1) + 1: &
+               & min(lanes*chunk%elements(2), size(brick)))))
                chunk%column = each_once(1 + (reshape(all, [size(all)]) - 1)/lanes)
             end associate
          end associate
@@ -122,8 +122,8 @@ contains
          first = 1
          do k = 1, size(self%parts(p)%last)
             c = c + 1
-            self%chunks(c)%plate = p
-            self%chunks(c)%quads(:) = [first, self%parts(p)%last(k)]
+            self%chunks(c)%set = p
+            self%chunks(c)%elements(:) = [first, self%parts(p)%last(k)]
             first = self%parts(p)%last(k) + 1
          end do
       end do
@@ -186,13 +186,13 @@ contains
       end do
       self%columns = self%nodes
       behind(:) = 0
-      allocate (self%borders(3, count(chunks_at > 1)))
-      self%borders(1, :) = pack([(i, i=1, size(chunks_at))], chunks_at > 1)
-      do i = 1, size(self%borders, 2)
-         behind(self%borders(1, i)) = self%columns + 1
-         self%borders(2, i) = self%columns + 1
-         self%columns = self%columns + chunks_at(self%borders(1, i)) - 1
-         self%borders(3, i) = self%columns
+      allocate (self%shared_nodes(3, count(chunks_at > 1)))
+      self%shared_nodes(1, :) = pack([(i, i=1, size(chunks_at))], chunks_at > 1)
+      do i = 1, size(self%shared_nodes, 2)
+         behind(self%shared_nodes(1, i)) = self%columns + 1
+         self%shared_nodes(2, i) = self%columns + 1
+         self%columns = self%columns + chunks_at(self%shared_nodes(1, i)) - 1
+         self%shared_nodes(3, i) = self%columns
       end do
       next = [(i, i=1, self%nodes)]
       do c = 1, size(self%chunks)

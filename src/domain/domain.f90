@@ -109,31 +109,99 @@ module plydyn_domain_domain
       type(critical_element_type), allocatable :: slowest(:)
    end type step_limit_type
 
-   !> Quads, or batches of bricks, of a part that one thread takes at a time; see
-   !> `plydyn_domain_decomposition`
+   !> Elements of one set that a thread computes at a time; see `plydyn_domain_decomposition`
    type, public :: chunk_type
-      !> The part's plate or bricks
-      integer :: plate = 0
-      !> First and last quad of that plate, or batch of bricks
-      integer :: quads(2) = 0
+      !> The element set
+      integer :: set = 0
+      !> First and last element of that set
+      integer :: elements(2) = 0
       !> Columns that take its forces and those of no other chunk
       integer, allocatable :: column(:)
       !> Those of them that are the nodes' own: they are counted with this chunk
-      integer, allocatable :: own(:)
+      integer, allocatable :: owned_columns(:)
       !> Columns of nodes that are counted by another rank, and move with this chunk here
-      integer, allocatable :: guests(:)
-      !> Those of the domain's borders that are at any of these, and of its held points: first and
-      !> last of each run, (2, runs)
-      integer, allocatable :: borders(:), held(:, :)
+      integer, allocatable :: ghost_columns(:)
+      !> Shared nodes at any of these columns, as indices, and runs of its held points: first and
+      !> last of each, (2, runs)
+      integer, allocatable :: shared_nodes(:), held(:, :)
       !> Chunks whose forces its points need, itself too; 0 for those of other ranks
-      integer, allocatable :: makers(:)
+      integer, allocatable :: contributors(:)
    end type chunk_type
+
+   !> The chunks of a rank, and what they share with each other and with other ranks
+   type, public :: chunks_type
+      !> Chunks of all elements
+      type(chunk_type), allocatable :: list(:)
+      !> The order in which they are best computed, and how many come first because other ranks need
+      !> their forces
+      integer, allocatable :: order(:)
+      integer :: outer = 0
+      !> Nodes of several chunks: column of the node, and first and last of its columns behind,
+      !> (3, nodes)
+      integer, allocatable :: shared_nodes(:, :)
+      !> Forces that are exchanged with other ranks in a step
+      type(halo_type) :: halo
+   end type chunks_type
+
+   !> Masses, and inertia that locally implicit operators add between points
+   type, public :: inertia_type
+      !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
+      !> face move as one); zero where there is no point
+      real(wp), allocatable :: mass(:), inverse_mass(:)
+      !> Mass of the whole model
+      real(wp) :: total_mass = 0.0_wp
+      !> Lower layers of the faces that move as one
+      integer, allocatable :: ties(:)
+      !> Those of them whose layers are of different order groups: points below and above,
+      !> (2, 3*nodes*faces)
+      integer, allocatable :: far_ties(:, :)
+      !> Inertia across interfaces; not active where their springs are explicit
+      type(pair_inertia_type) :: pairs
+      !> Inertia through the thickness and across interfaces; not active where that is explicit
+      type(column_inertia_type) :: thickness
+      !> Added inertia between prescribed points
+      type(inertia_links_type) :: moved_links
+      !> Added inertia between held points, as places in `held`, and free ones
+      type(inertia_links_type) :: held_links
+   end type inertia_type
+
+   !> Points that are held or moved
+   type, public :: supports_type
+      !> Places in the arrays of motion that do not move, and which of the model's supports counts
+      !> the force of each
+      integer, allocatable :: held(:), holder(:)
+      !> Prescribed motions
+      type(prescribed_type), allocatable :: motions(:)
+      !> Velocities at time zero
+      type(initial_velocity_type), allocatable :: initial_velocities(:)
+   end type supports_type
+
+   !> Impactors and the faces that they may touch
+   type, public :: contact_bodies_type
+      !> Rigid impactors
+      type(impactor_type), allocatable :: impactors(:)
+      !> Contacts, as the deck says
+      type(contact_type), allocatable :: contacts(:)
+      !> The face that each contact is on
+      type(surface_type), allocatable :: surfaces(:)
+   end type contact_bodies_type
+
+   !> Averages over neighbours that drive the damage of plies
+   type, public :: averaging_type
+      !> The averages
+      type(average_type), allocatable :: averages(:)
+      !> Halo exchange of the strains of other ranks' points that go into them
+      type(halo_type) :: strain_halo
+      !> Length of the received strains behind the histories
+      integer :: halo_strains = 0
+      !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
+      integer, allocatable :: neighbours(:, :)
+   end type averaging_type
 
    !> Everything the loop reads
    type, public :: domain_type
-      !> The ranks of the run, and what this one exchanges with the others in a step
+      !> The ranks of the run
       type(comm_type) :: comm
-      type(halo_type) :: halo
       !> How to run
       type(control_type) :: control
       !> Curves over time
@@ -148,66 +216,30 @@ module plydyn_domain_domain
       type(columns_type) :: columns
       !> One plate for each part
       type(plate_type), allocatable :: plates(:)
-      !> Averages over neighbours that drive the damage of plies, and the strains of other ranks'
-      !> points that go into them
-      type(average_type), allocatable :: averages(:)
-      type(halo_type) :: strain_halo
-      !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none
-      integer, allocatable :: neighbours(:, :)
-      !> Crack bands of each material of the whole model
-      type(crack_band_type), allocatable :: bands(:)
       !> Bricks of each part; a domain has plates or bricks
       type(bricks_type), allocatable :: bricks(:)
-      !> History variables of all Gauss points together, and room behind for the strains that other
-      !> ranks lend
-      integer :: histories = front, halo_strains = 0
       !> Interfaces between layers
       type(interface_type), allocatable :: interfaces(:)
-      !> Chunks of all quads or bricks
-      type(chunk_type), allocatable :: chunks(:)
-      !> The order in which they are best taken, and how many come first because other ranks need
-      !> their forces
-      integer, allocatable :: order(:)
-      integer :: outer = 0
-      !> Nodes where chunks meet: node, and first and last of its columns behind, (3, nodes)
-      integer, allocatable :: borders(:, :)
-      !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
-      !> face move as one); zero where there is no point
-      real(wp), allocatable :: mass(:), inverse_mass(:)
-      !> Mass of the whole model
-      real(wp) :: total_mass = 0.0_wp
-      !> Lower layers of the faces that move as one
-      integer, allocatable :: ties(:)
-      !> Those of them whose layers are of different families: points below and above,
-      !> (2, 3*nodes*faces)
-      integer, allocatable :: far_ties(:, :)
-      !> Places in the arrays of motion that do not move, and which of the model's supports counts
-      !> the force of each
-      integer, allocatable :: held(:), holder(:)
-      !> Velocities at time zero
-      type(initial_velocity_type), allocatable :: initial_velocities(:)
-      !> Prescribed motions
-      type(prescribed_type), allocatable :: motions(:)
+      !> Length of the history variables of all Gauss points together
+      integer :: histories = front
+      !> Averages over neighbours
+      type(averaging_type) :: averaging
+      !> Crack bands of each material of the whole model
+      type(crack_band_type), allocatable :: crack_bands(:)
+      !> Chunks of all elements
+      type(chunks_type) :: chunks
+      !> Masses and added inertia
+      type(inertia_type) :: inertia
+      !> Supports and prescribed motions
+      type(supports_type) :: supports
       !> Forces
       type(load_type), allocatable :: loads(:)
-      !> Rigid impactors
-      type(impactor_type), allocatable :: impactors(:)
-      !> Contacts, as the deck says
-      type(contact_type), allocatable :: contacts(:)
-      !> The face that each contact is on
-      type(surface_type), allocatable :: surfaces(:)
+      !> Impactors and contacts
+      type(contact_bodies_type) :: contact
       !> Where the time step comes from
       type(step_limit_type) :: limit
       !> Largest step that will be taken
       real(wp) :: step = 0.0_wp
-      !> Inertia across interfaces; not active where their springs are explicit
-      type(pair_inertia_type) :: pairs
-      !> Inertia through the thickness and across interfaces; not active where that is explicit
-      type(column_inertia_type) :: thickness
-      !> What of both lies between prescribed points
-      type(inertia_links_type) :: moved_links
-      !> What lies between held points, as places in `held`, and free ones
-      type(inertia_links_type) :: held_links
    end type domain_type
 
 end module plydyn_domain_domain

@@ -48,8 +48,8 @@ contains
       allocate (self%column(size(owner)))
       self%column(:) = 0
       where (owner == rank) self%column(:) = 1
-      do b = 1, size(division%borders, 2)
-         associate (node => division%borders(1, b), behind => division%borders(2:3, b))
+      do b = 1, size(division%shared_nodes, 2)
+         associate (node => division%shared_nodes(1, b), behind => division%shared_nodes(2:3, b))
             if (any(self%column(behind(1):behind(2)) > 0)) self%column(node) = 1
          end associate
       end do
@@ -60,9 +60,9 @@ contains
       self%column(self%here) = [(i, i=1, size(self%here))]
       self%own = owner(self%here) == rank
       self%columns = size(self%here)
-      do b = 1, size(division%borders, 2)
-         if (self%column(division%borders(1, b)) == 0) cycle
-         do c = division%borders(2, b), division%borders(3, b)
+      do b = 1, size(division%shared_nodes, 2)
+         if (self%column(division%shared_nodes(1, b)) == 0) cycle
+         do c = division%shared_nodes(2, b), division%shared_nodes(3, b)
             self%columns = self%columns + 1
             self%column(c) = self%columns
          end do

@@ -25,10 +25,12 @@ contains
 
       associate (columns => domain%columns)
          reals = real(motions*columns%freedoms, wp) + columns%forces &
-            & + size(domain%mass) + size(domain%inverse_mass) + size(domain%position)
+            & + size(domain%inertia%mass) + size(domain%inertia%inverse_mass) &
+            & + size(domain%position)
       end associate
-      integers = real(size(domain%node_id) + size(domain%borders), wp) &
-         & + size(domain%held) + size(domain%holder) + size(domain%far_ties)
+      integers = real(size(domain%node_id) + size(domain%chunks%shared_nodes), wp) &
+         & + size(domain%supports%held) + size(domain%supports%holder) &
+         & + size(domain%inertia%far_ties)
       do i = 1, size(domain%plates)
          associate (plate => domain%plates(i))
             reals = reals + size(plate%metric)
@@ -42,21 +44,24 @@ contains
          reals = reals + size(domain%interfaces(i)%metric)
          integers = integers + size(domain%interfaces(i)%node) + size(domain%interfaces(i)%target)
       end do
-      do a = 1, size(domain%averages)
-         reals = reals + size(domain%averages(a)%weight)
-         integers = integers + size(domain%averages(a)%first) + size(domain%averages(a)%row)
+      do a = 1, size(domain%averaging%averages)
+         reals = reals + size(domain%averaging%averages(a)%weight)
+         integers = integers + size(domain%averaging%averages(a)%first) &
+            & + size(domain%averaging%averages(a)%row)
       end do
-      do c = 1, size(domain%chunks)
-         integers = integers + size(domain%chunks(c)%column)
+      do c = 1, size(domain%chunks%list)
+         integers = integers + size(domain%chunks%list(c)%column)
       end do
       do i = 1, size(domain%loads)
          reals = reals + size(domain%loads(i)%force)
          integers = integers + size(domain%loads(i)%freedom)
       end do
-      do i = 1, size(domain%surfaces)
-         reals = reals + size(domain%surfaces(i)%position) + size(domain%surfaces(i)%inverse_mass)
-         integers = integers + size(domain%surfaces(i)%freedom) + size(domain%surfaces(i)%facet) &
-            & + size(domain%surfaces(i)%mover)
+      do i = 1, size(domain%contact%surfaces)
+         reals = reals + size(domain%contact%surfaces(i)%position) &
+            & + size(domain%contact%surfaces(i)%inverse_mass)
+         integers = integers + size(domain%contact%surfaces(i)%freedom) &
+            & + size(domain%contact%surfaces(i)%facet) &
+            & + size(domain%contact%surfaces(i)%mover)
       end do
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes
@@ -74,7 +79,7 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      bytes = real_bytes*real(domain%histories + domain%halo_strains, wp)
+      bytes = real_bytes*real(domain%histories + domain%averaging%halo_strains, wp)
    end function history_bytes
 
 end module plydyn_domain_memory

@@ -100,7 +100,7 @@ contains
 
       do c = 1, size(division%chunks)
          associate (chunk => division%chunks(c))
-            if (chunk%plate == part) ranks(chunk%quads(1):chunk%quads(2)) = rank_of_chunk(c)
+            if (chunk%set == part) ranks(chunk%elements(1):chunk%elements(2)) = rank_of_chunk(c)
          end associate
       end do
    end function quad_ranks

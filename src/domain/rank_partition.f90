@@ -79,8 +79,8 @@ contains
       owner = column_owners(division, [(c, c=1, size(division%chunks))])
       allocate (begin(size(division%chunks) + 1))
       next(:) = 0
-      do b = 1, size(division%borders, 2)
-         here = owner(columns_of(division%borders(:, b)))
+      do b = 1, size(division%shared_nodes, 2)
+         here = owner(columns_of(division%shared_nodes(:, b)))
          next(here) = next(here) + size(here) - 1
       end do
       begin(1) = 1
@@ -89,8 +89,8 @@ contains
       end do
       allocate (met(begin(size(begin)) - 1))
       next(:) = begin(:size(next))
-      do b = 1, size(division%borders, 2)
-         here = owner(columns_of(division%borders(:, b)))
+      do b = 1, size(division%shared_nodes, 2)
+         here = owner(columns_of(division%shared_nodes(:, b)))
          do i = 1, size(here)
             do k = 1, size(here)
                if (i == k) cycle
@@ -126,14 +126,14 @@ contains
          associate (chunk => chunks(c))
             quad = real(lanes, wp)
             if (size(domain%plates) > 0) then
-               quad = plate_work(domain%plates(chunk%plate), &
+               quad = plate_work(domain%plates(chunk%set), &
                   & domain%control%kinematics == total_lagrangian)
             end if
             do k = 1, size(domain%interfaces)
-               if (domain%interfaces(k)%plate /= chunk%plate) cycle
+               if (domain%interfaces(k)%plate /= chunk%set) cycle
                quad = quad + interface_work*domain%interfaces(k)%side**2
             end do
-            work(c) = max(1, nint(quad*(chunk%quads(2) - chunk%quads(1) + 1)))
+            work(c) = max(1, nint(quad*(chunk%elements(2) - chunk%elements(1) + 1)))
          end associate
       end do
    end function chunk_works

@@ -4,7 +4,7 @@
 !> all of them alike: each gets the force columns of the others, and adds all in the order of the
 !> chunks of the whole model (`plydyn_domain_decomposition`). The rank of its first chunk counts it.
 module plydyn_domain_subdomain
-   use plydyn_domain_chunks, only : border_nodes, give_borders, give_makers
+   use plydyn_domain_chunks, only : nodes_of_columns, assign_shared_nodes, find_contributors
    use plydyn_domain_columns, only : front
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
@@ -29,7 +29,7 @@ module plydyn_domain_subdomain
 
 contains
 
-   !> Columns of a rank, their nodes, and the borders between chunks
+   !> Columns of a rank, their nodes, and the nodes that several chunks share
    pure subroutine take_columns(mesh, division, numbering, domain, share)
       !> The mesh
       type(mesh_type), intent(in) :: mesh
@@ -53,11 +53,12 @@ contains
       call domain%columns%take(size(node), size(share%column), numbering%columns)
       domain%node_id = mesh%node_id(node)
       domain%position = mesh%position(:, node)
-      domain%borders = division%borders(:, pack([(b, b=1, size(division%borders, 2))], &
-         & numbering%column(division%borders(1, :)) > 0))
-      do b = 1, size(domain%borders, 2)
-         do k = 1, size(domain%borders, 1)
-            domain%borders(k, b) = numbering%column(domain%borders(k, b))
+      domain%chunks%shared_nodes = division%shared_nodes(:, &
+         & pack([(b, b=1, size(division%shared_nodes, 2))], &
+         & numbering%column(division%shared_nodes(1, :)) > 0))
+      do b = 1, size(domain%chunks%shared_nodes, 2)
+         do k = 1, size(domain%chunks%shared_nodes, 1)
+            domain%chunks%shared_nodes(k, b) = numbering%column(domain%chunks%shared_nodes(k, b))
          end do
       end do
    end subroutine take_columns
@@ -74,12 +75,12 @@ contains
 
       integer :: c, k
 
-      allocate (domain%chunks(count(taken)))
+      allocate (domain%chunks%list(count(taken)))
       k = 0
       do c = 1, size(taken)
          if (.not. taken(c)) cycle
          k = k + 1
-         domain%chunks(k) = division%chunks(c)
+         domain%chunks%list(k) = division%chunks(c)
       end do
    end subroutine take_chunks
 
@@ -93,17 +94,17 @@ contains
       integer :: c, i, last(max(size(domain%plates), size(domain%bricks)))
 
       last(:) = 0
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c), end => last(domain%chunks(c)%plate))
-            chunk%quads(:) = end + 1 + [0, chunk%quads(2) - chunk%quads(1)]
-            end = chunk%quads(2)
+      do c = 1, size(domain%chunks%list)
+         associate (chunk => domain%chunks%list(c), end => last(domain%chunks%list(c)%set))
+            chunk%elements(:) = end + 1 + [0, chunk%elements(2) - chunk%elements(1)]
+            end = chunk%elements(2)
             chunk%column(:) = numbering%column(chunk%column)
-            chunk%own = pack(chunk%column, chunk%column <= domain%columns%count)
+            chunk%owned_columns = pack(chunk%column, chunk%column <= domain%columns%count)
          end associate
       end do
-      call place_guests(domain, pack([(i, i=1, size(numbering%own))], .not. numbering%own))
-      call give_borders(domain)
-      call give_makers(domain)
+      call place_ghost_columns(domain, pack([(i, i=1, size(numbering%own))], .not. numbering%own))
+      call assign_shared_nodes(domain)
+      call find_contributors(domain)
    end subroutine renumber_chunks
 
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
@@ -118,25 +119,25 @@ contains
       type(domain_type), intent(inout) :: domain
 
       integer, allocatable :: received(:, :), sent(:, :)
-      logical :: is_sent(size(owner)), is_outer(size(domain%chunks))
+      logical :: is_sent(size(owner)), is_outer(size(domain%chunks%list))
       integer :: b, c
 
       allocate (received(2, 0), sent(2, 0))
-      do b = 1, size(division%borders, 2)
-         if (numbering%column(division%borders(1, b)) == 0) cycle
-         call join_border([division%borders(1, b), (c, c=division%borders(2, b), &
-            & division%borders(3, b))], owner, domain%comm%rank, sent, received)
+      do b = 1, size(division%shared_nodes, 2)
+         if (numbering%column(division%shared_nodes(1, b)) == 0) cycle
+         call join_border([division%shared_nodes(1, b), (c, c=division%shared_nodes(2, b), &
+            & division%shared_nodes(3, b))], owner, domain%comm%rank, sent, received)
       end do
       is_sent(:) = .false.
       is_sent(numbering%column(sent(2, :))) = .true.
-      is_outer(:) = [(any(is_sent(domain%chunks(c)%column)), c=1, size(domain%chunks))]
-      domain%outer = count(is_outer)
-      domain%order = [pack([(c, c=1, size(is_outer))], is_outer), &
+      is_outer(:) = [(any(is_sent(domain%chunks%list(c)%column)), c=1, size(domain%chunks%list))]
+      domain%chunks%outer = count(is_outer)
+      domain%chunks%order = [pack([(c, c=1, size(is_outer))], is_outer), &
          & pack([(c, c=1, size(is_outer))], .not. is_outer)]
       associate (height => domain%columns%height)
          sent(2, :) = front + height*(numbering%column(sent(2, :)) - 1)
          received(2, :) = front + height*(numbering%column(received(2, :)) - 1)
-         domain%halo = new_halo(domain%comm%ranks, height, sent, received)
+         domain%chunks%halo = new_halo(domain%comm%ranks, height, sent, received)
       end associate
    end subroutine join_ranks
 
@@ -166,28 +167,28 @@ contains
       end do
    end subroutine join_border
 
-   !> Let every guest move with the first chunk that adds to it
-   pure subroutine place_guests(domain, guests)
+   !> Let every ghost column move with the first chunk that adds to it
+   pure subroutine place_ghost_columns(domain, ghosts)
       type(domain_type), intent(inout) :: domain
       !> Columns that another rank counts
-      integer, intent(in) :: guests(:)
+      integer, intent(in) :: ghosts(:)
 
-      integer :: c, chunk_of(maxval([0, guests])), i
+      integer :: c, chunk_of(maxval([0, ghosts])), i
       integer, allocatable :: node(:)
 
-      node = border_nodes(domain%columns, domain%borders)
+      node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
       chunk_of(:) = 0
-      do c = size(domain%chunks), 1, -1
-         associate (column => domain%chunks(c)%column)
+      do c = size(domain%chunks%list), 1, -1
+         associate (column => domain%chunks%list(c)%column)
             do i = 1, size(column)
                if (column(i) <= domain%columns%count) cycle
                if (node(column(i)) <= size(chunk_of)) chunk_of(node(column(i))) = c
             end do
          end associate
       end do
-      do c = 1, size(domain%chunks)
-         domain%chunks(c)%guests = pack(guests, chunk_of(guests) == c)
+      do c = 1, size(domain%chunks%list)
+         domain%chunks%list(c)%ghost_columns = pack(ghosts, chunk_of(ghosts) == c)
       end do
-   end subroutine place_guests
+   end subroutine place_ghost_columns
 
 end module plydyn_domain_subdomain

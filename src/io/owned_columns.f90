@@ -17,8 +17,8 @@ contains
       integer :: c
 
       is_counted(:) = .true.
-      do c = 1, size(domain%chunks)
-         is_counted(domain%chunks(c)%guests) = .false.
+      do c = 1, size(domain%chunks%list)
+         is_counted(domain%chunks%list(c)%ghost_columns) = .false.
       end do
    end function counted_columns
 

@@ -37,7 +37,8 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      can_go_ahead = size(domain%loads) + size(domain%motions) + size(domain%far_ties) == 0
+      can_go_ahead = size(domain%loads) + size(domain%supports%motions) &
+         & + size(domain%inertia%far_ties) == 0
    end function can_go_ahead
 
    !> Accelerations of all points, by all threads together
@@ -116,7 +117,7 @@ contains
       if (.not. team%has_opened()) return
       chunk = team%movers%own(omp_get_thread_num(), place)
       if (chunk == 0) return
-      is_moved = team%has_forces(domain%chunks(chunk)%makers)
+      is_moved = team%has_forces(domain%chunks%list(chunk)%contributors)
       if (.not. is_moved) return
       call move_chunk(domain, chunk, step, state)
       call team%note_moved(chunk)
@@ -148,8 +149,8 @@ contains
       real(wp), intent(in) :: step
       type(state_type), intent(inout) :: state
 
-      associate (chunk => domain%chunks(number), force => state%acceleration)
-         call add_borders(domain, chunk%borders, force)
+      associate (chunk => domain%chunks%list(number), force => state%acceleration)
+         call add_borders(domain, chunk%shared_nodes, force)
          call hold_points(domain, chunk%held, force, state%support_force)
       end associate
       call accelerate_chunk(domain, number, step, state)

@@ -59,9 +59,9 @@ contains
       stride = new_leapfrog_coefficients(domain%control%damping, state%step_before, state%step)
       ! the thread that accelerates a chunk advances it: it still has its accelerations
       !$omp do schedule(static)
-      do c = size(domain%chunks), 1, -1
-         call advance_columns(domain, domain%chunks(c)%own, stride, state)
-         call advance_columns(domain, domain%chunks(c)%guests, stride, state)
+      do c = size(domain%chunks%list), 1, -1
+         call advance_columns(domain, domain%chunks%list(c)%owned_columns, stride, state)
+         call advance_columns(domain, domain%chunks%list(c)%ghost_columns, stride, state)
       end do
       !$omp end do
    end subroutine advance
@@ -132,18 +132,18 @@ contains
 
       integer :: c, k
 
-      if (size(domain%far_ties, 2) > 0) then
+      if (size(domain%inertia%far_ties, 2) > 0) then
          !$omp barrier
          !$omp do schedule(static)
-         do k = 1, size(domain%far_ties, 2)
+         do k = 1, size(domain%inertia%far_ties, 2)
             associate (force => state%acceleration)
-               force(domain%far_ties(:, k)) = sum(force(domain%far_ties(:, k)))
+               force(domain%inertia%far_ties(:, k)) = sum(force(domain%inertia%far_ties(:, k)))
             end associate
          end do
          !$omp end do
       end if
       !$omp do schedule(static)
-      do c = size(domain%chunks), 1, -1
+      do c = size(domain%chunks%list), 1, -1
          call accelerate_chunk(domain, c, step, state)
       end do
       !$omp end do nowait
@@ -162,9 +162,10 @@ contains
 
       type(sums_type) :: counted_elsewhere, sums
 
-      call accelerate_columns(domain, domain%chunks(number)%own, step, state, sums)
+      call accelerate_columns(domain, domain%chunks%list(number)%owned_columns, step, state, sums)
       state%chunk_sums(number) = sums
-      call accelerate_columns(domain, domain%chunks(number)%guests, step, state, counted_elsewhere)
+      call accelerate_columns(domain, domain%chunks%list(number)%ghost_columns, step, state, &
+         & counted_elsewhere)
    end subroutine accelerate_chunk
 
    !> `accelerate` for some columns, each moved on while it is in the cache
@@ -181,7 +182,7 @@ contains
       logical :: is_coupled
 
       stride = new_leapfrog_coefficients(domain%control%damping, step, state%step_after)
-      is_coupled = domain%thickness%active .or. domain%pairs%active
+      is_coupled = domain%inertia%thickness%active .or. domain%inertia%pairs%active
       reach = (1.0_wp + room)*domain%step
       part(:, :) = 0.0_wp
       do i = 1, size(columns)
@@ -219,8 +220,9 @@ contains
                call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
                   & force(first:))
             end if
-            call divide(family%blocks*(family%order + 1), half_step, reach, domain%mass(mass:), &
-               & domain%inverse_mass(mass:), velocity(first:), force(first:), part)
+            call divide(family%blocks*(family%order + 1), half_step, reach, &
+               & domain%inertia%mass(mass:), &
+               & domain%inertia%inverse_mass(mass:), velocity(first:), force(first:), part)
          end associate
       end do
    end subroutine accelerate_column
@@ -274,13 +276,14 @@ contains
       real(wp), intent(inout), contiguous :: acceleration(:)
       type(sums_type), intent(inout) :: sums
 
-      if (domain%thickness%active) then
-         call couple_column(domain%thickness, domain%columns, domain%mass, node, half_step, &
+      if (domain%inertia%thickness%active) then
+         call couple_column(domain%inertia%thickness, domain%columns, domain%inertia%mass, node, &
+            & half_step, &
             & velocity, acceleration, sums)
-         call add_pair_energy(domain%pairs, domain%columns, node, half_step, velocity, &
+         call add_pair_energy(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
             & acceleration, sums)
       else
-         call couple_pairs(domain%pairs, domain%columns, node, half_step, velocity, &
+         call couple_pairs(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
             & acceleration, sums)
       end if
       sums%fastest = max(sums%fastest, &

@@ -37,7 +37,7 @@ module plydyn_method_contact_step
 
    !> All contacts
    type, public :: contacts_type
-      !> In the order of `domain%contacts`
+      !> In the order of `domain%contact%contacts`
       type(pair_type), allocatable :: pairs(:)
       !> Chunks with a point that contact may push in the coming step; whether it may push any
       logical, allocatable :: reached(:)
@@ -66,11 +66,12 @@ contains
       real(wp) :: gap
       integer :: i
 
-      allocate (self%pairs(size(domain%contacts)))
-      allocate (self%reached(size(domain%chunks)), source=.false.)
-      do i = 1, size(domain%contacts)
-         associate (contact => domain%contacts(i), surface => domain%surfaces(i), &
-            & impactor => domain%impactors(domain%contacts(i)%impactor), pair => self%pairs(i))
+      allocate (self%pairs(size(domain%contact%contacts)))
+      allocate (self%reached(size(domain%chunks%list)), source=.false.)
+      do i = 1, size(domain%contact%contacts)
+         associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
+            & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), pair &
+            & => self%pairs(i))
             call new_contact(pair%pair, contact_setup_type(radius=impactor%radius, &
                & mass=impactor%mass, guided=impactor%guided, side=contact%face, &
                & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
@@ -145,16 +146,16 @@ contains
 
       integer :: i
 
-      do i = 1, size(domain%impactors)
+      do i = 1, size(domain%contact%impactors)
          call move_impactor(domain, i, state)
       end do
-      self%reaches_all = size(domain%motions) > 0
+      self%reaches_all = size(domain%supports%motions) > 0
       do i = 1, size(self%pairs)
-         associate (pair => self%pairs(i)%pair, impactor => domain%contacts(i)%impactor)
+         associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
             call pair%near%approach(largest_move(domain, state), state%impactors(impactor)%centre)
             ! what a second pair of an impactor finds is known after the push of the first only
             self%reaches_all = self%reaches_all .or. pair%near%needs_all .or. pair%ground%is_all &
-               & .or. any(domain%contacts(:i - 1)%impactor == impactor)
+               & .or. any(domain%contact%contacts(:i - 1)%impactor == impactor)
          end associate
       end do
    end subroutine approach
@@ -199,7 +200,7 @@ contains
 
       real(wp) :: before, push
 
-      associate (own => state%impactors(i), impactor => domain%impactors(i))
+      associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
          push = 0.5_wp*(state%step_before + state%step)*impactor%gravity
          before = own%velocity(3)
          own%velocity(3) = before + push
@@ -223,7 +224,8 @@ contains
       real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
 
-      associate (surface => domain%surfaces(i), own => state%impactors(domain%contacts(i)%impactor))
+      associate (surface => domain%contact%surfaces(i), own &
+         & => state%impactors(domain%contact%contacts(i)%impactor))
          ! another pair may have pushed the impactor
          call self%pair%near%approach(0.0_wp, own%centre)
          if (self%pair%near%needs_all) then
@@ -233,7 +235,7 @@ contains
             if (self%rebuilds /= self%pair%near%rebuilds) call list_by_rank(surface, self)
             call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
          end if
-         if (size(domain%motions) > 0) then
+         if (size(domain%supports%motions) > 0) then
             call resist_moved(domain, surface, state%time, self%inverse_mass)
          end if
          call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
@@ -243,8 +245,9 @@ contains
          if (found%active == 0) return
          own%force(:) = own%force + found%force
          call push_plate(domain, surface, self%inverse_mass, self%pair%correction, state)
-         call push_impactor(domain%impactors(domain%contacts(i)%impactor)%mass, centre_correction, &
-            & state, domain%contacts(i)%impactor)
+         call push_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor)%mass, &
+            & centre_correction, &
+            & state, domain%contact%contacts(i)%impactor)
       end associate
    end subroutine enforce_pair
 
@@ -255,11 +258,11 @@ contains
       real(wp), intent(in) :: time
       real(wp), intent(inout) :: inverse_mass(:, :)
 
-      logical :: active(0:size(domain%motions))
+      logical :: active(0:size(domain%supports%motions))
       integer :: c, k
 
       active(0) = .false.
-      active(1:) = is_active(domain%motions, time)
+      active(1:) = is_active(domain%supports%motions, time)
       do k = 1, size(surface%mover, 2)
          do c = 1, 3
             inverse_mass(c, k) = merge(0.0_wp, surface%inverse_mass(c, k), &
@@ -275,7 +278,7 @@ contains
       type(state_type), intent(in) :: state
 
       move = sqrt(huge(1.0_wp))
-      if (size(domain%motions) > 0 .or. state%fastest > move) return
+      if (size(domain%supports%motions) > 0 .or. state%fastest > move) return
       move = sqrt(3.0_wp)*state%step*state%fastest
    end function largest_move
 
@@ -359,8 +362,9 @@ contains
                v = v + jump
                u = u + move
             end associate
-            if (domain%thickness%active) then
-               call pull_column(domain%thickness, domain%columns, surface, k, c, move, state)
+            if (domain%inertia%thickness%active) then
+               call pull_column(domain%inertia%thickness, domain%columns, surface, k, c, move, &
+                  & state)
             end if
          end do
          if (.not. surface%own(k)) cycle

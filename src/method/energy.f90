@@ -99,7 +99,7 @@ contains
          e%momentum(:) = sums%momentum
          e%impactor = 0.0_wp
          do i = 1, size(state%impactors)
-            associate (impactor => domain%impactors(i), v => state%impactors(i)%velocity)
+            associate (impactor => domain%contact%impactors(i), v => state%impactors(i)%velocity)
                e%impactor = e%impactor + 0.5_wp*impactor%mass*dot_product(v, v)
                e%momentum(:) = e%momentum + impactor%mass*v
             end associate

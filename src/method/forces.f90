@@ -46,8 +46,8 @@ contains
       end do
       call await_forces(domain, team, force)
       !$omp do schedule(static)
-      do c = size(domain%chunks), 1, -1
-         call add_borders(domain, domain%chunks(c)%borders, force)
+      do c = size(domain%chunks%list), 1, -1
+         call add_borders(domain, domain%chunks%list(c)%shared_nodes, force)
       end do
       !$omp end do nowait
    end subroutine find_internal_forces
@@ -65,7 +65,7 @@ contains
 
       integer :: c, chunk
 
-      if (size(domain%averages) > 0) then
+      if (size(domain%averaging%averages) > 0) then
          if (domain%comm%ranks > 1) then
             !$omp master
             call borrow_strains(domain, history)
@@ -73,12 +73,12 @@ contains
             !$omp barrier
          end if
          !$omp do schedule(dynamic)
-         do c = 1, size(domain%chunks)
-            call find_chunk_averages(domain, domain%chunks(c), history)
+         do c = 1, size(domain%chunks%list)
+            call find_chunk_averages(domain, domain%chunks%list(c), history)
          end do
          !$omp end do
       end if
-      if (domain%outer == 0) return
+      if (domain%chunks%outer == 0) return
       do
          chunk = team%take(outer)
          if (chunk == 0) exit
@@ -86,7 +86,7 @@ contains
       end do
       !$omp barrier
       !$omp master
-      call domain%halo%start(force, team%messages)
+      call domain%chunks%halo%start(force, team%messages)
       !$omp end master
    end subroutine make_outer_forces
 
@@ -101,9 +101,9 @@ contains
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       !$omp barrier
-      if (domain%outer == 0) return
+      if (domain%chunks%outer == 0) return
       !$omp master
-      call domain%halo%finish(force, team%messages)
+      call domain%chunks%halo%finish(force, team%messages)
       !$omp end master
       !$omp barrier
    end subroutine await_forces
@@ -115,8 +115,8 @@ contains
 
       type(messages_type) :: messages
 
-      call domain%strain_halo%start(history, messages)
-      call domain%strain_halo%finish(history, messages)
+      call domain%averaging%strain_halo%start(history, messages)
+      call domain%averaging%strain_halo%finish(history, messages)
    end subroutine borrow_strains
 
    !> Let the forces for other ranks get on while chunks are taken
@@ -128,9 +128,9 @@ contains
       !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      if (domain%outer == 0) return
+      if (domain%chunks%outer == 0) return
       !$omp master
-      call domain%halo%push_on(force, team%messages)
+      call domain%chunks%halo%push_on(force, team%messages)
       !$omp end master
    end subroutine push_messages_on
 
@@ -142,10 +142,10 @@ contains
 
       integer :: a
 
-      do a = 1, size(domain%averages)
-         if (domain%averages(a)%plate /= chunk%plate) cycle
-         call average_points(domain%averages(a), chunk%quads, &
-            & history(domain%averages(a)%first_history:))
+      do a = 1, size(domain%averaging%averages)
+         if (domain%averaging%averages(a)%plate /= chunk%set) cycle
+         call average_points(domain%averaging%averages(a), chunk%elements, &
+            & history(domain%averaging%averages(a)%first_history:))
       end do
    end subroutine find_chunk_averages
 
@@ -161,11 +161,11 @@ contains
       real(wp), intent(inout), contiguous :: history(:)
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      associate (chunk => domain%chunks(number))
+      associate (chunk => domain%chunks%list(number))
          if (size(domain%bricks) > 0) then
             call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
-            associate (bricks => domain%bricks(chunk%plate))
-               call add_brick_forces(bricks, chunk%quads, &
+            associate (bricks => domain%bricks(chunk%set))
+               call add_brick_forces(bricks, chunk%elements, &
                   & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
                   & history(bricks%first_history:), force)
             end associate
@@ -200,7 +200,8 @@ contains
       integer :: i
 
       do i = 1, size(borders)
-         call add_columns(domain%columns%height, domain%borders(:, borders(i)), force(front + 1:))
+         call add_columns(domain%columns%height, domain%chunks%shared_nodes(:, borders(i)), &
+            & force(front + 1:))
       end do
    end subroutine add_borders
 
@@ -227,8 +228,8 @@ contains
 
       integer :: b
 
-      do b = 1, size(domain%plates(chunk%plate)%batches)
-         call add_layer_forces(domain%plates(chunk%plate), b, chunk%quads, &
+      do b = 1, size(domain%plates(chunk%set)%batches)
+         call add_layer_forces(domain%plates(chunk%set), b, chunk%elements, &
             & domain%control%kinematics == total_lagrangian, step, displacement, history, force)
       end do
    end subroutine add_ply_forces
@@ -249,8 +250,8 @@ contains
       integer :: k
 
       do k = 1, size(domain%interfaces)
-         if (domain%interfaces(k)%plate /= chunk%plate) cycle
-         call add_face_forces(domain%interfaces(k), chunk%quads, &
+         if (domain%interfaces(k)%plate /= chunk%set) cycle
+         call add_face_forces(domain%interfaces(k), chunk%elements, &
             & domain%control%kinematics == total_lagrangian, displacement, &
             & history(domain%interfaces(k)%first_history:), force)
       end do

@@ -19,9 +19,9 @@ contains
       type(domain_type), intent(in) :: domain
       integer :: m
 
-      points = size(domain%held)
-      do m = 1, size(domain%motions)
-         points = points + size(domain%motions(m)%freedom)
+      points = size(domain%supports%held)
+      do m = 1, size(domain%supports%motions)
+         points = points + size(domain%supports%motions(m)%freedom)
       end do
    end function support_points
 
@@ -40,16 +40,17 @@ contains
       integer :: c, first, m
 
       !$omp do schedule(static)
-      do c = size(domain%chunks), 1, -1
-         call hold_points(domain, domain%chunks(c)%held, force, support_force)
+      do c = size(domain%chunks%list), 1, -1
+         call hold_points(domain, domain%chunks%list(c)%held, force, support_force)
       end do
       !$omp end do nowait
-      if (size(domain%motions) == 0) return
+      if (size(domain%supports%motions) == 0) return
       !$omp barrier
       !$omp single
-      first = size(domain%held)
-      do m = 1, size(domain%motions)
-         associate (motion => domain%motions(m), n => size(domain%motions(m)%freedom))
+      first = size(domain%supports%held)
+      do m = 1, size(domain%supports%motions)
+         associate (motion => domain%supports%motions(m), n &
+            & => size(domain%supports%motions(m)%freedom))
             support_force(first + 1:first + n) = 0.0_wp
             if (is_active(motion, time)) then
                support_force(first + 1:first + n) = force(motion%freedom)
@@ -73,7 +74,7 @@ contains
       integer :: i, k, place
 
       do i = 1, size(runs, 2)
-         place = domain%held(runs(1, i)) - runs(1, i)
+         place = domain%supports%held(runs(1, i)) - runs(1, i)
          do k = runs(1, i), runs(2, i)
             support_force(k) = force(place + k)
             force(place + k) = 0.0_wp
@@ -91,7 +92,7 @@ contains
       real(wp), intent(inout) :: support_force(:)
       integer :: k
 
-      associate (links => domain%held_links)
+      associate (links => domain%inertia%held_links)
          do k = 1, size(links%inertia)
             associate (held => links%place(1, k), free => links%place(2, k))
                support_force(held) = support_force(held) + links%inertia(k)*acceleration(free)
@@ -120,10 +121,11 @@ contains
       real(wp) :: before, unbraked, velocity
       integer :: i, k, m
 
-      call domain%moved_links%count_energy(state%velocity, -1.0_wp, state%tally, support_sum)
+      call domain%inertia%moved_links%count_energy(state%velocity, -1.0_wp, state%tally, &
+         & support_sum)
       k = 0
-      do m = 1, size(domain%motions)
-         associate (motion => domain%motions(m))
+      do m = 1, size(domain%supports%motions)
+         associate (motion => domain%supports%motions(m))
             do i = 1, size(motion%freedom)
                k = k + 1
                associate (v => state%velocity(motion%freedom(i)), &
@@ -135,14 +137,14 @@ contains
                   velocity = prescribed_velocity(domain, motion, state, before, unbraked)
                   last = velocity
                   if (motion%own(i)) call state%tally%add(support_sum, &
-                     & 0.5_wp*domain%mass(motion%mass(i))*(velocity**2 - v**2))
+                     & 0.5_wp*domain%inertia%mass(motion%mass(i))*(velocity**2 - v**2))
                   u = before + state%step*velocity
                   v = velocity
                end associate
             end do
          end associate
       end do
-      call domain%moved_links%count_energy(state%velocity, 1.0_wp, state%tally, support_sum)
+      call domain%inertia%moved_links%count_energy(state%velocity, 1.0_wp, state%tally, support_sum)
    end subroutine move_supports
 
    !> Velocity in the middle of the coming step
@@ -181,9 +183,9 @@ contains
 
       integer :: first, i, m
 
-      first = size(domain%held)
-      do m = 1, size(domain%motions)
-         associate (motion => domain%motions(m))
+      first = size(domain%supports%held)
+      do m = 1, size(domain%supports%motions)
+         associate (motion => domain%supports%motions(m))
             do i = 1, size(motion%freedom)
                if (motion%own(i)) call tally%add(sum, &
                   & -support_force(first + i)*velocity(motion%freedom(i)))

@@ -68,7 +68,7 @@ contains
 
       integer :: c, chunks
 
-      chunks = size(domain%chunks)
+      chunks = size(domain%chunks%list)
       self%threads = omp_get_max_threads()
       allocate (self%done(line, 0:chunks), source=0)
       allocate (self%waits(chunks), source=.false.)
@@ -98,8 +98,8 @@ contains
       type(thread_team_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      associate (first => domain%order(domain%outer:1:-1), &
-         & rest => domain%order(size(domain%order):domain%outer + 1:-1))
+      associate (first => domain%chunks%order(domain%chunks%outer:1:-1), &
+         & rest => domain%chunks%order(size(domain%chunks%order):domain%chunks%outer + 1:-1))
          call self%makers(outer)%arrange(first, self%waits, self%threads)
          call self%makers(inner)%arrange(rest, self%waits, self%threads)
       end associate

@@ -31,12 +31,12 @@ contains
          allocate (state%displacement(n), state%velocity(n))
       end associate
       allocate (state%acceleration(domain%columns%forces))
-      allocate (state%chunk_sums(size(domain%chunks)))
+      allocate (state%chunk_sums(size(domain%chunks%list)))
       state%tally = new_exact_sums(tally_sums)
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp
-      allocate (state%history(domain%histories + domain%halo_strains))
+      allocate (state%history(domain%histories + domain%averaging%halo_strains))
       state%history(:) = 0.0_wp
       call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)
@@ -45,15 +45,15 @@ contains
       state%support_force(:) = 0.0_wp
       call set_velocities(domain, state%velocity)
       allocate (state%support_velocity(0))
-      do i = 1, size(domain%motions)
+      do i = 1, size(domain%supports%motions)
          state%support_velocity = [state%support_velocity, &
-            & state%velocity(domain%motions(i)%freedom)]
+            & state%velocity(domain%supports%motions(i)%freedom)]
       end do
-      allocate (state%contacts(size(domain%contacts)))
-      allocate (state%impactors(size(domain%impactors)))
-      do i = 1, size(domain%impactors)
-         state%impactors(i)%centre(:) = domain%impactors(i)%centre
-         state%impactors(i)%velocity(:) = domain%impactors(i)%velocity
+      allocate (state%contacts(size(domain%contact%contacts)))
+      allocate (state%impactors(size(domain%contact%impactors)))
+      do i = 1, size(domain%contact%impactors)
+         state%impactors(i)%centre(:) = domain%contact%impactors(i)%centre
+         state%impactors(i)%velocity(:) = domain%contact%impactors(i)%velocity
       end do
    end function new_state
 
@@ -65,8 +65,8 @@ contains
       integer :: c, i, k, t
 
       associate (columns => domain%columns)
-         do i = 1, size(domain%initial_velocities)
-            associate (initial => domain%initial_velocities(i))
+         do i = 1, size(domain%supports%initial_velocities)
+            associate (initial => domain%supports%initial_velocities(i))
                do k = 1, size(columns%home, 2)
                   do t = 1, columns%levels(k)
                      do c = 1, 3
@@ -77,7 +77,7 @@ contains
             end associate
          end do
       end associate
-      velocity(domain%held) = 0.0_wp
+      velocity(domain%supports%held) = 0.0_wp
    end subroutine set_velocities
 
 end module plydyn_run_initial_state

@@ -74,13 +74,13 @@ contains
       real(wp) :: external, internal, total
       integer :: m
 
-      state%velocity(domain%held) = 0.0_wp
+      state%velocity(domain%supports%held) = 0.0_wp
       deallocate (state%load_factor, state%support_force, state%support_velocity)
       allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
       allocate (state%support_velocity(0))
-      do m = 1, size(domain%motions)
+      do m = 1, size(domain%supports%motions)
          state%support_velocity = [state%support_velocity, &
-            & state%velocity(domain%motions(m)%freedom)]
+            & state%velocity(domain%supports%motions(m)%freedom)]
       end do
       associate (e => state%energies)
          total = e%total()

@@ -59,7 +59,7 @@ contains
       call comm%tell(rank_of_chunk)
       call build_share(self%model, division, rank_of_chunk, self%domain, share, error)
       if (allocated(error)) return
-      self%domain%total_mass = whole_mass(self%domain, share%own)
+      self%domain%inertia%total_mass = whole_mass(self%domain, share%own)
       call check_bands(self%model, self%domain, error)
       if (allocated(error)) return
       call check_profiles(self%model%request%profiles, self%domain, error)
@@ -86,10 +86,11 @@ contains
          allocate (ranks(rank_numbers, 0))
          return
       end if
-      own(:) = [real(size(domain%chunks), wp), real(size(share%own), wp), &
+      own(:) = [real(size(domain%chunks%list), wp), real(size(share%own), wp), &
          & real(count(.not. share%own), wp), &
-         & real(max(domain%halo%neighbours(), domain%strain_halo%neighbours()), wp), &
-         & real(domain%halo%bytes + domain%strain_halo%bytes, wp), &
+         & real(max(domain%chunks%halo%neighbours(), domain%averaging%strain_halo%neighbours()), &
+         & wp), &
+         & real(domain%chunks%halo%bytes + domain%averaging%strain_halo%bytes, wp), &
          & mesh_bytes(domain), history_bytes(domain)]
       call comm%collect(own, [(rank_numbers, r=1, comm%ranks)], all)
       ranks = reshape(all, [rank_numbers, comm%ranks])

@@ -124,7 +124,7 @@ contains
 
       do i = 1, size(state%impactors)
          if (all(ieee_is_finite(state%impactors(i)%velocity))) cycle
-         words = ": velocity of impactor "//text(domain%impactors(i)%id)
+         words = ": velocity of impactor "//text(domain%contact%impactors(i)%id)
          return
       end do
       suspect = worst_point(domain, merge(0.0_wp, 1.0_wp, ieee_is_finite(state%acceleration( &

@@ -120,9 +120,9 @@ module plydyn_state_state
       !> Value of each load's curve at this time
       real(wp), allocatable :: load_factor(:)
       !> Force that each held or prescribed point would feel free, in the order of
-      !> `domain%held`, then of `domain%motions`
+      !> `domain%supports%held`, then of `domain%supports%motions`
       real(wp), allocatable :: support_force(:)
-      !> Velocity of the prescribed points over the last step, in the order of `domain%motions`
+      !> Velocity of the prescribed points over the last step, in the order of the supports' motions
       real(wp), allocatable :: support_velocity(:)
       !> Sums over all points, at this time, and those over the points of each chunk
       type(sums_type) :: sums

@@ -116,7 +116,7 @@ contains
       state%acceleration = force
       state%step = 1.0e-12_wp
       if (allocated(state%chunk_sums)) deallocate (state%chunk_sums)
-      allocate (state%chunk_sums(size(domain%chunks)))
+      allocate (state%chunk_sums(size(domain%chunks%list)))
       state%tally = new_exact_sums(tally_sums)
       call new_thread_team(domain, team)
    end subroutine rest
@@ -136,7 +136,7 @@ contains
          call find_internal_forces(domain, team, 0.0_wp, displacement, displacement, history, &
             & force)
       case (joints)
-         call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
+         call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
       case (acceleration)
          call accelerate(domain, 0.0_wp, state)
          call count_sums(state%chunk_sums, state%tally)

@@ -30,7 +30,7 @@ contains
       state%tally = new_exact_sums(tally_sums)
       state%velocity = velocity
       state%acceleration = force
-      allocate (state%chunk_sums(size(domain%chunks)))
+      allocate (state%chunk_sums(size(domain%chunks%list)))
       call accelerate(domain, step, state)
       force(:) = state%acceleration
       call count_sums(state%chunk_sums, state%tally)

@@ -69,10 +69,10 @@ contains
 
       call begin("constant")
       call build(averaged(0.05_wp), domain, history)
-      call check(size(domain%averages) == 2, "one for each order of the layers")
+      call check(size(domain%averaging%averages) == 2, "one for each order of the layers")
       history(:) = 0.3125_wp
       worst = 0.0_wp
-      do a = 1, size(domain%averages)
+      do a = 1, size(domain%averaging%averages)
          call apply(domain, a, history)
          worst = max(worst, maxval(abs(history - 0.3125_wp)))
       end do
@@ -90,8 +90,8 @@ contains
       call build(averaged(0.05_wp), domain, history)
       points = gauss_points_of(domain, 1)
       worst = 0.0_wp
-      do a = 1, size(domain%averages)
-         associate (average => domain%averages(a), plate => domain%plates(1))
+      do a = 1, size(domain%averaging%averages)
+         associate (average => domain%averaging%averages(a), plate => domain%plates(1))
             field = reshape(sin([(real(i, wp), i=1, lanes*size(points, 2))]), &
                & [lanes, size(points, 2)])
             do level = 1, average%levels
@@ -148,20 +148,20 @@ contains
       model%parts = [model%parts(1), model%parts(1)]
       model%mesh%quad_part(:) = [(merge(1, 2, modulo(i, n) < 3), i=1, n*m)]
       call build(model, domain, history)
-      call check(size(domain%averages) == 4, "each has its own")
-      do a = 1, size(domain%averages)
-         associate (average => domain%averages(a))
+      call check(size(domain%averaging%averages) == 4, "each has its own")
+      do a = 1, size(domain%averaging%averages)
+         associate (average => domain%averaging%averages(a))
             do i = 1, size(average%first) - 1
                call put(domain, a, i, 1, spread(real(average%plate, wp), 1, lanes), history)
             end do
          end associate
       end do
       worst = 0.0_wp
-      do a = 1, size(domain%averages)
+      do a = 1, size(domain%averaging%averages)
          call apply(domain, a, history)
-         do i = 1, size(domain%averages(a)%first) - 1
+         do i = 1, size(domain%averaging%averages(a)%first) - 1
             worst = max(worst, abs(mean_at(domain, a, i, 1, first_lane(domain, a), history) &
-               & - domain%averages(a)%plate))
+               & - domain%averaging%averages(a)%plate))
          end do
       end do
       call check(worst, 0.0_wp, rounded, "each keeps its own field")
@@ -180,8 +180,8 @@ contains
       model%materials(2)%radius(:) = 0.0_wp
       model%parts(1)%plies%material = [1, 1, 2]
       call build(model, domain, history)
-      call check(size(domain%averages) == 2, "only what has radii is averaged")
-      associate (average => domain%averages(1))
+      call check(size(domain%averaging%averages) == 2, "only what has radii is averaged")
+      associate (average => domain%averaging%averages(1))
          other = other_lane(domain, 1)
          call check(count(average%owns) == 1 .and. other > 0, "one lane of two")
          history(:) = 0.0_wp
@@ -206,7 +206,7 @@ contains
       ! between the diagonal of a point's four neighbours and the next, 1 away
       model%materials(1)%radius(:) = 0.9_wp
       call build(model, domain, history)
-      call check(all(domain%neighbours == reshape([4, 9], [2, 1])), &
+      call check(all(domain%averaging%neighbours == reshape([4, 9], [2, 1])), &
          & "4 in a corner, 9 within")
    end subroutine test_counts
 
@@ -220,8 +220,8 @@ contains
       call begin("guests")
       call build(averaged(0.05_wp), domain, history)
       worst = 0.0_wp
-      do a = 1, size(domain%averages)
-         associate (average => domain%averages(a))
+      do a = 1, size(domain%averaging%averages)
+         associate (average => domain%averaging%averages(a))
             points = size(average%first) - 1
             do i = 1, size(history)
                history(i) = sin(real(i, wp))
@@ -261,7 +261,7 @@ contains
 
       integer :: from, to
 
-      associate (average => domain%averages(a))
+      associate (average => domain%averaging%averages(a))
          from = place_of(domain, a, which(1), which(2), average%behind_own + which(3))
          to = average%first_history + lanes*(average%first_guest + which(2) - 1 &
             & + average%levels*(which(3) - 1 + average%strains*(which(1) - 1)))
@@ -333,7 +333,7 @@ contains
       integer, intent(in) :: a
       real(wp), intent(inout) :: history(:)
 
-      associate (average => domain%averages(a))
+      associate (average => domain%averaging%averages(a))
          call average_points(average, [1, size(domain%plates(average%plate)%quad)], &
             & history(average%first_history:))
       end associate
@@ -344,7 +344,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a, point, level, variable
 
-      associate (average => domain%averages(a))
+      associate (average => domain%averaging%averages(a))
          place = average%first_history + lanes*(row_of(average, point, variable) &
             & + level - 1)
       end associate
@@ -359,7 +359,7 @@ contains
 
       integer :: first
 
-      first = place_of(domain, a, point, level, domain%averages(a)%behind_own + 1)
+      first = place_of(domain, a, point, level, domain%averaging%averages(a)%behind_own + 1)
       history(first:first + lanes - 1) = values
    end subroutine put
 
@@ -369,7 +369,8 @@ contains
       integer, intent(in) :: a, point, level, lane
       real(wp), intent(in) :: history(:)
 
-      mean = history(place_of(domain, a, point, level, domain%averages(a)%behind_mean + 1) &
+      mean = history(place_of(domain, a, point, level, domain%averaging%averages(a)%behind_mean &
+         & + 1) &
          & + lane - 1)
    end function mean_at
 
@@ -378,7 +379,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a
 
-      first_lane = maxloc(merge(1, 0, domain%averages(a)%owns), 1)
+      first_lane = maxloc(merge(1, 0, domain%averaging%averages(a)%owns), 1)
    end function first_lane
 
    !> A lane with a layer of another law
@@ -386,7 +387,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a
 
-      associate (average => domain%averages(a))
+      associate (average => domain%averaging%averages(a))
          lane = maxloc(merge(1, 0, .not. average%owns .and. domain%plates(average%plate)%batches( &
             & average%batch)%layer(:, average%block) > 0), 1)
       end associate

@@ -57,16 +57,17 @@ contains
       allocate (taken(domain%columns%forces/domain%columns%height))
       allocate (node_of(size(taken)))
       node_of(:) = [(i, i=1, size(node_of))]
-      do i = 1, size(domain%borders, 2)
-         node_of(domain%borders(2, i):domain%borders(3, i)) = domain%borders(1, i)
+      do i = 1, size(domain%chunks%shared_nodes, 2)
+         node_of(domain%chunks%shared_nodes(2, i):domain%chunks%shared_nodes(3, i)) = &
+            & domain%chunks%shared_nodes(1, i)
       end do
       allocate (begun, mold=node_of)
       begun(:) = 0
       taken(:) = 0
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c), plate => domain%plates(1))
+      do c = 1, size(domain%chunks%list)
+         associate (chunk => domain%chunks%list(c), plate => domain%plates(1))
             taken(chunk%column) = taken(chunk%column) + 1
-            do e = chunk%quads(1), chunk%quads(2)
+            do e = chunk%elements(1), chunk%elements(2)
                call check(all(node_of(abs(plate%target(:, e))) == plate%node(:, e)), &
                   & "forces go to a column of their node")
                call check(all([(any(chunk%column == abs(plate%target(i, e))), i=1, 9)]), &
@@ -83,14 +84,15 @@ contains
       end do
       call check(all(taken == 1), "every column belongs to one chunk")
       summed = [integer ::]
-      do c = 1, size(domain%chunks)
-         associate (chunk => domain%chunks(c))
-            summed = [summed, chunk%borders]
-            call check(all([(any(chunk%own == domain%borders(1, chunk%borders(i))), &
-               & i=1, size(chunk%borders))]), "a chunk adds up borders at its own nodes")
+      do c = 1, size(domain%chunks%list)
+         associate (chunk => domain%chunks%list(c))
+            summed = [summed, chunk%shared_nodes]
+            call check(all([(any(chunk%owned_columns == domain%chunks%shared_nodes(1, &
+               & chunk%shared_nodes(i))), &
+               & i=1, size(chunk%shared_nodes))]), "a chunk adds up borders at its own nodes")
          end associate
       end do
-      call check(all([(count(summed == i), i=1, size(domain%borders, 2))] == 1), &
+      call check(all([(count(summed == i), i=1, size(domain%chunks%shared_nodes, 2))] == 1), &
          & "every border is added up once")
    end subroutine test_targets
 
@@ -101,13 +103,14 @@ contains
       integer :: c, i, k
       logical :: meets
 
-      call begin("give_makers")
+      call begin("find_contributors")
       call build_domain(rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), &
          & [0.0_wp], 0.25_wp, [1]), domain, error)
-      do c = 1, size(domain%chunks)
-         do k = 1, size(domain%chunks)
-            associate (own => domain%chunks(c)%own, makers => domain%chunks(c)%makers, &
-               & quads => domain%chunks(k)%quads)
+      do c = 1, size(domain%chunks%list)
+         do k = 1, size(domain%chunks%list)
+            associate (own => domain%chunks%list(c)%owned_columns, makers &
+               & => domain%chunks%list(c)%contributors, &
+               & quads => domain%chunks%list(k)%elements)
                meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == own(i)), &
                   & i=1, size(own))])
                call check(count(makers == k), merge(1, 0, meets), "each that meets it, once")
@@ -133,12 +136,12 @@ contains
       model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face)]
       call build_domain(model, domain, error)
       call check(.not. allocated(error), "the domain is built")
-      associate (surface => domain%surfaces(1))
+      associate (surface => domain%contact%surfaces(1))
          call list_chunks(domain, surface, last, list)
          do f = 1, size(surface%facet, 2)
-            do k = 1, size(domain%chunks)
+            do k = 1, size(domain%chunks%list)
                associate (node => surface%node(surface%facet(:, f)), &
-                  & quads => domain%chunks(k)%quads)
+                  & quads => domain%chunks%list(k)%elements)
                   meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == node(i)), &
                      & i=1, size(node))])
                   call check(count(list(last(f - 1) + 1:last(f)) == k), merge(1, 0, meets), &

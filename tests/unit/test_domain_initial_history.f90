@@ -72,7 +72,7 @@ contains
       call begin("find_bands")
       model = plate(rule_root_quad, 9)
       call build_domain(model, domain, error)
-      associate (bands => domain%bands)
+      associate (bands => domain%crack_bands)
          call check(bands(1)%points == 0, "none in elastic plies")
          call check([bands(2)%narrowest, bands(2)%widest], spread(sqrt(size_x*size_y), 1, 4), &
             & 1.0e-12_wp, "widths")

@@ -66,7 +66,7 @@ contains
                end do
             end do
          end do
-         call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
+         call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
          do layer = 1, size(joint)
             pull(:) = 0.0_wp
             if (joint(layer) > 0) pull(:) = 24.0_wp*real(2*layer + 1, wp)*jump &

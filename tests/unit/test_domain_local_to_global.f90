@@ -37,7 +37,7 @@ contains
       integer, allocatable :: own(:)
 
       do c = 1, size(whole%chunks)
-         associate (quads => whole%chunks(c)%quads)
+         associate (quads => whole%chunks(c)%elements)
             do i = quads(1), quads(2)
                meets(whole%column(mesh%quad_node(:, whole%parts(1)%element(i)))) = c
             end do
@@ -81,7 +81,7 @@ contains
          is_touched(:) = .false.
          do c = 1, size(whole%chunks)
             if (rank_of_chunk(c) /= rank) cycle
-            associate (quads => whole%chunks(c)%quads)
+            associate (quads => whole%chunks(c)%elements)
                do i = quads(1), quads(2)
                   is_touched(mesh%quad_node(:, whole%parts(1)%element(i))) = .true.
                end do
@@ -107,8 +107,8 @@ contains
       do rank = 0, ranks - 1
          numbering = new_local_to_global(whole, 1, owner, rank)
          behind = 0
-         do b = 1, size(whole%borders, 2)
-            associate (column => numbering%column, border => whole%borders(:, b))
+         do b = 1, size(whole%shared_nodes, 2)
+            associate (column => numbering%column, border => whole%shared_nodes(:, b))
                if (column(border(1)) == 0) then
                   call check(all(column(border(2):border(3)) == 0), "none of a node elsewhere")
                   cycle
@@ -148,7 +148,7 @@ contains
       solid%columns = 3
       solid%column = [1, 2, 3]
       solid%node = solid%column
-      allocate (solid%borders(3, 0))
+      allocate (solid%shared_nodes(3, 0))
       numbering = new_local_to_global(solid, abreast, [0, 1, 0], 0)
       call check(all(numbering%node([1, 8, 9, 16, 17, 21]) == [1, 8, 0, 0, 9, 13]), &
          & "the second column is another rank's")

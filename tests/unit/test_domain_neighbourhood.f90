@@ -86,7 +86,7 @@ contains
             call check(any(known == j), "no point within reach is missing")
          end do
       end do
-      call check(own, 9*sum(division%chunks%quads(2) - division%chunks%quads(1) + 1, &
+      call check(own, 9*sum(division%chunks%elements(2) - division%chunks%elements(1) + 1, &
          & rank_of_chunk == rank), "all of its own are there")
       call check(all(near%own_point(pack([(i, i=1, size(known))], &
          & near%rank_of([(i, i=1, size(known))]) /= rank)) == 0), "others are not its own")

@@ -37,10 +37,10 @@ contains
          & division, domain, share)
       call check(all(share%column == [(i, i=1, whole%columns%count)]), "all columns")
       call check(all(share%own), "all of them counted")
-      call check(all(abs(domain%mass - whole%mass) <= 0.0_wp), "with their masses")
+      call check(all(abs(domain%inertia%mass - whole%inertia%mass) <= 0.0_wp), "with their masses")
       call check(domain%columns%forces, whole%columns%forces, "and room for all forces")
       call check(all(domain%plates(1)%target == whole%plates(1)%target), "which quads find")
-      call check(domain%halo%is_empty(), "nothing to exchange")
+      call check(domain%chunks%halo%is_empty(), "nothing to exchange")
    end subroutine test_one_rank
 
    !> Two plates apart from each other: each rank gets one of them, and nothing is exchanged
@@ -54,23 +54,24 @@ contains
 
       call begin("build_share, islands")
       call build(islands(2), whole)
-      island = [(int(whole%position(1, whole%plates(1)%node(1, whole%chunks(c)%quads(1)))/apart), &
-         & c=1, size(whole%chunks))]
+      island = [(int(whole%position(1, whole%plates(1)%node(1, &
+         & whole%chunks%list(c)%elements(1)))/apart), &
+         & c=1, size(whole%chunks%list))]
       counted = 0
       mass = 0.0_wp
       do rank = 0, 1
          call share_of(islands(2), island, rank, division, domain, share)
-         call check(size(domain%chunks), count(island == rank), "the chunks of an island")
+         call check(size(domain%chunks%list), count(island == rank), "the chunks of an island")
          call check(domain%columns%count, whole%columns%count/2, "half of the nodes")
          call check_nodes(whole, domain, share)
          call check_quads(domain)
-         call check(domain%halo%is_empty(), "nothing to exchange")
-         call check(domain%outer, 0, "no chunk that others wait for")
+         call check(domain%chunks%halo%is_empty(), "nothing to exchange")
+         call check(domain%chunks%outer, 0, "no chunk that others wait for")
          counted = counted + count(share%own)
-         mass = mass + sum(domain%mass)
+         mass = mass + sum(domain%inertia%mass)
       end do
       call check(counted, whole%columns%count, "every node is counted once")
-      call check(mass, sum(whole%mass), 1.0e-14_wp*sum(whole%mass), "no mass is lost")
+      call check(mass, sum(whole%inertia%mass), 1.0e-14_wp*sum(whole%inertia%mass), "no mass is lost")
    end subroutine test_islands
 
    !> What a rank has takes its part of the memory, and no more
@@ -85,8 +86,9 @@ contains
 
       call begin("build_share, memory")
       call build(islands(8), whole)
-      island = [(int(whole%position(1, whole%plates(1)%node(1, whole%chunks(c)%quads(1)))/apart), &
-         & c=1, size(whole%chunks))]
+      island = [(int(whole%position(1, whole%plates(1)%node(1, &
+         & whole%chunks%list(c)%elements(1)))/apart), &
+         & c=1, size(whole%chunks%list))]
       do i = 1, size(ranks)
          part = (mesh_bytes(whole) + history_bytes(whole))/ranks(i)
          do rank = 0, ranks(i) - 1
@@ -111,8 +113,8 @@ contains
          do c = 1, size(share%column)
             here = front + points*(c - 1)
             there = front + points*(share%column(c) - 1)
-            call check(all(abs(domain%mass(here + 1:here + points) &
-               & - whole%mass(there + 1:there + points)) <= 0.0_wp), "what they weigh")
+            call check(all(abs(domain%inertia%mass(here + 1:here + points) &
+               & - whole%inertia%mass(there + 1:there + points)) <= 0.0_wp), "what they weigh")
          end do
       end associate
    end subroutine check_nodes
@@ -124,9 +126,9 @@ contains
 
       last = 0
       associate (plate => domain%plates(1))
-         do c = 1, size(domain%chunks)
-            call check(domain%chunks(c)%quads(1), last + 1, "chunks follow each other")
-            last = domain%chunks(c)%quads(2)
+         do c = 1, size(domain%chunks%list)
+            call check(domain%chunks%list(c)%elements(1), last + 1, "chunks follow each other")
+            last = domain%chunks%list(c)%elements(2)
          end do
          call check(size(plate%node, 2), last, "to the last quad")
          call check(all(plate%node >= 1 .and. plate%node <= domain%columns%count), &

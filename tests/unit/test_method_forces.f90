@@ -202,7 +202,7 @@ contains
          displacement(domain%columns%freedom(2, 1, c, [(n, n=1, domain%columns%nodes)])) = jump(c)
       end do
       allocate (history(domain%histories))
-      call add_interface_forces(domain, domain%chunks(1), displacement, history, force)
+      call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
       do c = 1, 3
          total(c) = sum(force(domain%columns%freedom(1, 3, c, [(n, n=1, domain%columns%nodes)])))
       end do

@@ -82,7 +82,7 @@ contains
       do c = 1, 3
          place(:) = [domain%columns%freedom(1, 1, c, 4), domain%columns%freedom(1, 2, c, 4)]
          a(:) = 0.0_wp
-         a(place) = domain%mass(domain%columns%mass_of(1, 1, 4))*[2.0_wp, -5.0_wp]
+         a(place) = domain%inertia%mass(domain%columns%mass_of(1, 1, 4))*[2.0_wp, -5.0_wp]
          call accelerate_points(domain, 0.0_wp, v, a, sums)
          ! added inertia over the mass of one face
          k = 0.5_wp*domain%step**2*merge(c33, g13, c == 3)/ply/(0.5_wp*rho*ply)
@@ -161,7 +161,7 @@ contains
       added = 0.0_wp
       kinetic = 0.0_wp
       do n = 1, domain%columns%nodes
-         mass = domain%mass(domain%columns%mass_of(1, 1, n))
+         mass = domain%inertia%mass(domain%columns%mass_of(1, 1, n))
          do c = 1, 3
             place(:) = [domain%columns%freedom(1, 1, c, n), domain%columns%freedom(1, 2, c, n)]
             kinetic = kinetic + mass*sum(v(place)**2)
@@ -198,7 +198,7 @@ contains
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
          call new_thread_team(domain, team)
          call find_internal_forces(domain, team, 0.0_wp, u, v, history, a)
-         a(domain%held) = 0.0_wp
+         a(domain%supports%held) = 0.0_wp
          call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
          u(:) = u + domain%step*v
@@ -228,7 +228,7 @@ contains
       a(:) = 0.0_wp
       support(:) = 0.0_wp
       place(:) = [domain%columns%freedom(1, 1, 3, 5), domain%columns%freedom(1, 2, 3, 5)]
-      mass = domain%mass(domain%columns%mass_of(1, 1, 5))
+      mass = domain%inertia%mass(domain%columns%mass_of(1, 1, 5))
       a(place(2)) = mass
       call accelerate_points(domain, 2.0_wp, v, a, sums)
       call resist_columns(domain, a, support)

@@ -72,7 +72,7 @@ contains
       do c = 1, 3
          place(:) = [domain%columns%freedom(1, below + 1, c, n), &
             & domain%columns%freedom(2, 1, c, n)]
-         m(:) = domain%mass([domain%columns%mass_of(1, below + 1, n), &
+         m(:) = domain%inertia%mass([domain%columns%mass_of(1, below + 1, n), &
             & domain%columns%mass_of(2, 1, n)])
          ! area by mass: a face has 1/2 or 1/6 of its layer
          added = share*domain%step**2*stiffness(merge(1, 2, c == 3)) &
@@ -146,7 +146,7 @@ contains
          do c = 1, 3
             place(:) = [domain%columns%freedom(1, 3, c, n), domain%columns%freedom(2, 1, c, n)]
             added = added + share*domain%step**2*stiffness(merge(1, 2, c == 3))*6.0_wp &
-               & *domain%mass(domain%columns%mass_of(2, 1, n))/(1.7e-9_wp*0.25_wp) &
+               & *domain%inertia%mass(domain%columns%mass_of(2, 1, n))/(1.7e-9_wp*0.25_wp) &
                & *(v(place(2)) - v(place(1)))**2
          end do
       end do
@@ -177,7 +177,7 @@ contains
       do i = 0, steps
          opening(i) = u(domain%columns%freedom(2, 1, 3, 8)) - u(domain%columns%freedom(1, 3, 3, 8))
          a(:) = 0.0_wp
-         call add_interface_forces(domain, domain%chunks(1), u, history, a)
+         call add_interface_forces(domain, domain%chunks%list(1), u, history, a)
          call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
          u(:) = u + domain%step*v
@@ -204,10 +204,12 @@ contains
       model%control%largest_step = 1.0e-9_wp
       call build_domain(model, domain, error)
       call check(domain%step, 1.0e-9_wp, 0.0_wp, "nor is it larger than the deck allows")
-      call check(maxval(domain%pairs%inertia), minval(domain%pairs%inertia), 0.0_wp, &
+      call check(maxval(domain%inertia%pairs%inertia), minval(domain%inertia%pairs%inertia), &
+         & 0.0_wp, &
          & "springs that turn have one inertia in all directions")
-      call check(minval(domain%pairs%inertia), 0.5e-18_wp*maxval(stiffness), &
-         & 1.0e-12_wp*maxval(domain%pairs%inertia), "that of the stiffer one, for this step")
+      call check(minval(domain%inertia%pairs%inertia), 0.5e-18_wp*maxval(stiffness), &
+         & 1.0e-12_wp*maxval(domain%inertia%pairs%inertia), &
+         & "that of the stiffer one, for this step")
    end subroutine test_step
 
    !> Whether a place in the arrays of motion is a point of a layer without a tie: ply 1, or the
@@ -252,7 +254,7 @@ contains
          do c = 1, 3
             do k = 1, 3
                mass(domain%columns%freedom(k, [1, 2, 3], c, n)) = &
-                  & domain%mass(domain%columns%mass_of(k, [1, 2, 3], n))
+                  & domain%inertia%mass(domain%columns%mass_of(k, [1, 2, 3], n))
             end do
          end do
       end do

@@ -30,7 +30,7 @@ contains
       call begin("has_forces")
       call omp_set_num_threads(1)
       call new_thread_team(domain, team)
-      call check(size(domain%chunks), 8, "there are chunks enough")
+      call check(size(domain%chunks%list), 8, "there are chunks enough")
       do c = 2, 8
          call team%note_made(c)
       end do

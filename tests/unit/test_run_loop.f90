@@ -200,7 +200,7 @@ contains
 
       call build_domain(model, domain, error)
       allocate (gap(0))
-      do k = 1, size(domain%ties)
+      do k = 1, size(domain%inertia%ties)
          do c = 1, 3
             gap = [gap, state%displacement(domain%columns%freedom(k, domain%columns%levels(k), c, &
                & [(n, n=1, domain%columns%nodes)])) - state%displacement( &

@@ -58,13 +58,13 @@ contains
       self%parts(history) = new_part(self%comm, share%histories, share%history, &
          & spread(.true., 1, size(share%history, 2)))
       call number_supports(domain, share, number, own, held)
-      moving = sum(domain%motions%all)
+      moving = sum(domain%supports%motions%all)
       allocate (support(3, size(number)))
       support(1, :) = [(i, i=1, size(number))]
       support(2, :) = number
       support(3, :) = 1
       self%parts(supports) = new_part(self%comm, held + moving, support, own)
-      associate (here => size(domain%held))
+      associate (here => size(domain%supports%held))
          support(1, :) = support(1, :) - here
          support(2, :) = support(2, :) - held
          self%parts(moved) = new_part(self%comm, moving, support(:, here + 1:), own(here + 1:))
@@ -143,10 +143,10 @@ contains
       !> Held points of the whole model
       integer, intent(out) :: held
 
-      integer :: before(share%columns + 1), c, column(size(domain%held)), i, m
+      integer :: before(share%columns + 1), c, column(size(domain%supports%held)), i, m
       real(wp) :: points(share%columns)
 
-      column(:) = domain%columns%column_of(domain%held)
+      column(:) = domain%columns%column_of(domain%supports%held)
       points(:) = 0.0_wp
       do i = 1, size(column)
          associate (there => share%column(column(i)))
@@ -168,10 +168,10 @@ contains
       end do
       own = share%own(column)
       i = held
-      do m = 1, size(domain%motions)
-         number = [number, i + domain%motions(m)%number]
-         own = [own, domain%motions(m)%own]
-         i = i + domain%motions(m)%all
+      do m = 1, size(domain%supports%motions)
+         number = [number, i + domain%supports%motions(m)%number]
+         own = [own, domain%supports%motions(m)%own]
+         i = i + domain%supports%motions(m)%all
       end do
    end subroutine number_supports
 

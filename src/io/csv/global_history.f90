@@ -88,7 +88,7 @@ contains
 
       real(wp) :: kinetic, start
 
-      associate (own => state%impactors(i), impactor => domain%impactors(i))
+      associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
          kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
          start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
          row(:) = [state%time, own%force(3), own%displacement(3), own%velocity(3), kinetic, &

@@ -133,10 +133,10 @@ contains
       integer :: m
 
       direction(:) = directions_counted(domain)
-      sum = direction(domain%held)
-      where (sum > 0) sum = sum + 3*number(domain%holder)
-      do m = 1, size(domain%motions)
-         associate (places => domain%motions(m)%freedom)
+      sum = direction(domain%supports%held)
+      where (sum > 0) sum = sum + 3*number(domain%supports%holder)
+      do m = 1, size(domain%supports%motions)
+         associate (places => domain%supports%motions(m)%freedom)
             sum = [sum, merge(direction(places) + 3*number(holds + m), 0, direction(places) > 0)]
          end associate
       end do

@@ -30,20 +30,20 @@ contains
       integer :: i
 
       if (.not. any(model%materials%is_damaged())) return
-      do i = 1, size(domain%bands)
+      do i = 1, size(domain%crack_bands)
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
          if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
-            & domain%neighbours(:, i), model%control%units)
+            & domain%averaging%neighbours(:, i), model%control%units)
          if (model%materials(i)%law == law_strain_damage) then
-            call write_strains(unit, model%materials(i)%strains, domain%bands(i), &
+            call write_strains(unit, model%materials(i)%strains, domain%crack_bands(i), &
                & model%control%units)
             cycle
          end if
-         call write_bands(unit, model%materials(i), domain%bands(i), model%control%units)
-         call write_modes(unit, model%materials(i)%ply, domain%bands(i), model%control%units)
-         call write_snap_back(unit, model%materials(i), domain%bands(i))
+         call write_bands(unit, model%materials(i), domain%crack_bands(i), model%control%units)
+         call write_modes(unit, model%materials(i)%ply, domain%crack_bands(i), model%control%units)
+         call write_snap_back(unit, model%materials(i), domain%crack_bands(i))
       end do
    end subroutine write_damage
 

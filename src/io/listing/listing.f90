@@ -238,7 +238,7 @@ contains
       else
          write (unit, "(a)") "kinematics                    linear strain"
       end if
-      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%total_mass, &
+      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%inertia%total_mass, &
          & trim(model%control%units%mass)
       do i = 1, size(model%impactors)
          write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", model%impactors(i)%id, &
@@ -255,7 +255,8 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) - size(domain%ties))
+      freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) &
+         & - size(domain%inertia%ties))
    end function independent_freedoms
 
    !> Memory, sizes of files and time to come

@@ -115,12 +115,12 @@ contains
          end do
       end associate
       write (unit, "(a,es12.5,2a)") "mass of the lightest ply     ", lightest, units
-      if (size(domain%pairs%inertia) > 0) then
+      if (size(domain%inertia%pairs%inertia) > 0) then
          write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to interfaces  ", &
-            & maxval(domain%pairs%inertia(3, :)), " (opening),", &
-            & maxval(domain%pairs%inertia(1:2, :)), " (sliding)", units
+            & maxval(domain%inertia%pairs%inertia(3, :)), " (opening),", &
+            & maxval(domain%inertia%pairs%inertia(1:2, :)), " (sliding)", units
       end if
-      if (domain%thickness%active) then
+      if (domain%inertia%thickness%active) then
          write (unit, "(a,es12.5,a,es12.5,2a)") "inertia added to plies       ", &
             & largest_stretch(domain, 3), " (stretch),", largest_stretch(domain, 1), " (shear)", &
             & units
@@ -136,8 +136,8 @@ contains
       integer :: f, p
 
       largest = 0.0_wp
-      do f = 1, size(domain%thickness%stretches)
-         associate (stretch => domain%thickness%stretches(f), &
+      do f = 1, size(domain%inertia%thickness%stretches)
+         associate (stretch => domain%inertia%thickness%stretches(f), &
             & z => domain%plates(1)%batches(f)%expansion%node)
             largest = max(largest, maxval(sum(reshape([(0.25_wp*(z(stretch%level(2, p)) &
                & - z(stretch%level(1, p)))**2*stretch%inertia(:, p, direction, 1), &
