@@ -82,7 +82,7 @@ contains
          return
       end if
       if (comm%is_root()) call create_text(job%path//".out", job%listing, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call list(job%listing, command%deck, messages, seconds, parts)
       call run_job(comm, job, command%most_seconds, parts, error)
@@ -105,10 +105,10 @@ contains
 
       call begin_job(comm, command, job)
       call dump%open(command%restart, error)
-      call comm%share(error)
+      call comm%broadcast_error(error)
       if (allocated(error)) return
       if (comm%is_root()) call dump%read_job(job, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call move_alloc(job%version, written_by)
       job%version = version
@@ -126,7 +126,7 @@ contains
       end if
       job%start_time = parts%state%time
       if (comm%is_root()) call append_to(job%path//".out", job%listing, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
          & command%deck, messages, parts%state)
@@ -163,7 +163,7 @@ contains
 
       same(1) = 0
       if (comm%is_root()) same(1) = merge(1, 0, is_same_path(path, job%path))
-      call comm%tell(same)
+      call comm%broadcast(same)
       if (same(1) > 0) return
       job%path = path
       job%places = new_file_positions(path)
@@ -185,7 +185,7 @@ contains
       integer :: changes(2)
 
       if (comm%is_root()) call read_decks_of_run(job%archive, deck, model, messages, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error) .or. comm%ranks == 1) return
       call broadcast_archive(comm, job%archive)
       if (.not. comm%is_root()) then
@@ -193,7 +193,7 @@ contains
          messages = ""
       end if
       changes(:) = merge(1, 0, [model%changes%conditions, model%changes%end])
-      call comm%tell(changes)
+      call comm%broadcast(changes)
       model%changes = changes_type(changes(1) == 1, changes(2) == 1)
    end subroutine read_model
 

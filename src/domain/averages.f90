@@ -250,7 +250,7 @@ contains
       integer :: l, r
 
       least(:, :) = least_cells(domain%plates(average%plate), average, law)
-      call domain%comm%collect(reshape(least, [size(least)]), &
+      call domain%comm%allgather(reshape(least, [size(least)]), &
          & [(size(least), r=1, domain%comm%ranks)], each)
       do r = 1, domain%comm%ranks
          do l = 1, lanes
@@ -356,7 +356,7 @@ contains
             end do
          end associate
       end do
-      call domain%comm%find_greatest(extremes)
+      call domain%comm%max(extremes)
       points(:, :) = 0
       do i = 1, size(points, 2)
          if (extremes(2*i) > 0.0_wp) points(:, i) = nint([-extremes(2*i - 1), extremes(2*i)])

@@ -66,7 +66,7 @@ contains
             end do
          end associate
       end do
-      call domain%comm%add_up(sums%limb)
+      call domain%comm%sum(sums%limb)
       energy = sums%value(1)
    end function held_energy
 

@@ -242,7 +242,7 @@ contains
             call sums%add(1, domain%inertia%mass(i))
          end do
       end do
-      call domain%comm%add_up(sums%limb)
+      call domain%comm%sum(sums%limb)
       mass = sums%value(1)
    end function whole_mass
 

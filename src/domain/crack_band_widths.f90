@@ -110,9 +110,9 @@ contains
                & real(bands(i)%ply(k), wp)]
          end do
       end do
-      call comm%find_greatest(less)
-      call comm%add_up(counts)
-      call comm%collect(own, [(size(own), r=1, comm%ranks)], each)
+      call comm%max(less)
+      call comm%sum(counts)
+      call comm%allgather(own, [(size(own), r=1, comm%ranks)], each)
       do i = 1, size(bands)
          bands(i)%narrowest(:) = -less(2*i - 1:2*i)
          bands(i)%points = int(counts(1, i))

@@ -37,7 +37,7 @@ contains
       do e = 1, size(own)
          part(:, e) = [real(own(e)%element, wp), real(own(e)%layer, wp), own(e)%rate]
       end do
-      call comm%collect(reshape(part, [size(part)]), [(size(part), r=1, comm%ranks)], all)
+      call comm%allgather(reshape(part, [size(part)]), [(size(part), r=1, comm%ranks)], all)
       allocate (slowest(most_named*comm%ranks))
       do e = 1, size(slowest)
          associate (told => all(numbers*(e - 1) + 1:numbers*e))

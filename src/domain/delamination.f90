@@ -61,7 +61,7 @@ contains
          call count_batch(domain, domain%interfaces(b), &
             & history(domain%interfaces(b)%first_history:), sums)
       end do
-      call domain%comm%add_up(sums%limb)
+      call domain%comm%sum(sums%limb)
       do k = 1, size(lost)
          associate (last => losses*k)
             lost(k) = delamination_type(begun=sums%value(last - 4), failed=sums%value(last - 3), &
@@ -132,7 +132,7 @@ contains
          end do
          deallocate (failed)
       end do
-      call domain%comm%add_up(sums%limb)
+      call domain%comm%sum(sums%limb)
       area = sums%value(1)
    end function projected_area
 

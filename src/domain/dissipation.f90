@@ -39,7 +39,7 @@ contains
             end do
          end associate
       end do
-      call domain%comm%add_up(sums%limb)
+      call domain%comm%sum(sums%limb)
       energy(:) = [(sums%value(i), i=1, mechanisms)]
       energy(by_delamination:by_friction) = energy(by_delamination:by_friction) &
          & + interface_losses(lost)

@@ -59,13 +59,13 @@ contains
       next = findloc(class_of, 0, 1)
       least(1) = -huge(1.0_wp)
       if (next > 0) least(1) = -real(number(next), wp)
-      call comm%find_greatest(least)
+      call comm%max(least)
       found = least(1) > -huge(1.0_wp)
       one(:) = -huge(1.0_wp)
       if (found .and. next > 0) then
          if (number(next) == nint(-least(1))) one(:) = key(:, next)
       end if
-      call comm%find_greatest(one)
+      call comm%max(one)
    end subroutine find_first
 
 end module plydyn_domain_node_classes

@@ -154,7 +154,7 @@ contains
             end do
          end associate
       end do
-      call domain%comm%find_greatest(largest)
+      call domain%comm%max(largest)
       do p = 1, size(model%parts)
          layers = new_layers(model%parts(p))
          do k = 1, size(domain%interfaces)

@@ -126,7 +126,7 @@ contains
       own = pack([(i, i=1, size(self%own))], self%own)
       part = reshape(values(:, own), [size(values, 1)*size(own)])
       allocate (all(size(values)))
-      call comm%collect(part, size(values, 1)*self%counts, all)
+      call comm%allgather(part, size(values, 1)*self%counts, all)
       values(:, self%of_ranks) = reshape(all, shape(values))
    end subroutine collect_points
 

@@ -325,7 +325,7 @@ contains
          sent = sent + 3
       end do
       if (domain%comm%ranks == 1) return
-      call domain%comm%collect(self%sent(:sent), 3*counts, self%received)
+      call domain%comm%allgather(self%sent(:sent), 3*counts, self%received)
       do i = 1, size(points)
          self%position(:, points(i)) = self%received(3*i - 2:3*i)
       end do

@@ -76,7 +76,7 @@ contains
       integer :: i
 
       call count_power(domain, state, power_after_sum)
-      call domain%comm%add_up(state%tally%limb)
+      call domain%comm%sum(state%tally%limb)
       state%sums = sums_of(state%tally)
       state%output_due = state%tally%value(output_sum) > 0.0_wp
       state%rows_due = state%tally%value(rows_sum) > 0.0_wp

@@ -19,9 +19,9 @@ contains
       type(bundle_type) :: bundle
       integer :: b, count(1)
 
-      call comm%tell(archive%parameters)
+      call comm%broadcast(archive%parameters)
       if (comm%is_root()) count(1) = size(archive%bundles)
-      call comm%tell(count)
+      call comm%broadcast(count)
       if (.not. comm%is_root()) then
          if (allocated(archive%bundles)) deallocate (archive%bundles)
          allocate (archive%bundles(0))
@@ -45,7 +45,7 @@ contains
       integer :: count(1), d
 
       if (comm%is_root()) count(1) = size(bundle%documents)
-      call comm%tell(count)
+      call comm%broadcast(count)
       if (.not. comm%is_root()) then
          if (allocated(bundle%documents)) deallocate (bundle%documents)
          allocate (bundle%documents(0))
@@ -55,8 +55,8 @@ contains
             path = bundle%documents(d)%path
             content = bundle%documents(d)%content
          end if
-         call comm%tell(path)
-         call comm%tell(content)
+         call comm%broadcast(path)
+         call comm%broadcast(content)
          if (.not. comm%is_root()) call bundle%add_document(path, content)
       end do
    end subroutine broadcast_bundle

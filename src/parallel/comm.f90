@@ -1,6 +1,6 @@
-!> The ranks of a run, and what all of them tell each other.
+!> The ranks of a run and their collective operations.
 !>
-!> A run that nobody launched as several is one rank, and calls nothing of MPI.
+!> A run that was not launched as several ranks is one rank, and calls nothing of MPI.
 module plydyn_parallel_comm
    use, intrinsic :: iso_fortran_env, only : int64
    use mpi_f08, only : mpi_allgatherv, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_character, &
@@ -29,22 +29,22 @@ module plydyn_parallel_comm
       logical, private :: is_launched = .false.
    contains
       procedure :: is_root
-      procedure :: add_up
-      procedure :: agree
-      procedure :: unite
-      procedure :: collect
-      procedure :: find_greatest
-      procedure :: tell_integers
-      procedure :: tell_reals
-      procedure :: tell_text
-      procedure :: tell_error
-      procedure :: share => share_error
-      generic :: tell => tell_integers, tell_reals, tell_text, tell_error
+      procedure :: sum => sum_integers
+      procedure :: max => max_reals
+      procedure :: all_true
+      procedure :: merge => merge_reals
+      procedure :: allgather => allgather_reals
+      !> Send a value of the root to all ranks
+      generic :: broadcast => broadcast_integers, broadcast_reals, broadcast_text, &
+         & broadcast_root_error
+      procedure :: broadcast_error
+      procedure, private :: broadcast_integers, broadcast_reals, broadcast_text, &
+         & broadcast_root_error
    end type comm_type
 
 contains
 
-   !> How many ranks the program was launched as, as Open MPI, PMIx or PMI tell; 1 without any
+   !> Number of ranks that the launcher set in the environment (Open MPI, PMI, Slurm); 1 without one
    integer function launched_ranks() result(ranks)
       character(*), parameter :: names(3) = [character(20) :: "OMPI_COMM_WORLD_SIZE", &
          & "PMI_SIZE", "SLURM_STEP_NUM_TASKS"]
@@ -60,7 +60,7 @@ contains
       ranks = 1
    end function launched_ranks
 
-   !> Begin to work with the other ranks, if there are any
+   !> Initialise MPI if there are several ranks
    subroutine start_ranks(comm)
       !> The ranks
       type(comm_type), intent(out) :: comm
@@ -73,7 +73,7 @@ contains
       call mpi_comm_size(mpi_comm_world, comm%ranks)
    end subroutine start_ranks
 
-   !> End the work with the other ranks, once all have come here
+   !> Finalise MPI, once all ranks have come here
    subroutine stop_ranks(comm)
       !> The ranks
       type(comm_type), intent(in) :: comm
@@ -99,8 +99,8 @@ contains
       is_root = self%rank == root
    end function is_root
 
-   !> Add up whole numbers over all ranks
-   subroutine add_up(self, values)
+   !> Sum integers over all ranks
+   subroutine sum_integers(self, values)
       class(comm_type), intent(in) :: self
       !> This rank's numbers in, the sums out
       integer(int64), intent(inout), contiguous :: values(:, :)
@@ -108,20 +108,20 @@ contains
       if (self%ranks == 1) return
       call mpi_allreduce(mpi_in_place, values, size(values), mpi_integer8, mpi_sum, &
          & mpi_comm_world)
-   end subroutine add_up
+   end subroutine sum_integers
 
-   !> Whether all went well on all ranks
-   subroutine agree(self, good)
+   !> Whether a condition holds on all ranks
+   subroutine all_true(self, good)
       class(comm_type), intent(in) :: self
-      !> Whether it did on this rank in, the same on all ranks out
+      !> The condition on this rank in, on all ranks out
       logical, intent(inout) :: good
 
       if (self%ranks == 1) return
       call mpi_allreduce(mpi_in_place, good, 1, mpi_logical, mpi_land, mpi_comm_world)
-   end subroutine agree
+   end subroutine all_true
 
-   !> Let all ranks have numbers of which each is known to one of them, to the last bit
-   subroutine unite(self, is_known, values)
+   !> Merge numbers each of which is known to one rank, to the last bit
+   subroutine merge_reals(self, is_known, values)
       class(comm_type), intent(in) :: self
       !> Which numbers this rank knows
       logical, intent(in) :: is_known(:)
@@ -132,12 +132,12 @@ contains
 
       bits(:, 1) = transfer(values, bits)
       where (.not. is_known) bits(:, 1) = 0_int64
-      call self%add_up(bits)
+      call self%sum(bits)
       values(:) = transfer(bits(:, 1), values)
-   end subroutine unite
+   end subroutine merge_reals
 
-   !> Let all ranks have what each has a part of
-   subroutine collect(self, part, counts, whole)
+   !> Gather the parts of all ranks on all ranks
+   subroutine allgather_reals(self, part, counts, whole)
       class(comm_type), intent(in) :: self
       !> This rank's numbers
       real(wp), intent(in), contiguous :: part(:)
@@ -164,41 +164,41 @@ contains
          call mpi_allgatherv(part(sent + 1:), piece(self%rank), mpi_double_precision, whole, &
             & piece, first + sent, mpi_double_precision, mpi_comm_world)
       end do
-   end subroutine collect
+   end subroutine allgather_reals
 
-   !> Let all ranks have the greatest of each number
-   subroutine find_greatest(self, values)
+   !> Maximum of each number over all ranks
+   subroutine max_reals(self, values)
       class(comm_type), intent(in) :: self
-      !> This rank's numbers in, the greatest of all ranks out
+      !> This rank's numbers in, the maxima out
       real(wp), intent(inout), contiguous :: values(:)
 
       if (self%ranks == 1) return
       call mpi_allreduce(mpi_in_place, values, size(values), mpi_double_precision, mpi_max, &
          & mpi_comm_world)
-   end subroutine find_greatest
+   end subroutine max_reals
 
-   !> Let all ranks know whole numbers of the root
-   subroutine tell_integers(self, values)
+   !> Broadcast integers of the root
+   subroutine broadcast_integers(self, values)
       class(comm_type), intent(in) :: self
       !> The root's numbers in, the same on all ranks out
       integer, intent(inout), contiguous :: values(:)
 
       if (self%ranks == 1) return
       call mpi_bcast(values, size(values), mpi_integer, root, mpi_comm_world)
-   end subroutine tell_integers
+   end subroutine broadcast_integers
 
-   !> Let all ranks know reals of the root
-   subroutine tell_reals(self, values)
+   !> Broadcast reals of the root
+   subroutine broadcast_reals(self, values)
       class(comm_type), intent(in) :: self
       !> The root's numbers in, the same on all ranks out
       real(wp), intent(inout), contiguous :: values(:)
 
       if (self%ranks == 1) return
       call mpi_bcast(values, size(values), mpi_double_precision, root, mpi_comm_world)
-   end subroutine tell_reals
+   end subroutine broadcast_reals
 
-   !> Let all ranks know a text of the root
-   subroutine tell_text(self, words)
+   !> Broadcast a text of the root
+   subroutine broadcast_text(self, words)
       class(comm_type), intent(in) :: self
       !> The root's words in, the same on all ranks out
       character(:), allocatable, intent(inout) :: words
@@ -207,13 +207,13 @@ contains
 
       if (self%ranks == 1) return
       if (self%is_root()) length(1) = len(words)
-      call self%tell(length)
+      call self%broadcast(length)
       if (.not. self%is_root()) words = repeat(" ", length(1))
       call mpi_bcast(words, length(1), mpi_character, root, mpi_comm_world)
-   end subroutine tell_text
+   end subroutine broadcast_text
 
-   !> Let all ranks know what went wrong on the root, if anything did
-   subroutine tell_error(self, error)
+   !> Broadcast an error of the root, if there is one
+   subroutine broadcast_root_error(self, error)
       class(comm_type), intent(in) :: self
       !> The root's error in, the same on all ranks out
       type(error_type), allocatable, intent(inout) :: error
@@ -223,17 +223,17 @@ contains
       if (self%ranks == 1) return
       code(:) = 0
       if (self%is_root() .and. allocated(error)) code(:) = [1, error%code]
-      call self%tell(code)
+      call self%broadcast(code)
       if (code(1) == 0) return
       if (.not. self%is_root()) then
          if (.not. allocated(error)) allocate (error)
          error%code = code(2)
       end if
-      call self%tell(error%message)
-   end subroutine tell_error
+      call self%broadcast(error%message)
+   end subroutine broadcast_root_error
 
-   !> Let all ranks have the same error: that of the first of them that has one, if any does
-   subroutine share_error(self, error)
+   !> Broadcast the error of the first rank that has one, if any does
+   subroutine broadcast_error(self, error)
       class(comm_type), intent(in) :: self
       !> This rank's error in, the same on all ranks out
       type(error_type), allocatable, intent(inout) :: error
@@ -253,6 +253,6 @@ contains
       if (first /= self%rank) words = repeat(" ", number(2))
       call mpi_bcast(words, number(2), mpi_character, first, mpi_comm_world)
       call fail(error, number(1), words)
-   end subroutine share_error
+   end subroutine broadcast_error
 
 end module plydyn_parallel_comm

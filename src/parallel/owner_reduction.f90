@@ -27,8 +27,8 @@ module plydyn_parallel_owner_reduction
       !> Parts that come here in the order in which they are added, and the row of each
       integer, allocatable, private :: order(:), row(:)
    contains
-      procedure :: add_up
-      procedure :: hand_over
+      procedure :: sum => sum_parts
+      procedure :: take_one
    end type owner_reduction_type
 
 contains
@@ -144,7 +144,7 @@ contains
    end subroutine bring
 
    !> Add up the parts of each row
-   subroutine add_up(self, values, sums)
+   subroutine sum_parts(self, values, sums)
       class(owner_reduction_type), intent(in) :: self
       !> Parts of this rank, (width, parts)
       real(wp), intent(in) :: values(:, :)
@@ -159,10 +159,10 @@ contains
       do i = 1, size(self%row)
          sums(:, self%row(i)) = sums(:, self%row(i)) + got(:, i)
       end do
-   end subroutine add_up
+   end subroutine sum_parts
 
    !> Take one part of each row, where all are alike
-   subroutine hand_over(self, values, taken)
+   subroutine take_one(self, values, taken)
       class(owner_reduction_type), intent(in) :: self
       !> Parts of this rank, (width, parts)
       real(wp), intent(in) :: values(:, :)
@@ -173,6 +173,6 @@ contains
 
       call bring(self, values, got)
       taken(:, self%row) = got
-   end subroutine hand_over
+   end subroutine take_one
 
 end module plydyn_parallel_owner_reduction

@@ -138,7 +138,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (self%comm%is_root()) call self%writer%record_impactors(domain, state, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
    end subroutine record_impactors
 
    !> Lines of sums over the whole model, in which all ranks have a part
@@ -152,7 +152,7 @@ contains
 
       rows = new_global_history(domain, state)
       if (self%comm%is_root()) call self%writer%record_rows(rows, state, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
    end subroutine record_rows
 
    !> Write the fields at this time, if they are not in the file already
@@ -201,7 +201,7 @@ contains
 
       places = new_file_positions(self%path)
       if (self%comm%is_root()) call self%writer%keep(places, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
       if (allocated(error)) return
       call broadcast_file_positions(self%comm, self%path, places)
       call self%fields%mark(places, error)
@@ -255,7 +255,7 @@ contains
       type(error_type), allocatable :: each
 
       if (self%comm%is_root()) call self%writer%close(error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
       call self%fields%close(each)
       if (.not. allocated(error)) call move_alloc(each, error)
    end subroutine close_journal

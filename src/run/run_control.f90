@@ -179,13 +179,13 @@ contains
       asked_by = self%asked_by
       if (has_caught_signal()) asked_by = caught_signal()
       if (self%is_asked) requests = self%requests
-      call comm%tell(asked_by)
+      call comm%broadcast(asked_by)
       orders(:) = merge(1, 0, [requests%dump, requests%plot, requests%status, requests%flush, &
          & self%is_asked])
       self%is_asked = .false.
       end_time(1) = requests%end_time
-      call comm%tell(orders)
-      call comm%tell(end_time)
+      call comm%broadcast(orders)
+      call comm%broadcast(end_time)
       requests%dump = orders(1) == 1
       requests%plot = orders(2) == 1
       requests%status = orders(3) == 1

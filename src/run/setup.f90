@@ -56,7 +56,7 @@ contains
       call begin_domain(self%model, self%domain, division)
       self%domain%comm = comm
       call divide_ranks(self%domain, division, comm%ranks, rank_of_chunk)
-      call comm%tell(rank_of_chunk)
+      call comm%broadcast(rank_of_chunk)
       call build_share(self%model, division, rank_of_chunk, self%domain, share, error)
       if (allocated(error)) return
       self%domain%inertia%total_mass = whole_mass(self%domain, share%own)
@@ -92,7 +92,7 @@ contains
          & wp), &
          & real(domain%chunks%halo%bytes + domain%averaging%strain_halo%bytes, wp), &
          & mesh_bytes(domain), history_bytes(domain)]
-      call comm%collect(own, [(rank_numbers, r=1, comm%ranks)], all)
+      call comm%allgather(own, [(rank_numbers, r=1, comm%ranks)], all)
       ranks = reshape(all, [rank_numbers, comm%ranks])
    end subroutine count_ranks
 

@@ -157,19 +157,19 @@ contains
 
       here = worst_here(domain, badness)
       greatest(1) = here%badness
-      call domain%comm%find_greatest(greatest)
+      call domain%comm%max(greatest)
       worst%badness = greatest(1)
       ! the least is the greatest below zero
       greatest(1) = -huge(1.0_wp)
       if (here%badness >= worst%badness) greatest(1) = -real(here%node_id, wp)
-      call domain%comm%find_greatest(greatest)
+      call domain%comm%max(greatest)
       worst%node_id = nint(-greatest(1))
       ! ranks that meet at the node have the same motion there
       place(:) = 0.0_wp
       if (here%badness >= worst%badness .and. here%node_id == worst%node_id) then
          place(:) = [here%direction, here%layer]
       end if
-      call domain%comm%find_greatest(place)
+      call domain%comm%max(place)
       worst%direction = nint(place(1))
       worst%layer = nint(place(2))
    end function worst_point

@@ -11,17 +11,17 @@ program test_parallel_comm
 
    call begin("unite")
    values(:) = [-0.0_wp, 0.1_wp, 7.0_wp]
-   call comm%unite([.true., .true., .false.], values)
+   call comm%merge([.true., .true., .false.], values)
    call check(sign(1.0_wp, values(1)) < 0.0_wp, "the sign of a zero is kept")
    call check(values(2), 0.1_wp, 0.0_wp, "so is the last bit")
    call check(values(3), 0.0_wp, 0.0_wp, "what no rank knows is zero")
 
-   call begin("agree")
+   call begin("all_true")
    good = .true.
-   call comm%agree(good)
+   call comm%all_true(good)
    call check(good, "all is well")
    good = .false.
-   call comm%agree(good)
+   call comm%all_true(good)
    call check(.not. good, "something is not")
 
    call finish()

@@ -45,13 +45,13 @@ contains
       call check(delivery%first == 0 .and. delivery%count == 3, "one rank has all rows")
       values(1, :) = [small, 7.0_wp, 1.0_wp, 9.0_wp, -1.0_wp]
       values(2, :) = [-1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp, small]
-      call delivery%add_up(values, rows)
+      call delivery%sum(values, rows)
       call check(rows(1, :), [7.0_wp, small, 9.0_wp], 0.0_wp, "in the order of the keys")
       call check(rows(2, :), [1.0_wp, 0.0_wp, 2.0_wp], 0.0_wp, "whatever the values are")
       call begin("hand_over")
       values(1, :) = [4.0_wp, 7.0_wp, 4.0_wp, 9.0_wp, 4.0_wp]
       values(2, :) = -values(1, :)
-      call delivery%hand_over(values, rows)
+      call delivery%take_one(values, rows)
       call check(rows(1, :), [7.0_wp, 4.0_wp, 9.0_wp], 0.0_wp, "each row once")
       call check(rows(2, :), [-7.0_wp, -4.0_wp, -9.0_wp], 0.0_wp, "all of its numbers")
    end subroutine sums

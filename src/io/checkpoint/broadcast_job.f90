@@ -26,11 +26,11 @@ contains
 
       integer :: dumps(1)
 
-      call comm%tell(job%path)
-      call comm%tell(job%deck)
-      call comm%tell(job%version)
+      call comm%broadcast(job%path)
+      call comm%broadcast(job%deck)
+      call comm%broadcast(job%version)
       dumps(1) = job%dumps
-      call comm%tell(dumps)
+      call comm%broadcast(dumps)
       job%dumps = dumps(1)
       call broadcast_file_positions(comm, job%path, job%places)
    end subroutine broadcast_job
@@ -51,7 +51,7 @@ contains
 
       if (comm%ranks == 1) return
       count(1) = size(places%list)
-      call comm%tell(count)
+      call comm%broadcast(count)
       if (.not. comm%is_root()) places = new_file_positions(path)
       do i = 1, count(1)
          if (comm%is_root()) then
@@ -59,8 +59,8 @@ contains
             ending = trim(place%ending)
             table(:) = [real(place%amount, wp), place%interval, real(place%next, wp)]
          end if
-         call comm%tell(ending)
-         call comm%tell(table)
+         call comm%broadcast(ending)
+         call comm%broadcast(table)
          if (comm%is_root()) cycle
          call places%add(path//ending, file_position_type(amount=nint(table(1), int64), &
             & interval=table(2), next=nint(table(3), int64)))

@@ -200,7 +200,7 @@ contains
          call self%file%write_values(state_group//"/"//name, band, store_double, self%error, &
             & part%slab())
          sums(:, 1) = sums_of(band, part%had%first)
-         call self%parts%comm%add_up(sums)
+         call self%parts%comm%sum(sums)
       else
          call self%file%write_values(state_group//"/"//name, values, store_double, self%error)
          sums(:, 1) = sums_of(values, 0)

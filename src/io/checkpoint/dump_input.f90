@@ -198,7 +198,7 @@ contains
       call exchange_state(self, state)
       call self%file%close()
       if (allocated(self%error)) call move_alloc(self%error, error)
-      call parts%comm%share(error)
+      call parts%comm%broadcast_error(error)
    end subroutine read_state
 
    !> Read an array, unless something went wrong before
@@ -245,7 +245,7 @@ contains
          if (.not. good) call complain(self, name)
       end if
       sums(:, 1) = sums_of(band(1, :), slab%first)
-      call self%parts%comm%add_up(sums)
+      call self%parts%comm%sum(sums)
       call compare(self, name, sums(:, 1))
       call part%had%scatter(band(1, :), values)
    end subroutine read_part

@@ -153,7 +153,7 @@ contains
             points(there) = points(there) + 1.0_wp
          end associate
       end do
-      call domain%comm%find_greatest(points)
+      call domain%comm%max(points)
       before(1) = 0
       do c = 1, size(points)
          before(c + 1) = before(c) + nint(points(c))

@@ -65,20 +65,20 @@ contains
       ! all at once: they are closed together, whichever of them could be opened
       allocate (self%impactors(size(model%impactors)), self%profiles(size(model%request%profiles)))
       if (self%comm%is_root()) call open_sums(self, job, model, domain, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
       if (allocated(error)) return
       call self%nodes%open(job%path//".nodes.csv", model, domain, job%places, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
       if (allocated(error)) return
       call self%supports%open(job, model, domain, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
       if (allocated(error)) return
       do i = 1, size(self%profiles)
          associate (profile => model%request%profiles(i))
             call self%profiles(i)%open(job%path//".profile_"//text(profile%id)//".csv", profile, &
                & model%control%units, domain, job%places, error)
          end associate
-         call self%comm%tell(error)
+         call self%comm%broadcast(error)
          if (allocated(error)) return
       end do
    end subroutine open_writer
@@ -152,7 +152,7 @@ contains
       due(:) = merge(1, 0, [is_due(self%nodes%history, state), &
          & is_due(self%supports%history, state), &
          & (is_due(self%profiles(i)%history, state), i=1, size(self%profiles))])
-      call self%comm%tell(due)
+      call self%comm%broadcast(due)
       if (due(1) > 0) call self%nodes%record(state, error)
       if (allocated(error)) return
       if (due(2) > 0) call self%supports%record(state, error)

@@ -143,10 +143,10 @@ contains
                & + 0.5_wp*state%step_before*state%acceleration(freedom)
          end associate
       end do
-      call self%comm%unite(self%is_known, self%row)
+      call self%comm%merge(self%is_known, self%row)
       self%row(1) = state%time
       if (self%comm%is_root()) call self%history%record(state%time, self%row, error)
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
    end subroutine record_nodes
 
 end module plydyn_io_csv_node_history

@@ -73,7 +73,7 @@ contains
          file = profile_file_type()
          call find_quads(file, domain, profiles(i)%position)
          is_beside = size(file%quad, 2) == 0
-         call domain%comm%agree(is_beside)
+         call domain%comm%all_true(is_beside)
          if (.not. is_beside) cycle
          call fail(error, exit_input, "error: "//profiles(i)%place//": *DATABASE_PROFILE X: the " &
             & //"place ("//text(profiles(i)%position(1))//", "//text(profiles(i)%position(2)) &
@@ -143,11 +143,11 @@ contains
       real(wp), allocatable :: all_ranks(:)
       integer :: i, r
 
-      call self%comm%collect([real(size(own), wp)], [(1, r=1, size(counts))], counts)
+      call self%comm%allgather([real(size(own), wp)], [(1, r=1, size(counts))], counts)
       self%all_quads = nint(sum(counts))
       own(:) = [(real(domain%plates(self%quad(1, i))%quad(self%quad(2, i)), wp), i=1, size(own))]
       allocate (all_ranks(self%all_quads))
-      call self%comm%collect(own, nint(counts), all_ranks)
+      call self%comm%allgather(own, nint(counts), all_ranks)
       all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
       self%number = [(minloc(abs(all_ranks - own(i)), 1), i=1, size(own))]
    end subroutine number_quads
@@ -206,7 +206,7 @@ contains
             end do
          end do write_rows
       end if
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
    end subroutine record
 
    !> Height of a point in its layer, from 0 to 1
@@ -254,7 +254,7 @@ contains
          end do
       end do
       flat = reshape(values, [size(values)])
-      call self%comm%unite(reshape(is_known, [size(values)]), flat)
+      call self%comm%merge(reshape(is_known, [size(values)]), flat)
       values(:, :, :, :) = reshape(flat, shape(values))
    end subroutine find_values
 

@@ -179,7 +179,7 @@ contains
       do i = 1, size(self%sum)
          if (self%sum(i) > 0) call self%sums%add(self%sum(i), -state%support_force(i))
       end do
-      call self%comm%add_up(self%sums%limb)
+      call self%comm%sum(self%sums%limb)
       if (self%comm%is_root()) then
          call add_whole(self%sums%limb)
          self%row(1) = state%time
@@ -188,7 +188,7 @@ contains
          end do
          call self%history%record(state%time, self%row, error)
       end if
-      call self%comm%tell(error)
+      call self%comm%broadcast(error)
    end subroutine record_supports
 
    !> Each freedom is a part of one support: their sums together are the sum of all

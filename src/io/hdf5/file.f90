@@ -76,7 +76,7 @@ contains
       self%path = trim(path)
       self%comm = comm
       if (comm%is_root()) call try_text(self%path, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error)) return
       self%opened = .true.
       if (comm%is_root()) call create_file(self%path, self%handle, self%opened)
@@ -138,11 +138,11 @@ contains
       real(wp), allocatable :: told(:)
 
       if (comm%is_root()) runs(1) = size(room%start)
-      call comm%tell(runs)
+      call comm%broadcast(runs)
       allocate (told(others + runs(1)))
       if (comm%is_root()) told(:) = [real(wp) :: room%row_bytes, room%rows_per_run, room%before, &
          & room%start]
-      call comm%tell(told)
+      call comm%broadcast(told)
       if (comm%is_root()) return
       room%row_bytes = nint(told(1), int64)
       room%rows_per_run = nint(told(2), int64)
@@ -156,7 +156,7 @@ contains
       !> Whether it did on this rank in, the same on all ranks out
       logical, intent(inout) :: good
 
-      call self%comm%agree(good)
+      call self%comm%all_true(good)
    end subroutine agree
 
    !> Make sure of room for numbers, and for what the library adds
@@ -188,7 +188,7 @@ contains
 
       good = .true.
       if (self%is_root()) call rename_file(self%path, path, good)
-      call self%comm%agree(good)
+      call self%comm%all_true(good)
       if (good) then
          self%path = path
       else
@@ -314,7 +314,7 @@ contains
       if (.not. self%is_alone()) then
          ! first the numbers, of which the root then says that they are there
          call self%bands%secure(good)
-         call self%comm%agree(good)
+         call self%comm%all_true(good)
       end if
       if (good .and. self%is_root()) call flush_file(self%handle, good)
       call self%confirm(good, "what is not yet on the disk", error)
@@ -353,7 +353,7 @@ contains
       logical :: all_good
 
       all_good = good
-      call self%comm%agree(all_good)
+      call self%comm%all_true(all_good)
       if (all_good) return
       self%opened = .false.
       self%handle = handle_type()

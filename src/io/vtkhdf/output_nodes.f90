@@ -148,7 +148,7 @@ contains
       integer :: i, last, s, t
 
       allocate (sums(size(values, 1)*size(values, 2), self%delivery%count))
-      call self%delivery%add_up(reshape(values, [size(sums, 1), size(values, 3)]), sums)
+      call self%delivery%sum(reshape(values, [size(sums, 1), size(values, 3)]), sums)
       do t = 1, size(values, 2)
          last = size(values, 1)*t
          do s = 1, self%delivery%count
@@ -173,7 +173,7 @@ contains
       integer :: s, t
 
       allocate (rows(size(values, 1)*size(values, 2), self%delivery%count))
-      call self%delivery%hand_over(reshape(values, [size(rows, 1), size(values, 3)]), rows)
+      call self%delivery%take_one(reshape(values, [size(rows, 1), size(values, 3)]), rows)
       do t = 1, size(values, 2)
          do s = 1, self%delivery%count
             taken(:, self%delivery%count*(t - 1) + s) = &

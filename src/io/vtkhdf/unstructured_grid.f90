@@ -70,7 +70,7 @@ contains
       ! what is there already must be a file that can be replaced
       inquire (file=self%path, exist=exists)
       if (exists .and. comm%is_root()) call try_text(self%path, error)
-      call comm%tell(error)
+      call comm%broadcast(error)
       if (allocated(error)) return
       call self%file%create(self%path//in_the_making, comm, error)
       if (allocated(error)) return
