@@ -17,6 +17,7 @@ from plydyn_pre.counts import Counts, count
 from plydyn_pre.deck import deck_text, write_deck
 from plydyn_pre.errors import LayupError, MeshError, PreError, RecipeError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
+from plydyn_pre.library import Entry, LibraryCard, find_card, library, sources
 from plydyn_pre.mesh import (
     GmshFile,
     Mesh,
@@ -68,6 +69,7 @@ __all__ = [
     "Counts",
     "Curve",
     "Elastic",
+    "Entry",
     "Force",
     "FrameAcceleration",
     "GmshFile",
@@ -75,6 +77,7 @@ __all__ = [
     "InitialVelocity",
     "Laminate",
     "LayupError",
+    "LibraryCard",
     "LineForce",
     "Mesh",
     "MeshError",
@@ -101,12 +104,15 @@ __all__ = [
     "count",
     "deck_text",
     "example_recipe",
+    "find_card",
     "is_balanced",
     "is_symmetric",
+    "library",
     "load_recipe",
     "make_mesh",
     "parse",
     "quality",
+    "sources",
     "unused",
     "write_deck",
 ]

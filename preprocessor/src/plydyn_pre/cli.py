@@ -20,6 +20,8 @@ from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck
 from plydyn_pre.errors import PreError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
+from plydyn_pre.library import find_card, library
+from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
@@ -123,6 +125,23 @@ def layup(
     words.append("symmetric" if is_symmetric(plies) else "not symmetric")
     words.append("balanced" if is_balanced(plies) else "not balanced")
     out.print("; ".join(words), soft_wrap=True)
+
+
+@app.command()
+def materials(
+    name: Annotated[
+        str | None, typer.Argument(help="One of the library; all without.", show_default=False)
+    ] = None,
+) -> None:
+    """Show materials of the library, the source of each number, and one as cards of a deck."""
+    if name is not None:
+        for line in as_deck(find_card(name)):
+            out.print(line, markup=False, soft_wrap=True)
+        return
+    for card in library().values():
+        out.print(f"{card.name} ({card.kind}): {card.note}", markup=False, soft_wrap=True)
+        for key, value, source in source_lines(card):
+            out.print(f"  {key:<20} {value:<18} {source}", markup=False, soft_wrap=True)
 
 
 @app.command()

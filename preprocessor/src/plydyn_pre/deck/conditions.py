@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from plydyn_pre.deck.cards import Card, id_cards, keyword, titled
 from plydyn_pre.deck.names import Names
@@ -68,16 +68,20 @@ def load_keywords(names: Names) -> Iterator[str]:
 def curve_keywords(names: Names) -> Iterator[str]:
     """The curves that are used."""
     for name, lcid in names.curves.items():
-        card = {"lcid": lcid, "sidr": 0, "sfa": 1.0, "sfo": 1.0, "offa": 0.0, "offo": 0.0}
         if name:
             curve = names.study.curves[name]
             pairs = list(zip(curve.time, curve.value, strict=True))
         else:
             pairs = [(0.0, 1.0), (names.study.control.end_time, 1.0)]
-        points = [f"{float(time):>20.12g}{float(value):>20.12g}" for time, value in pairs]
-        header = f"$#{'a1':>18}{'o1':>20}"
-        card |= {"dattyp": 0, "lcint": 0}
-        yield titled("DEFINE_CURVE", name or "constant", card, header, *points)
+        yield curve_text(name or "constant", lcid, pairs)
+
+
+def curve_text(title: str, lcid: int, pairs: Iterable[tuple[float, float]]) -> str:
+    """The keyword of a curve."""
+    card = {"lcid": lcid, "sidr": 0, "sfa": 1.0, "sfo": 1.0, "offa": 0.0, "offo": 0.0}
+    points = [f"{float(time):>20.12g}{float(value):>20.12g}" for time, value in pairs]
+    header = f"$#{'a1':>18}{'o1':>20}"
+    return titled("DEFINE_CURVE", title, card | {"dattyp": 0, "lcint": 0}, header, *points)
 
 
 def set_keywords(names: Names) -> Iterator[str]:

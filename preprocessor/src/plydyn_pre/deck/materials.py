@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from plydyn_pre.deck.cards import Card, titled
 from plydyn_pre.deck.names import Names
@@ -32,12 +32,16 @@ def material_keywords(names: Names) -> Iterator[str]:
 def material_keyword(names: Names, name: str, mid: int) -> str:
     """The keyword of a material."""
     material: Material = names.study.materials[name]
-    title = material.title or name
+    return material_text(material, material.title or name, mid, names.curve)
+
+
+def material_text(material: Material, title: str, mid: int, curve: Callable[[str], int]) -> str:
+    """The keyword of a material; `curve` gives the number of a curve by its name."""
     match material:
         case PlyElastic():
             return titled("MAT_PLY_ELASTIC", title, *_elastic_cards(material, mid))
         case PlyCodam2():
-            return titled("MAT_PLY_CODAM2", title, *_codam2_cards(names, material, mid))
+            return titled("MAT_PLY_CODAM2", title, *_codam2_cards(material, mid, curve))
         case Elastic():
             card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
             return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
@@ -81,7 +85,7 @@ def _elastic_cards(material: PlyElastic | PlyCodam2, mid: int) -> tuple[Card, Ca
     return {"mid": mid, "ro": material.density} | young | poisson, shear
 
 
-def _codam2_cards(names: Names, ply: PlyCodam2, mid: int) -> tuple[Card, ...]:
+def _codam2_cards(ply: PlyCodam2, mid: int, number: Callable[[str], int]) -> tuple[Card, ...]:
     """The cards of a ply that is damaged."""
     strengths = ("XT", "XC", "YT", "YC", "SL", "ST")
     energies = {name.lower(): getattr(ply, name) for name in ("G1T", "G1C", "G2T", "G2C")}
@@ -89,7 +93,7 @@ def _codam2_cards(names: Names, ply: PlyCodam2, mid: int) -> tuple[Card, ...]:
     power = ply.shear == "ramberg_osgood"
     curve = {
         "shear": _SHEARS[ply.shear],
-        "lcid": names.curve(ply.shear_curve),
+        "lcid": number(ply.shear_curve),
         "gamu": ply.shear_strain if ply.shear == "exponential" else 0.0,
         "alpha": ply.shear_coefficient if power else 0.0,
         "n": ply.shear_exponent if power else 0.0,

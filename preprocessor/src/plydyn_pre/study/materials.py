@@ -91,6 +91,9 @@ class PlyCodam2:
     weakens_across: bool = True  # damage weakens G13 and G23
     average_along: float = 0.0  # radii of the ellipse over which strains are averaged before they
     average_across: float = 0.0  # drive damage, along and across the fibres; 0 for no average
+    GIC: float = 0.0  # toughnesses of cracks through a ply, for in-situ strengths, in opening
+    GIIC: float = 0.0  # and in shear; 0 for G2T and G2S
+    cubic: float = 0.0  # coefficient of stress**3 in the shear strain, for in-situ strengths
     title: str = ""
 
     def __post_init__(self) -> None:
@@ -99,6 +102,7 @@ class PlyCodam2:
         require_positive(self, "G1T", "G1C", "G2T", "G2C")
         require_stable(self)
         require_not_negative(self, "ST", "G2S", "width", "average_along", "average_across")
+        require_not_negative(self, "GIC", "GIIC", "cubic")
         above = 0.0 < self.largest_damage <= _MOST_DAMAGE
         rule = f"{self.largest_damage!r} must be above 0 and at most {_MOST_DAMAGE}"
         require(above, "largest_damage", rule)

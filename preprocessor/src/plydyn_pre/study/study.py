@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from plydyn_pre.errors import RecipeError, require
+from plydyn_pre.library import library
 from plydyn_pre.mesh import Shape
 from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.checks import check_fields, check_scheme, check_step_curve
@@ -52,12 +53,17 @@ class Study:
         """Refuse names of things that there are not."""
         require(bool(self.title.strip()), "title", "empty; a deck needs some words")
         require(bool(self.laminate or self.laminates), "laminate", "missing")
+        plies = self._plies()
         for path, laminate in _laminates(self):
             for material in sorted({ply.material for ply in laminate.stack}):
-                _check_name(f"{path}.material", material, self._plies(), "a ply material")
-            springs = [name for name in self.materials if name not in self._plies()]
+                _check_name(
+                    f"{path}.material", material, self._plies(), "a ply material", library()
+                )
+            springs = [name for name in self.materials if name not in plies]
             joints = [*_JOINTS, *springs]
-            _check_name(f"{path}.interfaces", laminate.interfaces, joints, "a way to join plies")
+            _check_name(
+                f"{path}.interfaces", laminate.interfaces, joints, "a way to join plies", library()
+            )
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
         hit = self.contact is None or self.impactor is not None
@@ -128,7 +134,18 @@ def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
         yield "control.step_curve", study.control.step_curve
 
 
-def _check_name(path: str, name: str, known: Iterable[str], what: str) -> None:
+def _check_material(path: str, name: str, known: Iterable[str], what: str) -> None:
+    """Refuse a material that the study has not; the library has more."""
+    _check_name(path, name, known, what, library())
+
+
+def _check_name(
+    path: str, name: str, known: Iterable[str], what: str, more: Iterable[str] = ()
+) -> None:
     """Refuse a name that is not among those known."""
     known = list(known)
-    require(name in known, path, f"{name!r} is not {what} of the study; {suggestion(name, known)}")
+    require(
+        name in known,
+        path,
+        f"{name!r} is not {what} of the study; {suggestion(name, [*known, *more])}",
+    )

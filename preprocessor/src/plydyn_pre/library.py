@@ -1,0 +1,216 @@
+"""The library: materials with the source of each of their numbers."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+from plydyn_pre.errors import PreError, RecipeError
+from plydyn_pre.suggest import suggestion
+from plydyn_pre.tables import Table
+
+#: What joins plies of a material of the library has its name with this behind it
+JOINT = " interface"
+_LENGTHS = {"m": 1e3, "cm": 10.0, "mm": 1.0, "um": 1e-3}
+_TIMES = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+_MASSES = {"t": 1.0, "kg": 1e-3, "g": 1e-6, "mg": 1e-9}
+_STRESS, _ENERGY = (-1, -2, 1), (0, -2, 1)
+#: Powers of length, time and mass of the keys that have some
+_STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield"
+_DIMENSIONS = dict.fromkeys(_STRESSES.split(), _STRESS)
+_DIMENSIONS |= dict.fromkeys(("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC"), _ENERGY)
+_DIMENSIONS |= {"density": (-3, 0, 1), "normal": (-2, -2, 1), "shear": (-2, -2, 1)}
+_DIMENSIONS |= {"cubic": (3, 6, -3), "ply_thickness": (1, 0, 0)}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A value of a card and where it is from."""
+
+    value: float | str
+    source: str
+
+
+@dataclass(frozen=True)
+class LibraryCard:
+    """A material of the library."""
+
+    name: str
+    kind: str
+    title: str
+    note: str
+    values: dict[str, Entry]
+    ply_thickness: Entry | None = None
+    curves: dict[str, Table] = field(default_factory=dict)
+
+    def table(self, units: Mapping[str, str]) -> Table:
+        """The table of a recipe with these units."""
+        power = self.values.get("shear_exponent", Entry(0.0, "")).value
+        found: Table = {"kind": self.kind, "title": self.title}
+        for key, entry in self.values.items():
+            found[key] = _converted(key, entry.value, units, power)
+        return found
+
+    def curve_tables(self, units: Mapping[str, str]) -> Table:
+        """The curves of stress over strain that it needs, in these units."""
+        factor = _factor(_STRESS, units)
+        return {
+            name: {"time": curve["time"], "value": [factor * value for value in curve["value"]]}
+            for name, curve in self.curves.items()
+        }
+
+
+@cache
+def library() -> dict[str, LibraryCard]:
+    """All cards by their names."""
+    data = _data()
+    cards = {}
+    for name, card in data["cards"].items():
+        values = {key: Entry(*pair) for key, pair in card["values"].items()}
+        thick = card.get("ply_thickness")
+        curve = values.get("shear_curve")
+        curves = {curve.value: data["curves"][curve.value]} if curve else {}
+        cards[name] = LibraryCard(
+            name=name,
+            kind=card["kind"],
+            title=card["title"],
+            note=card["note"],
+            values=values,
+            ply_thickness=Entry(*thick) if thick else None,
+            curves=curves,
+        )
+    return cards
+
+
+def sources() -> dict[str, str]:
+    """What the short names of sources stand for."""
+    return dict(_data()["sources"])
+
+
+def find_card(name: str) -> LibraryCard:
+    """A card by its name."""
+    known = {each.casefold(): card for each, card in library().items()}
+    if name.casefold() not in known:
+        raise PreError(f"{name!r} is not in the library; {suggestion(name, library())}")
+    return known[name.casefold()]
+
+
+def with_library(table: Table) -> Table:
+    """The table of a recipe with the materials and curves of the library that it names."""
+    units = table.get("units", {})
+    own = table.get("materials", {})
+    if not isinstance(own, dict) or not isinstance(units, dict):
+        return table
+    materials: Table = {name: _likened(name, each, units, table) for name, each in own.items()}
+    used: list[LibraryCard] = []
+    changed = table | {"materials": materials}
+    for key, laminate in _laminates(table):
+        joint = laminate.get("interfaces")
+        if isinstance(joint, str) and joint not in own and joint + JOINT in library():
+            laminate = laminate | {"interfaces": joint + JOINT}
+            changed = _put(changed, key, laminate)
+        used += [library()[name] for name in _names(laminate) if name in library()]
+    used += [_base(each) for each in own.values() if _base(each) is not None]
+    for card in used:
+        if card.name not in own and card.name in _all_names(changed):
+            materials.setdefault(card.name, _pruned(card.table(units), {}))
+        if card.curves:
+            curves = card.curve_tables(units) | changed.get("curves", {})
+            changed = changed | {"curves": curves}
+    return changed
+
+
+def _base(material: object) -> LibraryCard | None:
+    """The card that a material of a recipe is like."""
+    name = material.get("like") if isinstance(material, dict) else None
+    return library().get(name) if isinstance(name, str) else None
+
+
+def _likened(name: str, material: Any, units: Mapping[str, str], table: Table) -> Any:  # noqa: ANN401
+    """A material of a recipe on top of the card that it is like."""
+    if not (isinstance(material, dict) and "like" in material):
+        return material
+    card = _base(material)
+    if card is None:
+        words = f"{material['like']!r} is not in the library; "
+        raise RecipeError(
+            f"materials.{name}.like", words + suggestion(str(material["like"]), library())
+        )
+    below = card.table(units)
+    if material.get("kind", card.kind) == "ply_elastic" and card.kind == "ply_codam2":
+        kept = ("title", "density", "E", "nu", "G12", "G13", "G23")
+        below = {key: value for key, value in below.items() if key.startswith(kept)}
+    above = {key: value for key, value in material.items() if key != "like"}
+    if "shear" in above and above["shear"] != below.get("shear"):
+        below = {key: value for key, value in below.items() if not key.startswith("shear_")}
+    return _pruned(below, above) | above
+
+
+def _pruned(below: Table, above: Table) -> Table:
+    """A card without the constants that have no effect by what is chosen."""
+    if above.get("matrix_compression") == "hashin":
+        return below
+    return {key: value for key, value in below.items() if key != "ST"}
+
+
+def _laminates(table: Table) -> list[tuple[tuple[str, ...], Table]]:
+    """The tables of laminates with their keys."""
+    found: list[tuple[tuple[str, ...], Any]] = [(("laminate",), table.get("laminate"))]
+    parts = table.get("laminates")
+    if isinstance(parts, dict):
+        found += [(("laminates", name), each) for name, each in parts.items()]
+    return [(key, each) for key, each in found if isinstance(each, dict)]
+
+
+def _put(table: Table, key: tuple[str, ...], laminate: Table) -> Table:
+    """The table with another laminate."""
+    if len(key) == 1:
+        return table | {key[0]: laminate}
+    return table | {key[0]: table[key[0]] | {key[1]: laminate}}
+
+
+def _names(laminate: Table) -> list[str]:
+    """Names of materials that a laminate may use."""
+    words = [laminate.get("material"), laminate.get("interfaces")]
+    thickness = laminate.get("thickness")
+    words += list(thickness) if isinstance(thickness, dict) else []
+    layup = laminate.get("layup")
+    words += [name for name in library() if isinstance(layup, str) and name in layup]
+    return [word for word in words if isinstance(word, str)]
+
+
+def _all_names(table: Table) -> set[str]:
+    """Names of materials that any laminate may use."""
+    return {name for _, laminate in _laminates(table) for name in _names(laminate)}
+
+
+def _converted(key: str, value: Any, units: Mapping[str, str], power: Any) -> Any:  # noqa: ANN401
+    """A value of the library in other units."""
+    if isinstance(value, str):
+        return value
+    if key == "shear_coefficient":
+        return value * _factor(_STRESS, units) ** -power
+    return value * _factor(_DIMENSIONS.get(key, (0, 0, 0)), units)
+
+
+def _factor(powers: tuple[int, int, int], units: Mapping[str, str]) -> float:
+    """What a number in mm, s and t is multiplied by."""
+    scales = (
+        _LENGTHS.get(units.get("length", "mm"), 1.0),
+        _TIMES.get(units.get("time", "s"), 1.0),
+        _MASSES.get(units.get("mass", "t"), 1.0),
+    )
+    factor = 1.0
+    for scale, power in zip(scales, powers, strict=True):
+        factor *= scale**-power
+    return factor
+
+
+@cache
+def _data() -> Table:
+    """The file of the library."""
+    return tomllib.loads(files("plydyn_pre").joinpath("materials.toml").read_text(encoding="utf-8"))
