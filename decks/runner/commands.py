@@ -56,7 +56,8 @@ class Study:
     work: Callable[[Case], float] | None = None  # beside other cases; the longest is begun first
     chosen: Sequence[Case] | None = None  # to run; others are in the report if they have run
     is_timed: bool = False  # times are measured: whatever has run is run again
-    core: int | None = None  # to run on
+    core: int | None = None  # to run on, one case at a time
+    may_stop: bool = False  # the report is also on runs that were stopped on request
 
     def carry_out(self, options: Options) -> None:
         """Run the cases that have not run, and write and print the pages."""
@@ -80,9 +81,15 @@ class Study:
     def _run(self, options: Options) -> list[str]:
         cases = self._given(self.cases if self.chosen is None else self.chosen, options)
         ordered = sorted(cases, key=self.work, reverse=True) if self.work else cases
-        again = options.again or self.is_timed
-        tools = find_tools(options.plydyn)
-        return Queue(tools, options.output, options.parallel, again, self.core).run(ordered)
+        queue = Queue(
+            find_tools(options.plydyn),
+            options.output,
+            options.parallel if self.core is None else 1,
+            options.again or self.is_timed,
+            self.core,
+            self.may_stop,
+        )
+        return queue.run(ordered)
 
 
 def command(folder: str = "") -> Callable[[Callable[..., Study]], Callable[..., Study]]:

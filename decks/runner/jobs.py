@@ -22,7 +22,7 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request
-GOOD = (0, 4)
+ENDED, STOPPED = 0, 4
 _DONE = re.compile(r"\s(\d+\.\d)%\s")
 console = Console(highlight=False)
 
@@ -45,21 +45,17 @@ class Tools:
 
 def find_tools(solver: Path | None = None) -> Tools:
     """The programs of this checkout, else those on PATH."""
-    bins = (Path(sys.executable).parent, ROOT / ".venv/bin")
-    return Tools(
-        _program("plydyn-pre", bins), solver or _program("plydyn", (ROOT / "build/release",))
-    )
+    pre = _program("plydyn-pre", Path(sys.executable).parent, ROOT / ".venv/bin")
+    return Tools(pre, solver or _program("plydyn", ROOT / "build/release"))
 
 
-def _program(name: str, folders: Sequence[Path]) -> Path:
+def _program(name: str, *folders: Path) -> Path:
     """A program in one of some folders, else on PATH."""
-    for folder in folders:
-        if os.access(folder / name, os.X_OK):
-            return folder / name
-    found = shutil.which(name)
+    places = [str(folder) for folder in folders]
+    found = shutil.which(name, path=os.pathsep.join([*places, os.environ.get("PATH", "")]))
     if found is None:
-        places = ", ".join(str(folder) for folder in folders)
-        raise StudyError(f"there is no {name} in {places} or on PATH; decks/quickstart.sh makes it")
+        where = ", ".join(places)
+        raise StudyError(f"there is no {name} in {where} or on PATH; decks/quickstart.sh makes it")
     return Path(found)
 
 
@@ -82,6 +78,7 @@ class Queue:
     parallel: int = 1
     again: bool = False  # also what the same build has run to its end already
     core: int | None = None  # any without a number
+    may_stop: bool = False  # a run that was stopped on request is no error
 
     def run(self, cases: Sequence[Case]) -> list[str]:
         """Run all cases, those of several threads alone; gives what went wrong with any."""
@@ -131,8 +128,8 @@ class Queue:
             _, status, usage = os.wait4(process.pid, 0)
             wall = time.perf_counter() - start
             process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode not in GOOD:
-            code = process.returncode
+        code = process.returncode
+        if code not in (ENDED, STOPPED if self.may_stop else ENDED):
             raise StudyError(f"{case.name}: the solver left with {code}: {last.strip()}")
         took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
         kept.write_text(json.dumps(took), encoding="utf-8")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -40,10 +40,12 @@ class Quantity:
             return value or NOTHING
         return format(self.scale * value, self.form)
 
-    @property
-    def change(self) -> Column:
-        """How far the number is from that of the row to compare with."""
-        return Column("change", lambda row, other: change(self.value(row), self.value(other)))
+
+def with_change(*quantities: Quantity) -> Iterator[Quantity | Column]:
+    """Numbers, each followed by how far it is from that of the row to compare with."""
+    for one in quantities:
+        yield one
+        yield Column("change", lambda row, it, value=one.value: change(value(row), value(it)))
 
 
 def change(value: float, base: float) -> str:

@@ -10,12 +10,19 @@ import numpy as np
 from plydyn_post.results import Results
 from plydyn_post.style import WIDE, figure, look_of, save
 
+from readings.bimetal_figures import (
+    Face,
+    along_y,
+    asymmetry,
+    draw_bimetal,
+    lost_momentum,
+    read_face,
+)
+from readings.differences import impact_numbers
 from runner.cases import Case, Run
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, tabulate
-from studies.bimetal_figures import Face, along_y, draw_bimetal, read_face
 from studies.bricks import TABLE_4, Models, pick
-from studies.differences import impact_numbers
 
 LAYERS, BRICKS = "layers, LE1", "bricks of one point"
 #: Side of the plate, mm
@@ -88,21 +95,15 @@ PAPER = (_mesh(LAYERS, 20.0, 4, 2), _mesh(BRICKS, SIDE, 80))
 #: From coarse to fine, layers and then bricks
 MESHES = (
     PAPER[0],
-    _mesh(LAYERS, 20.0, 4, 8),
-    _mesh(LAYERS, 20.0, 8, 2),
-    _mesh(LAYERS, 20.0, 8, 4),
-    _mesh(LAYERS, 20.0, 8, 8),
-    _mesh(LAYERS, 20.0, 12, 6),
-    _mesh(LAYERS, 20.0, 16, 4),
-    _mesh(LAYERS, 8.0, 8, 8),
-    _mesh(LAYERS, 8.0, 16, 12),
+    *(
+        _mesh(LAYERS, 20.0, n, rings)
+        for n, rings in ((4, 8), (8, 2), (8, 4), (8, 8), (12, 6), (16, 4))
+    ),
+    *(_mesh(LAYERS, 8.0, n, rings) for n, rings in ((8, 8), (16, 12))),
     _mesh(BRICKS, SIDE, 40),
     PAPER[1],
-    _mesh(BRICKS, 20.0, 8, 8),
-    _mesh(BRICKS, 20.0, 16, 8),
-    _mesh(BRICKS, 20.0, 32, 12),
-    _mesh(BRICKS, 8.0, 16, 16),
-    _mesh(BRICKS, 8.0, 32, 20),
+    *(_mesh(BRICKS, 20.0, n, rings) for n, rings in ((8, 8), (16, 8), (32, 12))),
+    *(_mesh(BRICKS, 8.0, n, rings) for n, rings in ((16, 16), (32, 20))),
 )
 _POINTS, _STIFF = 'contact.method="points_on_plate"', "bricks.coefficient=1.0"
 #: Other contact, order, hourglass control and points, on some of these meshes
@@ -189,29 +190,6 @@ COLUMNS = (
     Quantity("asymmetry [%]", lambda one: asymmetry(one.face), ".2g", 100.0),
     Quantity("lost momentum [%]", lambda one: lost_momentum(one.run.results), ".1g", 100.0),
 )
-
-
-def asymmetry(face: Face) -> float:
-    """Largest difference of deflection between places that mirror each other, over the largest."""
-    keys = np.round(face.place / (1e-6 * np.ptp(face.place))).astype(np.int64)
-    own = {tuple(key): value for key, value in zip(keys.tolist(), face.deflection, strict=True)}
-    mirrors = ((-1, 1, False), (1, -1, False), (1, 1, True))
-    worst = 0.0
-    for (x, y), value in own.items():
-        for a, b, swapped in mirrors:
-            place = (b * y, a * x) if swapped else (a * x, b * y)
-            if place in own:
-                worst = max(worst, abs(own[place] - value))
-    return float(worst / np.abs(face.deflection).max())
-
-
-def lost_momentum(results: Results) -> float:
-    """Impulse of the force less the momentum of the ball, over that it came with."""
-    ball, energy = results.impactor(), results.energy()
-    mass = 2.0 * energy["impactor"][0] / ball["velocity"][0] ** 2
-    gained = mass * (ball["velocity"][-1] - ball["velocity"][0])
-    pushed = np.trapezoid(ball["force"], ball["time"])
-    return float(abs(gained - pushed) / (mass * abs(ball["velocity"][0])))
 
 
 def _families(found: Sequence[Plate]) -> list[list[Plate]]:

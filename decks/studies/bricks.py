@@ -10,11 +10,11 @@ from typing import Annotated
 import numpy as np
 import typer
 
+from readings.differences import mean_force
 from runner.cases import Case, Run, StudyError, builds
 from runner.commands import Study, command
 from runner.jobs import processor
 from runner.pages import Column, Page, Quantity, Section, clock, tabulate
-from studies.differences import mean_force
 
 #: Share of the time from which on a run is whole
 WHOLE = 0.999
@@ -97,7 +97,8 @@ def _study(number: int, rows: Sequence[PlateCase], models: str, core: int | None
             text += f"\nNot run: {', '.join(missing)}.\n"
         return [Page(f"table{number}", [Section(f"Table {number}", text, f"table {number}")])]
 
-    return Study(rows, report, chosen=pick(rows, models), is_timed=True, core=core)
+    chosen = pick(rows, models)
+    return Study(rows, report, chosen=chosen, is_timed=True, core=core, may_stop=True)
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,10 @@ from typing import Annotated
 
 import typer
 
+from readings import damage
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, tabulate
-from studies import damage
+from runner.pages import Page, Quantity, Section, tabulate, with_change
 
 PLY, BOND = "materials.hts40_9772", "materials.interface"
 #: The recipe that the choices are made for, and how far: beyond the peak
@@ -120,10 +120,7 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
 COLUMNS = (
     Quantity("open question", lambda one: one.run.case.choice.question),
     Quantity("other answer", lambda one: one.run.case.choice.answer),
-    damage.PEAK,
-    damage.PEAK.change,
-    damage.PROJECTED,
-    damage.PROJECTED.change,
+    *with_change(damage.PEAK, damage.PROJECTED),
     damage.TOTAL,
     damage.DISSIPATED_ALL,
     damage.DISPLACEMENT,

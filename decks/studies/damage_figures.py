@@ -12,10 +12,10 @@ from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results
 from plydyn_post.section import draw_section
 
+from readings import damage
 from runner.cases import Run, made_by
 from runner.commands import Study, command
 from runner.pages import Page, Section
-from studies import damage
 
 Tests = Annotated[
     list[Path] | None, typer.Option("--test", help="CSV of a test to lay over the forces.")

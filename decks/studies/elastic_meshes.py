@@ -2,30 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
-import numpy as np
 import typer
 from matplotlib.axes import Axes
 from plydyn_post.profile import draw_profiles, read_profiles
-from plydyn_post.results import Results
-from plydyn_post.style import COLOURS, WIDE, figure, legend_above, look_of, save
+from plydyn_post.style import COLOURS, WIDE, figure, legend_above, save
 
+from readings import differences
+from readings.profiles import JUMP, LARGEST, MEANS, SIZE, WHOLE, agreements
 from runner.cases import ROOT, Case, Run, StudyError
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, percent, table, tabulate
-from studies.differences import (
-    PLATEAU,
-    force_difference,
-    impact_numbers,
-    mean_force,
-    peak_time,
-    velocity_difference,
-)
-from studies.stress import JUMP, LARGEST, MEANS, OUTPUTS, SIZE, WHOLE, agreements
+from studies.stress import OUTPUTS
 
 FOLDER = "elastic_impact_ladder"
 #: Meshes without a recipe of their own: name, and what is replaced in the recipe of n4
@@ -137,14 +129,20 @@ def _report(runs: list[Run], orders: Sequence[int], folder: Path) -> list[Page]:
     return [Page("converge", sections, _draw(runs, orders, folder))]
 
 
+def _number(heading: str, name: str, form: str, scale: float = 1) -> Quantity:
+    """A number of the impact by its name in the postprocessor."""
+    numbers = differences.impact_numbers
+    return Quantity(heading, lambda run: getattr(numbers(run.results), name), form, scale)
+
+
 def _rebound(run: Run) -> str:
-    speed = impact_numbers(run.results).rebound_velocity
+    speed = differences.impact_numbers(run.results).rebound_velocity
     return "in contact" if speed is None else f"{1e-3 * speed:.3f}"
 
 
 def _plateau(run: Run) -> float:
-    time, force = mean_force(run.results)
-    return force[time < PLATEAU].max()
+    time, force = differences.mean_force(run.results)
+    return force[time < differences.PLATEAU].max()
 
 
 #: What an analyst reads off each run
@@ -154,17 +152,13 @@ NUMBERS = (
     Quantity("DOF", lambda run: run.effort.dofs, ","),
     Quantity("points apart [mm]", lambda run: run.case.spacing, ".3g"),
     Quantity("most in contact", lambda run: run.results.impactor()["contacts"].max(), ".0f"),
-    Quantity("peak force, raw [N]", lambda run: impact_numbers(run.results).peak_force, ".0f"),
-    Quantity("20 µs mean [N]", lambda run: mean_force(run.results)[1].max(), ".0f"),
+    _number("peak force, raw [N]", "peak_force", ".0f"),
+    Quantity("20 µs mean [N]", lambda run: differences.mean_force(run.results)[1].max(), ".0f"),
     Quantity("first plateau [N]", _plateau, ".0f"),
-    Quantity("duration [ms]", lambda run: impact_numbers(run.results).contact_duration, ".3f", 1e3),
-    Quantity(
-        "displacement [mm]", lambda run: impact_numbers(run.results).largest_displacement, ".3f"
-    ),
+    _number("duration [ms]", "contact_duration", ".3f", 1e3),
+    _number("displacement [mm]", "largest_displacement", ".3f"),
     Quantity("rebound [m/s]", _rebound),
-    Quantity(
-        "energy error [-]", lambda run: impact_numbers(run.results).energy_error or 0.0, ".0e"
-    ),
+    _number("energy error [-]", "energy_error", ".0e"),
 )
 
 
@@ -189,19 +183,11 @@ def _differences(one: Run, other: Run) -> list[str]:
         return ["0"] * 3
     ours, theirs = one.results, other.results
     shares = (
-        force_difference(ours, theirs),
-        force_difference(ours, theirs, first_end(theirs)),
-        velocity_difference(ours, theirs),
+        differences.force_difference(ours, theirs),
+        differences.force_difference(ours, theirs, differences.first_end(theirs)),
+        differences.velocity_difference(ours, theirs),
     )
     return [percent(share) for share in shares]
-
-
-def first_end(results: Results) -> float:
-    """The end of the contact during which the mean force is largest."""
-    time, force = mean_force(results)
-    peak = int(np.argmax(force))
-    silent = np.flatnonzero(force[peak:] <= 1e-3 * force[peak])
-    return float(time[peak + silent[0]]) if len(silent) else float(time[-1])
 
 
 def _orders_text(runs: Sequence[Run], orders: Sequence[int]) -> str:
@@ -224,55 +210,27 @@ def _orders_text(runs: Sequence[Run], orders: Sequence[int]) -> str:
 def _draw(runs: Sequence[Run], orders: Sequence[int], folder: Path) -> list[Path]:
     """Forces over each other, differences over the mesh, and shear of the orders."""
     cores = sorted({run.case.core for run in runs}, reverse=True)
-    meshes = {
-        f"{words}, core {core:g} mm": {
-            run.case.mesh: run for run in pick(runs, contact=contact) if run.case.core == core
-        }
-        for core in cores
-        for contact, words in CONTACTS.items()
-    }
-    contacts = {
-        f"{mesh}, points {pick(runs, mesh)[0].case.spacing:.2g} mm apart": {
-            words: pick(runs, mesh, contact)[0] for contact, words in CONTACTS.items()
-        }
-        for mesh in meshes_of(runs)
-    }
-    ends = meshes_of(runs, orders)
-    compared = {
-        f"{mesh}, {CONTACTS['nodes']}": {
-            f"LE{order}": pick(runs, mesh, "nodes", order)[0] for order in orders
-        }
-        for mesh in (ends[0], ends[-1])
-    }
-    finest = [pick(runs, ends[-1], "nodes", order)[0].results for order in orders]
-    shear = read_profiles(finest, 2, peak_time(finest[-1]))
+    meshes, contacts, compared = {}, {}, {}
+    for core in cores:
+        for contact, words in CONTACTS.items():
+            own = [run for run in pick(runs, contact=contact) if run.case.core == core]
+            meshes[f"{words}, core {core:g} mm"] = {run.case.mesh: run for run in own}
+    for mesh in meshes_of(runs):
+        nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
+        title = f"{mesh}, points {nodes.case.spacing:.2g} mm apart"
+        contacts[title] = dict(zip(CONTACTS.values(), (nodes, points), strict=True))
+    for mesh in meshes_of(runs, orders):
+        own = {f"LE{order}": pick(runs, mesh, "nodes", order)[0] for order in orders}
+        compared[f"{mesh}, {CONTACTS['nodes']}"] = own
+    finest = [run.results for run in list(compared.values())[-1].values()]
+    shear = read_profiles(finest, 2, differences.peak_time(finest[-1]))
     return [
-        _draw_forces(meshes, 2, folder / "force_meshes.png"),
-        _draw_forces(contacts, 3, folder / "force_contacts.png"),
-        _draw_forces(compared, 2, folder / "force_orders.png"),
+        differences.draw_panels(meshes, 2, folder / "force_meshes.png"),
+        differences.draw_panels(contacts, 3, folder / "force_contacts.png"),
+        differences.draw_panels(compared, 3, folder / "force_orders.png"),
         _draw_differences(runs, cores, folder / "differences.png"),
         draw_profiles(shear, ("sxz", "syz"), folder / "shear_orders.png"),
     ]
-
-
-def _draw_forces(panels: Mapping[str, Mapping[str, Run]], across: int, path: Path) -> Path:
-    """Mean forces over each other in panels with titles, some of them beside each other."""
-    rows = -(-len(panels) // across)
-    size, shares = (WIDE, 0.4 + 2.5 * rows), {"sharex": True, "sharey": True, "squeeze": False}
-    with figure(rows, across, size=size, **shares) as (made, grid):
-        for axes in grid.flat[len(panels) :]:
-            axes.set_visible(False)
-        for axes, (title, runs) in zip(grid.flat, panels.items(), strict=False):
-            for place, (label, run) in enumerate(runs.items()):
-                time, force = mean_force(run.results)
-                axes.plot(1e3 * time, force, label=label, **(look_of(place) | {"linewidth": 1.1}))
-            axes.set_title(title, fontsize=7.5, loc="left")
-            axes.set_xlabel("Time [ms]")
-            axes.margins(x=0.0)
-            axes.legend(fontsize=6, loc="upper right")
-            axes.label_outer()
-        made.supylabel("Contact force, 20 µs mean [N]", fontsize=9)
-        return save(made, path)
 
 
 def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -> Path:
@@ -295,6 +253,6 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
 
 
 def _plot_differences(axes: Axes, pairs: Sequence[tuple[Run, Run]], label: str, place: int) -> None:
-    shares = [100.0 * force_difference(one.results, its.results) for one, its in pairs]
+    shares = [100.0 * differences.force_difference(one.results, its.results) for one, its in pairs]
     spacing = [one.case.spacing for one, _ in pairs]
     axes.plot(spacing, shares, "os^"[place] + "-", label=label, color=COLOURS[place], markersize=4)

@@ -9,10 +9,10 @@ from typing import Annotated
 import typer
 from plydyn_post.style import WIDE, figure, look_of, save
 
+from readings import damage
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, change, table, tabulate
-from studies import damage
 
 #: The meshes of the page: recipe, and quads along the core
 PAGE = {"quarter": (8, 12, 16, 24, 32, 48), "quarter_elastic": (12, 16, 24)}
@@ -77,19 +77,15 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
     return pages
 
 
+ENERGIES = dict(zip(("delamination", "matrix", "shear", "fibres"), damage.DISSIPATED, strict=True))
 #: The numbers that must settle
 SETTLING = {
     "peak force": damage.PEAK,
     "displacement": damage.DISPLACEMENT,
     "projected area": damage.PROJECTED,
     "all interfaces": damage.TOTAL,
-    **dict(
-        zip(
-            ("energy of delamination", "of matrix", "of shear", "of fibres"),
-            damage.DISSIPATED,
-            strict=True,
-        )
-    ),
+    "energy of delamination": ENERGIES["delamination"],
+    **{f"of {name}": ENERGIES[name] for name in ("matrix", "shear", "fibres")},
     "dissipated in all": damage.DISSIPATED_SUM,
 }
 
@@ -108,13 +104,10 @@ def changes_text(found: Sequence[damage.Impact]) -> str:
 
 def _draw(found: Sequence[damage.Impact], path: Path) -> Path:
     """Peak force, areas and energies over the size of the quads in the core."""
-    energies = dict(
-        zip(("delamination", "matrix", "shear", "fibres"), damage.DISSIPATED, strict=True)
-    )
     panels = {
         "Force, 20 µs mean [N]": {"peak": damage.PEAK},
         "Delaminated area [mm²]": {"projected": damage.PROJECTED, "all interfaces": damage.TOTAL},
-        "Dissipated energy [J]": energies,
+        "Dissipated energy [J]": ENERGIES,
     }
     size = [damage.core_size(one.run.case) for one in found]
     with figure(1, 3, size=(WIDE, 2.7)) as (made, grid):
@@ -130,6 +123,7 @@ def _draw(found: Sequence[damage.Impact], path: Path) -> Path:
         return save(made, path)
 
 
+#: What the variants change of the quarter
 WHOLE = ("mesh.quarter=false",)
 LARGE_CORE = ("mesh.core=36", "mesh.rings=8")
 REDUCED = ("materials.hts40_9772.snap_back=reduce",)

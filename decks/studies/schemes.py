@@ -12,17 +12,12 @@ import numpy as np
 import typer
 from plydyn_post.results import Results
 
+from readings import damage
+from readings.differences import WINDOW, force_difference, impact_numbers, norm_share
+from readings.profiles import read_component
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
-from runner.pages import Column, Page, Quantity, Section, percent, tabulate
-from studies import damage
-from studies.differences import (
-    WINDOW,
-    force_difference,
-    impact_numbers,
-    norm_share,
-    read_component,
-)
+from runner.pages import Column, Page, Quantity, Section, percent, tabulate, with_change
 
 #: Schemes: what is implicit, the largest step in ns (0 for none), share of the stable step (0 for
 #: that of the recipe)
@@ -223,16 +218,9 @@ IMPLICIT_COLUMNS = (
     of_run(STEP),
     of_run(STEPS),
     Quantity("processor time [s]", lambda one: one.run.effort.processor, ".0f"),
-    *(
-        damage.PEAK,
-        damage.PEAK.change,
-        damage.PROJECTED,
-        damage.PROJECTED.change,
-        damage.TOTAL,
-        damage.TOTAL.change,
-    ),
+    *with_change(damage.PEAK, damage.PROJECTED, damage.TOTAL),
     *damage.DISSIPATED,
-    *(damage.DISSIPATED_SUM, damage.DISSIPATED_SUM.change),
+    *with_change(damage.DISSIPATED_SUM),
 )
 
 

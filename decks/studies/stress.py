@@ -2,26 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
 from plydyn_post.profile import INTERLAMINAR, draw_profiles, read_profiles
 from plydyn_post.results import Results
 
+from readings.differences import peak_time
+from readings.profiles import END, JUMP, LARGEST, MEANS, NAME, PEAK, SIZE, WHOLE, agreements
 from runner.cases import Case, Run
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, percent, tabulate
-from studies.differences import (
-    Profiles,
-    block_at,
-    norm_share,
-    peak_share,
-    peak_time,
-    ply_means,
-    read_component,
-)
+from runner.pages import Page, Section, tabulate
 
 #: Models of the paper's figures; the one that the others are compared with
 MODELS, REFERENCE = ("le1", "le2", "le3", "3le1"), "le3"
@@ -54,59 +44,6 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
     return [Page("profiles", [Section("Profiles", _text(found), "profiles")], drawn, pictures)]
 
 
-@dataclass(frozen=True)
-class Agreement:
-    """How the profile of a run compares with that of the reference, as shares of its size."""
-
-    name: str
-    largest: float  # difference at the instant, largest over largest
-    size: float  # difference at the instant, root of squares
-    whole: float  # difference over all instants, root of squares
-    jump: float  # largest jump across a face of plies at the instant, over the largest stress
-    end: float  # larger of the values at the bottom and the top, over the largest stress
-    means: float  # difference of the means of the plies at the instant, root of squares
-    peak: float  # largest stress at the instant
-
-
-NAME = Quantity("model", lambda one: one.name.upper())
-PEAK = Quantity("largest [MPa]", lambda one: one.peak, ".4g")
-LARGEST = Quantity("largest difference", lambda one: percent(one.largest))
-SIZE = Quantity("relative L2", lambda one: percent(one.size))
-WHOLE = Quantity("over the run", lambda one: percent(one.whole))
-MEANS = Quantity("means of plies, L2", lambda one: percent(one.means))
-JUMP = Quantity("largest jump between plies", lambda one: percent(one.jump))
-END = Quantity("on the free faces", lambda one: percent(one.end))
-
-
-def agreement(name: str, ours: Profiles, reference: Profiles, time: float) -> Agreement:
-    """Compare profiles with those of the reference at an instant and over all of them."""
-    rows = min(len(ours.times), len(reference.times))
-    gap = ours.values[:rows] - reference.values[:rows]
-    k = block_at(reference.times[:rows], time)
-    largest = float(np.max(np.abs(reference.values[k])))
-    return Agreement(
-        name,
-        largest=peak_share(gap[k], reference.values[k]),
-        size=norm_share(gap[k], reference.values[k]),
-        whole=norm_share(gap, reference.values[:rows]),
-        jump=float(np.max(ours.jumps[k])) / largest,
-        end=float(np.max(np.abs(ours.ends[k]))) / largest,
-        means=norm_share(ply_means(gap[k]), ply_means(reference.values[k])),
-        peak=float(np.max(np.abs(ours.values[k]))),
-    )
-
-
-def agreements(
-    found: dict[str, Results], reference: str, number: int, component: str
-) -> list[Agreement]:
-    """The comparison of all results with one of them, at the peak of its mean force."""
-    base, time = read_component(found[reference], number, component), peak_time(found[reference])
-    return [
-        agreement(name, read_component(results, number, component), base, time)
-        for name, results in found.items()
-    ]
-
-
 def _text(found: dict[str, Results]) -> str:
     """One table for each of the figures; jumps only of components that should have none."""
     name, time = REFERENCE.upper(), peak_time(found[REFERENCE])
@@ -116,7 +53,14 @@ def _text(found: dict[str, Results]) -> str:
         " a share of its size through the thickness, or through the thickness and all instants.\n"
     ]
     for number, place, component, figure in SHOWN:
-        columns: Sequence[Quantity] = (NAME, PEAK, LARGEST, SIZE, WHOLE, MEANS)
+        columns = (
+            NAME,
+            PEAK,
+            LARGEST,
+            SIZE,
+            WHOLE,
+            MEANS,
+        )
         if component in INTERLAMINAR:
             columns = (*columns, JUMP, END)
         parts.append(f"Figure {figure}, `{component}` at {place}:\n")

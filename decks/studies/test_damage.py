@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from plydyn_post.results import open_results
 
+from readings.damage import areas_text, impacts_text, read_impact, whole_force
 from runner.cases import Case, Effort, Run
-from studies.damage import areas_text, impacts_text, read_impact, whole_force
 
 
 @pytest.fixture

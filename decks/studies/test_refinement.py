@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from readings.damage import Impact, core_size, mesh_words, parts_of, read_impact
 from runner.cases import Case, Run, StudyError, read_runs
-from studies.damage import Impact, core_size, mesh_words, parts_of, read_impact
 from studies.refinement import PAGE, VARIANTS, changes_text, pick, refined, variants_text, work
 from studies.refinement import _report as report
 

@@ -12,11 +12,12 @@ import pytest
 import typer
 
 import study
+from readings import damage
 from runner.cases import ROOT, Case, Effort, Run, StudyError, made_by, read_effort, read_runs
 from runner.commands import Options, Study
 from runner.jobs import Queue, Tools, find_tools
 from runner.pages import Page, Section, insert, table
-from studies import bimetal, bricks, choices, damage, elastic_meshes, refinement, runs, schemes
+from studies import bimetal, bricks, choices, elastic_meshes, refinement, runs, schemes
 
 #: A solver that fails on jobs named so, and says of the others what studies read
 SOLVER = """#!/usr/bin/env bash
@@ -27,6 +28,7 @@ echo again >>"$folder/$job.turns"
 printf '%s\\n' "time [s],force [N]" "0,0" >"$folder/$job.impactor_1.csv"
 printf '%s\\n' "plydyn 9 (abc)" "degrees of freedom  1" "normal end" "cycle 200, time 1.0 s" \
   "seconds 1.0 in the loop" >"$folder/$job.out"
+[[ $job != stopped ]] || { echo "asked to stop"; exit 4; }
 """
 
 
@@ -54,6 +56,15 @@ def test_a_job_that_fails_does_not_keep_others_from_running(tools: Tools, tmp_pa
     assert failed == ["bad: the solver left with 3: it is unstable"]
     assert [run.case.name for run in read_runs(cases, folder)] == ["good"]
     assert made_by(read_runs(cases, folder)) == "Made by plydyn 9 (abc).\n"
+
+
+def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path: Path):
+    cases = [_case("stopped")]
+    failed = Queue(tools, tmp_path).run(cases)
+    assert failed == ["stopped: the solver left with 4: asked to stop"]
+    assert read_runs(cases, tmp_path) == []
+    assert Queue(tools, tmp_path, may_stop=True).run(cases) == []
+    assert len(read_runs(cases, tmp_path)) == 1
 
 
 def test_a_report_is_on_what_has_run_unless_it_needs_all(tools: Tools, tmp_path: Path, capsys):

@@ -9,21 +9,17 @@ import numpy as np
 import pytest
 from plydyn_post.results import Results, open_results
 
+from readings.bimetal_figures import Face, along_y
+from readings.damage import MODELS, Impact, mesh_words
+from readings.differences import force_difference, velocity_difference
+from readings.profiles import agreement, ply_means, read_component
+from readings.symmetry import off_symmetry
 from runner.cases import Case, Effort, Run, StudyError
-from studies.bimetal_figures import Face, along_y
 from studies.bricks import TABLE_2, TABLE_4, Plate, bricks_text
 from studies.bricks import pick as pick_models
 from studies.choices import BASE, CHOICES, case_of, choices_text, pick
-from studies.damage import MODELS, Impact, mesh_words
-from studies.differences import (
-    force_difference,
-    ply_means,
-    read_component,
-    velocity_difference,
-)
-from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, ORDERS, late_force, off_symmetry
+from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, ORDERS, late_force
 from studies.schemes import implicit_cases, implicit_text
-from studies.stress import agreement
 from studies.timings import Timing, damage_text, elastic_text
 
 
@@ -63,11 +59,6 @@ def test_models_of_a_table_are_picked_by_their_recipes():
     assert pick_models(TABLE_4, "") == list(TABLE_4)
     with pytest.raises(StudyError, match="there is no model le9"):
         pick_models(TABLE_4, "le9")
-
-
-def test_all_models_of_the_tables_have_recipes():
-    for row in (*TABLE_2, *TABLE_4):
-        assert row.model.title
 
 
 def test_the_middle_line_is_the_nearest_column():

@@ -11,13 +11,13 @@ from typing import Annotated
 import numpy as np
 import typer
 
+from readings.damage import MODELS, read_impact
+from readings.differences import impact_numbers
 from runner.cases import Effort, Run, builds
 from runner.commands import Study, command
 from runner.jobs import processor
 from runner.pages import Page, Quantity, Section, clock, tabulate
 from studies.bricks import TABLE_2
-from studies.damage import MODELS, read_impact
-from studies.differences import impact_numbers
 
 #: LE1, LE2, LE3 and 3LE1 of Table 2
 ELASTIC = TABLE_2[:4]

@@ -1,31 +1,22 @@
-"""Differences of histories and of profiles, as shares of what they are compared with."""
+"""Histories of an impact, and their differences as shares of what they are compared with."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 from plydyn_post.curves import Numbers, read_numbers, running_mean
-from plydyn_post.profile import instants
 from plydyn_post.results import Results
+from plydyn_post.style import WIDE, figure, look_of, save
+
+from runner.cases import Run
 
 #: Window of the running mean of forces, and distance of the times they are compared at, s
 WINDOW, STRIDE = 20e-6, 1e-6
 #: Until then the plate answers as if it had no edges, s: bending waves are on their way
 PLATEAU = 60e-6
-#: Places in each ply at which profiles are compared; none lies where thirds of a ply meet
-PLACES = 12
-
-
-@dataclass(frozen=True)
-class Profiles:
-    """A component of stress through the thickness over time."""
-
-    times: np.ndarray  # (times,)
-    values: np.ndarray  # (times, places), as many places in each ply
-    jumps: np.ndarray  # (times, faces between plies), sizes
-    ends: np.ndarray  # (times, 2), at the bottom and the top
 
 
 @cache
@@ -74,43 +65,29 @@ def peak_time(results: Results) -> float:
     return float(time[np.argmax(force)])
 
 
-def read_component(results: Results, number: int, component: str) -> Profiles:
-    """A component at the place of a profile, for all its instants."""
-    table = results.profile(number)
-    times, starts = instants(table)
-    blocks = [slice(*ends) for ends in zip(starts[:-1], starts[1:], strict=True)]
-    z, ply, values = table["z"], table["ply"], table[component]
-    faces = [np.flatnonzero(np.diff(ply[block])) for block in blocks]
-    return Profiles(
-        times,
-        np.array([_sampled(z[block], ply[block], values[block]) for block in blocks]),
-        np.array(
-            [
-                np.abs(np.diff(values[block])[face])
-                for block, face in zip(blocks, faces, strict=True)
-            ]
-        ),
-        np.array([values[block][[0, -1]] for block in blocks]),
-    )
+def first_end(results: Results) -> float:
+    """The end of the contact during which the mean force is largest."""
+    time, force = mean_force(results)
+    peak = int(np.argmax(force))
+    silent = np.flatnonzero(force[peak:] <= 1e-3 * force[peak])
+    return float(time[peak + silent[0]]) if len(silent) else float(time[-1])
 
 
-def _sampled(z: np.ndarray, ply: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Values at the same places of each ply, however the rows are spaced."""
-    share = (np.arange(PLACES) + 0.5) / PLACES
-    rows = [ply == one for one in np.unique(ply)]
-    return np.concatenate(
-        [
-            np.interp(z[own][0] + share * (z[own][-1] - z[own][0]), z[own], values[own])
-            for own in rows
-        ]
-    )
-
-
-def ply_means(values: np.ndarray) -> np.ndarray:
-    """Means over the plies of values at an instant, (plies,)."""
-    return values.reshape(-1, PLACES).mean(axis=1)
-
-
-def block_at(times: np.ndarray, time: float) -> int:
-    """Which instant is nearest to a time."""
-    return int(np.argmin(np.abs(times - time)))
+def draw_panels(panels: Mapping[str, Mapping[str, Run]], across: int, path: Path) -> Path:
+    """Mean forces over each other in panels with titles, some of them beside each other."""
+    rows = -(-len(panels) // across)
+    size, shares = (WIDE, 0.4 + 2.5 * rows), {"sharex": True, "sharey": True, "squeeze": False}
+    with figure(rows, across, size=size, **shares) as (made, grid):
+        for axes in grid.flat[len(panels) :]:
+            axes.set_visible(False)
+        for axes, (title, runs) in zip(grid.flat, panels.items(), strict=False):
+            for place, (label, run) in enumerate(runs.items()):
+                time, force = mean_force(run.results)
+                axes.plot(1e3 * time, force, label=label, **(look_of(place) | {"linewidth": 1.1}))
+            axes.set_title(title, fontsize=7.5, loc="left")
+            axes.set_xlabel("Time [ms]")
+            axes.margins(x=0.0)
+            axes.legend(fontsize=6, loc="upper right")
+            axes.label_outer()
+        made.supylabel("Contact force, 20 µs mean [N]", fontsize=9)
+        return save(made, path)

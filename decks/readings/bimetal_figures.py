@@ -80,6 +80,29 @@ def read_section(results: Results) -> list[Layer]:
     return layers
 
 
+def asymmetry(face: Face) -> float:
+    """Largest difference of deflection between places that mirror each other, over the largest."""
+    keys = np.round(face.place / (1e-6 * np.ptp(face.place))).astype(np.int64)
+    own = {tuple(key): value for key, value in zip(keys.tolist(), face.deflection, strict=True)}
+    mirrors = ((-1, 1, False), (1, -1, False), (1, 1, True))
+    worst = 0.0
+    for (x, y), value in own.items():
+        for a, b, swapped in mirrors:
+            place = (b * y, a * x) if swapped else (a * x, b * y)
+            if place in own:
+                worst = max(worst, abs(own[place] - value))
+    return float(worst / np.abs(face.deflection).max())
+
+
+def lost_momentum(results: Results) -> float:
+    """Impulse of the force less the momentum of the ball, over that it came with."""
+    ball, energy = results.impactor(), results.energy()
+    mass = 2.0 * energy["impactor"][0] / ball["velocity"][0] ** 2
+    gained = mass * (ball["velocity"][-1] - ball["velocity"][0])
+    pushed = np.trapezoid(ball["force"], ball["time"])
+    return float(abs(gained - pushed) / (mass * abs(ball["velocity"][0])))
+
+
 def _points(path: Path) -> np.ndarray:
     """Where the points are before the impact, mm."""
     with h5py.File(path) as file:

@@ -14,9 +14,9 @@ from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
 from plydyn_post.table import Table
 
+from readings.differences import WINDOW
 from runner.cases import Case, Run
 from runner.pages import Quantity, table, tabulate
-from studies.differences import WINDOW
 
 #: A delaminated area that counts as the beginning of delamination, mm2
 BEGUN = 1.0

@@ -1,0 +1,1 @@
+"""What is read off the runs of impacts: numbers, differences, profiles, symmetry, faces."""
