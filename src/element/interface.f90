@@ -45,7 +45,7 @@ module plydyn_element_interface
       !> Points at the nodes instead of the Gauss points
       logical :: nodal = .false.
       !> Distance of the outer points from the middle of the quad
-      real(wp) :: reach = 1.0_wp
+      real(wp) :: gauss_abscissa = 1.0_wp
       !> Index of each quad in the mesh
       integer, allocatable :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
@@ -81,8 +81,8 @@ contains
 
       integer :: e
 
-      self%reach = 1.0_wp
-      if (.not. self%nodal) self%reach = maxval(gauss_points(self%side))
+      self%gauss_abscissa = 1.0_wp
+      if (.not. self%nodal) self%gauss_abscissa = maxval(gauss_points(self%side))
       self%quad = quad
       self%node = node
       self%target = node

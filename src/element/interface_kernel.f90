@@ -37,13 +37,13 @@ contains
       do e = quads(1), quads(2)
          row = 1 + self%side**2*(e - 1)
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
-         if (.not. self%nodal) call to_points(self%side, self%reach, jump)
+         if (.not. self%nodal) call to_points(self%side, self%gauss_abscissa, jump)
          if (large) then
             call add_turned_forces(self, e, displacement, history(1, row, 1), jump, force)
             cycle
          end if
          call resist(self, self%metric(:, :, e), history(1, row, 1), jump)
-         if (.not. self%nodal) call to_nodes(self%side, self%reach, jump)
+         if (.not. self%nodal) call to_nodes(self%side, self%gauss_abscissa, jump)
          call scatter(self, self%target(:, e), jump, jump, force)
       end do
    end subroutine add_face_forces
@@ -69,15 +69,15 @@ contains
 
       associate (side => self%side, metric => self%metric(:, :, quad))
          call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
-         if (.not. self%nodal) call to_points(side, self%reach, middle)
+         if (.not. self%nodal) call to_points(side, self%gauss_abscissa, middle)
          call find_axes(side, metric, middle, axes, stretch)
          call turn_in(side**2, axes, jump)
          pull(:, :, :side**2) = jump(:, :, :side**2)
          call resist(self, metric, history, pull)
          call find_turning(side, metric, axes, stretch, jump, pull, turning)
          call turn_back(side**2, axes, pull)
-         if (.not. self%nodal) call to_nodes(side, self%reach, pull)
-         if (.not. self%nodal) call to_nodes(side, self%reach, turning)
+         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, pull)
+         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, turning)
          do q = 1, side**2
             do c = 1, 3
                !$omp simd

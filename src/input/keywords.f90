@@ -225,7 +225,8 @@ contains
          & read_database_nodout, stage_output, check=check_database_nodout)
       call list%add(database_spcforc(), &
          & read_database_spcforc, stage_output, check=check_database_spcforc)
-      call list%add(database("DATABASE_BINARY_D3PLOT", standard, "field states", "LCDT BEAM NPLTC PSETID"), &
+      call list%add(database("DATABASE_BINARY_D3PLOT", standard, "field states", &
+         & "LCDT BEAM NPLTC PSETID"), &
          & read_database_binary_d3plot, stage_output)
       call list%add(database("DATABASE_IMPACTOR", ours, "impactor histories", ""), &
          & read_database_impactor, stage_output, check=check_database_impactor)
