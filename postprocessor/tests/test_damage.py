@@ -1,5 +1,6 @@
 """Maps, areas, cuts and energies of damage with known shapes."""
 
+import itertools
 from pathlib import Path
 
 import h5py
@@ -7,19 +8,22 @@ import numpy as np
 import pytest
 import synthetic
 import synthetic_damage as known
+from matplotlib.figure import Figure
 from matplotlib.image import imread
 from typer.testing import CliRunner
 
+from plydyn_post import cscan
 from plydyn_post.cli import app
-from plydyn_post.cscan import drawn_areas, read_scan
+from plydyn_post.cscan import draw_cscan, drawn_areas, read_scan
 from plydyn_post.dissipation import mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import read_areas, read_interfaces
-from plydyn_post.maps import half_window
+from plydyn_post.maps import area_words, half_window
 from plydyn_post.plies import read_stack
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import open_results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
+from plydyn_post.style import save
 
 runner = CliRunner()
 
@@ -162,6 +166,36 @@ def test_nothing_to_draw_before_the_impact_is_drawn_as_such(damaged: Path, tmp_p
         words = [command, str(damaged), "--time", "0", "-o", str(path)]
         assert runner.invoke(app, words).exit_code == 0
         assert path.is_file()
+
+
+def test_a_legend_holds_31_interfaces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    many = [(6.0 - 0.15 * k, 3.0 + 0.1 * k) for k in range(31)]
+    monkeypatch.setattr(known, "ELLIPSES", many)
+    job = known.write_job(tmp_path)
+    known.write_interfaces(tmp_path, "plate", quads=12)
+    seen = []
+
+    def look(made: Figure, path: Path) -> Path:
+        made.draw_without_rendering()
+        legend = made.axes[1].get_legend()
+        boxes = [text.get_window_extent() for text in (legend.get_title(), *legend.get_texts())]
+        seen.extend([made.bbox, boxes, legend.get_texts()])
+        return save(made, path)
+
+    monkeypatch.setattr(cscan, "save", look)
+    draw_cscan(open_results(job), tmp_path / "a.png")
+    page, boxes, texts = seen
+    assert len(texts) == 31 + 1
+    assert all(page.x0 <= box.x0 and box.x1 <= page.x1 for box in boxes)
+    assert all(page.y0 <= box.y0 and box.y1 <= page.y1 for box in boxes)
+    assert all(above.y0 >= below.y1 for above, below in itertools.pairwise(boxes))
+    # as seen from the impactor: the highest interface comes first
+    assert texts[0].get_text().endswith(f"{known.areas()[-1]:.1f} mm²")
+
+
+def test_an_interface_that_is_whole_has_no_area() -> None:
+    assert area_words(0.0, "mm2") == "none"
+    assert area_words(12.34, "mm2") == "12.3 mm²"
 
 
 def test_a_report_holds_the_damage(damaged: Path, tmp_path: Path) -> None:

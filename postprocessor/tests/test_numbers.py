@@ -50,6 +50,16 @@ def test_a_run_that_ends_in_contact_has_no_rebound(own_job: Path) -> None:
     assert numbers.rebound_velocity is None
     assert numbers.absorbed_energy is None
     assert "still in contact" in numbers.notes[0]
+    comparison = compare([open_results(own_job)])
+    texts = {row.name: row.texts()[0] for row in comparison.rows}
+    assert texts["contact duration"].endswith(" so far")
+    assert texts["impulse"].endswith(" so far")
+    assert [name for name, text in texts.items() if "so far" in text] == [
+        "contact duration",
+        "impulse",
+    ]
+    line = next(csv.DictReader(write_numbers(comparison, own_job.with_name("a.csv")).open()))
+    assert line["contact ended"] == "no"
 
 
 def test_a_run_that_goes_on_in_contact_is_told(own_job: Path) -> None:
@@ -116,6 +126,7 @@ def test_jobs_in_other_units_are_compared_in_the_first_ones(own_job: Path) -> No
     assert [line["job"] for line in lines] == ["plate", "other"]
     assert float(lines[0]["peak force [kN]"]) == pytest.approx(1.5)
     assert lines[1]["energy error [%]"] == ""
+    assert [line["contact ended"] for line in lines] == ["yes", "yes"]
 
 
 def test_a_job_without_impactor_has_no_numbers(own_job: Path) -> None:

@@ -16,6 +16,7 @@ from plydyn_post.commands import (
     Job,
     Jobs,
     Measured,
+    Mirror,
     Output,
     Time,
     Window,
@@ -46,12 +47,13 @@ def report(
     measured: Measured = None,
     mean: Window = None,
     time: Time = None,
+    mirror: Mirror = "auto",
     plain: Annotated[
         bool, typer.Option("--plain", help="Draw pictures by matplotlib, not VTK.")
     ] = False,
 ) -> None:
     """All figures and pictures, a CSV of the numbers, and a page with them."""
-    found = tuple(open_results(job) for job in jobs)
+    found = tuple(open_results(job, mirror) for job in jobs)
     folder = output or beside(found[0], "report")
     plan = Plan(found, folder, tuple(measured or ()), mean, time, plain)
     tasks = tasks_of(plan)
@@ -155,6 +157,7 @@ def picture(
         float | None, typer.Option("--thickness", help="Factor of thickness.")
     ] = None,
     cut: Annotated[bool, typer.Option("--cut", help="Cut a quarter away.")] = False,
+    mirror: Mirror = "auto",
     zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 1.0,
     mesh: Annotated[bool, typer.Option(help="Draw lines between elements.")] = True,
     limits: Annotated[
@@ -166,7 +169,7 @@ def picture(
     plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
 ) -> None:
     """The deformed plate at an instant, by default that of the largest deflection."""
-    found = open_results(job)
+    found = open_results(job, mirror)
     wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
     path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
     made = draw_picture(found, path, wish, plain, view or (AZIMUTH, ELEVATION))

@@ -48,6 +48,14 @@ Window = Annotated[
 ]
 Time = Annotated[float | None, typer.Option("--time", help="Instant, in the job's unit of time.")]
 Whole = Annotated[bool, typer.Option("--whole", help="Show the whole plate, not the damage only.")]
+Mirror = Annotated[
+    str,
+    typer.Option(
+        "--mirror",
+        help="Draw a half or a quarter whole, mirrored about its sides across x, y or xy; none for"
+        " as it is. Without it the fields tell.",
+    ),
+]
 Impactor = Annotated[int | None, typer.Option("--impactor", help="Number of the impactor.")]
 
 

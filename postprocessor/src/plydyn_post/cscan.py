@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -37,11 +36,14 @@ from plydyn_post.maps import (
 )
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of, sheet_of_points
-from plydyn_post.style import INK, WIDE, figure, save
+from plydyn_post.style import INK, WIDE, figure, literal, save
+from plydyn_post.symmetry import words_of
 from plydyn_post.units import readable
 
 #: Ends of the colours of depth that are used, near to far from the impacted face
 DEPTHS, NEAR, FAR = "turbo", 0.90, 0.10
+#: Interfaces whose areas get a line of their own in the legend; height of the other rows, inches
+FEW, ROW = 8, 0.128
 #: Most panels side by side
 COLUMNS = 4
 
@@ -106,7 +108,8 @@ def draw_cscan(
     order = list(zip(scan.state.each, scan.sheets, strict=True))
     if not hit_from_above(scan.state.header):
         order.reverse()
-    with figure(1, 2, size=(WIDE, 4.15), width_ratios=[1.72, 1]) as (made, (axes, side)):
+    size = (WIDE, max(4.15, 1.2 + ROW * len(order)))
+    with figure(1, 2, size=size, width_ratios=[1.72, 1]) as (made, (axes, side)):
         colours = _colours(len(order))
         draw_plate(axes, edges_of(scan.state.each[0].places))
         for (_, sheet), colour in zip(order, colours, strict=True):
@@ -118,7 +121,7 @@ def draw_cscan(
         look_from_above(axes, scan.middle, scan.half)
         scale_bar(axes, scan.middle, scan.half, scan.state.header.units.get("length", ""))
         side.set_axis_off()
-        _legend(made, side, scan, [one for one, _ in order][::-1], colours[::-1])
+        _legend(results, side, scan, [one for one, _ in order][::-1], colours[::-1])
         return save(made, path)
 
 
@@ -128,28 +131,31 @@ def _colours(count: int) -> list[tuple[float, ...]]:
 
 
 def _legend(
-    made: Figure, side: Axes, scan: Scan, near_first: list[Interface], colours: list[object]
+    results: Results, side: Axes, scan: Scan, near_first: list[Interface], colours: list[object]
 ) -> None:
-    """Depth, angles and area of each interface, and the areas together."""
+    """Depth, angles and area of each interface, and the areas together; many in one line each."""
     header, unit = scan.state.header, scan.areas.unit
+    between = "\n" if len(near_first) <= FEW else ",  "
     rows: list[tuple[object, str]] = []
     for one, colour in zip(near_first, colours, strict=True):
-        depth = _depth(scan, one)
-        words = f"{depth}{one.words}\n{area_words(scan.areas.each.get(one.number, 0.0), unit)}"
-        rows.append((Patch(facecolor=colour), words))
+        area = area_words(scan.areas.each.get(one.number, 0.0), unit)
+        rows.append((Patch(facecolor=colour), f"{_depth(scan, one)}{one.words}{between}{area}"))
     projected = area_words(scan.areas.projected, unit)
     total = area_words(scan.areas.total, unit)
     rows.append((Line2D([], [], linestyle="none"), f"projected {projected}\nall together {total}"))
+    mirror = words_of(results)
     side.legend(
         [row[0] for row in rows],
         [row[1] for row in rows],
         loc="center left",
         bbox_to_anchor=(-0.12, 0.5),
-        title=f"Delaminated, {instant(header, scan.state.time)}\n"
-        f"depth below the {'top' if hit_from_above(header) else 'bottom'},  ply below / above",
+        title=f"{literal(results.job)}: delaminated, {instant(header, scan.state.time)}\n"
+        f"depth below the {'top' if hit_from_above(header) else 'bottom'},  ply below / above"
+        + (f"\n{mirror}" if mirror else ""),
         alignment="left",
-        labelspacing=0.75,
-        handleheight=1.6,
+        fontsize=8 if between == "\n" else 7,
+        labelspacing=0.75 if between == "\n" else 0.3,
+        handleheight=1.6 if between == "\n" else 0.9,
         handlelength=1.6,
     )
 
@@ -157,12 +163,7 @@ def _legend(
 def _depth(scan: Scan, one: Interface) -> str:
     """How deep an interface lies below the impacted face, where the plies are known."""
     header = scan.state.header
-    faces = [
-        row[name]
-        for row in header.plies
-        for name in row
-        if name.split()[0].split("[")[0].strip() in ("bottom", "top")
-    ]
+    faces = [row[name] for row in header.plies for name in ("bottom", "top") if name in row]
     if not faces:
         return f"{one.number}:  "
     face = max(faces) if hit_from_above(header) else min(faces)
@@ -178,7 +179,7 @@ def draw_delamination(
     columns = min(COLUMNS, len(scan.sheets))
     rows = -(-len(scan.sheets) // columns)
     wide = WIDE if columns > 1 else 0.6 * WIDE
-    high = 0.45 + rows * (0.36 + 0.92 * wide / columns)
+    high = 0.6 + rows * (0.36 + 0.92 * wide / columns)
     with figure(rows, columns, size=(wide, high), squeeze=False) as (made, grid):
         edges = edges_of(scan.state.each[0].places)
         for axes, one, sheet in zip(grid.flat, scan.state.each, scan.sheets, strict=False):
@@ -193,11 +194,8 @@ def draw_delamination(
             axes.set_axis_off()
         scale_bar(grid[0, 0], scan.middle, scan.half, scan.state.header.units.get("length", ""))
         damage_bar(made, grid.ravel().tolist())
-        words = f"Interfaces from the bottom up, plies below / above; {_state_words(scan)}"
+        words = f"{literal(results.job)}   {instant(scan.state.header, scan.state.time)}"
+        words += f"   {words_of(results)}\ninterfaces from the bottom up, plies below / above;"
+        words += " delaminated inside white lines"
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
         return save(made, path)
-
-
-def _state_words(scan: Scan) -> str:
-    """The instant and what the white lines are."""
-    return f"{instant(scan.state.header, scan.state.time)}; delaminated inside white lines"

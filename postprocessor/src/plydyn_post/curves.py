@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plydyn_post.results import Results
+from plydyn_post.symmetry import part_of
 from plydyn_post.table import Table
 from plydyn_post.units import factor
 from plydyn_post.units import size as known
@@ -24,6 +25,7 @@ class Numbers:
     """What an impact comes to, in the units of the job; nothing where it is not known yet.
 
     The displacement is the largest during the contact; energies are those the impactor gave.
+    Duration and impulse of a contact that has not ended are those so far.
     """
 
     peak_force: float
@@ -38,6 +40,7 @@ class Numbers:
     absorbed_energy: float | None
     largest_absorbed_energy: float | None
     energy_error: float | None
+    has_ended: bool = True  # the contact
     notes: tuple[str, ...] = ()
 
 
@@ -66,8 +69,15 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
         ),
         largest_absorbed_energy=None if absorbed is None else float(np.max(absorbed)),
         energy_error=_energy_error(results),
-        notes=_notes(force),
+        has_ended=over or not np.any(force),
+        notes=_notes(force) + _part(results),
     )
+
+
+def _part(results: Results) -> tuple[str, ...]:
+    """Of what the numbers are, where the model is not the whole plate."""
+    part = part_of(results)
+    return (f"forces, impulse and energies are those of {part}",) if part else ()
 
 
 def _notes(force: np.ndarray) -> tuple[str, ...]:

@@ -6,7 +6,17 @@ from typing import Annotated
 
 import typer
 
-from plydyn_post.commands import Job, Output, Time, Whole, app, beside, console, tells_errors
+from plydyn_post.commands import (
+    Job,
+    Mirror,
+    Output,
+    Time,
+    Whole,
+    app,
+    beside,
+    console,
+    tells_errors,
+)
 from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.dissipation import draw_areas, draw_dissipation
 from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
@@ -21,9 +31,15 @@ Mechanisms = Annotated[
 
 @app.command()
 @tells_errors
-def cscan(job: Job, output: Output = None, time: Time = None, whole: Whole = False) -> None:
+def cscan(
+    job: Job,
+    output: Output = None,
+    time: Time = None,
+    whole: Whole = False,
+    mirror: Mirror = "auto",
+) -> None:
     """Delaminated interfaces over each other, coloured by depth, with their areas."""
-    found = open_results(job)
+    found = open_results(job, mirror)
     made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole)
     console.print(str(made), markup=False)
 
@@ -35,12 +51,13 @@ def delamination(
     output: Output = None,
     time: Time = None,
     whole: Whole = False,
+    mirror: Mirror = "auto",
     over_time: Annotated[
         bool, typer.Option("--over-time", help="Draw areas over time, not a map.")
     ] = False,
 ) -> None:
     """Damage of every interface in a panel of its own, or areas over time."""
-    found = open_results(job)
+    found = open_results(job, mirror)
     path = output or beside(found, "areas.png" if over_time else "delamination.png")
     made = draw_areas(found, path) if over_time else draw_delamination(found, path, time, whole)
     console.print(str(made), markup=False)
@@ -54,9 +71,10 @@ def damage(
     time: Time = None,
     show: Mechanisms = None,
     whole: Whole = False,
+    mirror: Mirror = "auto",
 ) -> None:
     """Damage of every ply in a panel of its own, a row for each mechanism."""
-    found = open_results(job)
+    found = open_results(job, mirror)
     path = output or beside(found, "damage.png")
     console.print(str(draw_ply_maps(found, path, time, tuple(show or ()), whole)), markup=False)
 
@@ -72,9 +90,10 @@ def section(
         list[float] | None, typer.Option("--angle", help="Direction of a cut, degrees from x.")
     ] = None,
     whole: Whole = False,
+    mirror: Mirror = "auto",
 ) -> None:
     """Cuts through the point of impact: damage of the plies, interfaces that came apart."""
-    found = open_results(job)
+    found = open_results(job, mirror)
     path = output or beside(found, "section.png")
     made = draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
     console.print(str(made), markup=False)

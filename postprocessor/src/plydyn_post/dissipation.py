@@ -8,8 +8,10 @@ import numpy as np
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import area_columns
+from plydyn_post.maps import area_words
 from plydyn_post.results import Results
-from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, save, span
+from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, name_job, save, span
+from plydyn_post.symmetry import copies, part_of
 from plydyn_post.table import Table
 from plydyn_post.units import in_brackets, readable
 
@@ -60,6 +62,7 @@ def draw_dissipation(results: Results, path: Path) -> Path:
         span(axes, x)
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=66)
+        name_job(made, results.job, part_of(results))
         return save(made, path)
 
 
@@ -69,22 +72,27 @@ def _last(values: np.ndarray, unit: str) -> str:
 
 
 def draw_areas(results: Results, path: Path) -> Path:
-    """Delaminated area of each interface over time, and the projected one."""
+    """Delaminated area of each interface over time, and the projected one.
+
+    Those of a half or a quarter that is drawn whole are those of the whole.
+    """
     table = results.delamination()
     columns = area_columns(table)
-    unit = table.unit("projected area").replace("2", "²")
+    unit, times = table.unit("projected area"), copies(results)
     time = readable(table.unit("time"), float(table["time"][-1]))
     x = table["time"] * time.factor
     with figure(size=(NARROW, 3.3)) as (made, axes):
         for place, (number, name) in enumerate(columns.items()):
-            label = f"interface {number}, {_last(table[name], unit)}"
-            axes.plot(x, table[name], label=label, **look_of(place))
-        projected = table["projected area"]
-        label = f"projected, {_last(projected, unit)}"
+            area = times * table[name]
+            label = f"interface {number}, {area_words(area[-1], unit)}"
+            axes.plot(x, area, label=label, **look_of(place))
+        projected = times * table["projected area"]
+        label = f"projected, {area_words(projected[-1], unit)}"
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
-        axes.set_ylabel(in_brackets("Delaminated area", unit))
+        axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))
         span(axes, x)
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=64)
+        name_job(made, results.job, "the whole plate" if times > 1 else "")
         return save(made, path)

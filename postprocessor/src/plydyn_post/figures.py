@@ -19,10 +19,13 @@ from plydyn_post.style import (
     QUIET,
     figure,
     legend_above,
+    literal,
     look_of,
+    name_job,
     save,
     span,
 )
+from plydyn_post.symmetry import part_of
 from plydyn_post.table import Table, read_table
 from plydyn_post.units import Scale, factor, in_brackets, readable
 
@@ -55,6 +58,7 @@ class Curve:
     label: str
     table: Table
     measured: bool = False
+    part: str = ""  # of the plate, where the model is not the whole
 
 
 def curves_of(
@@ -62,7 +66,10 @@ def curves_of(
 ) -> list[Curve]:
     """The impactor's history of every job, and tests laid over them."""
     names = labels(list(jobs))
-    curves = [Curve(name, job.impactor(impactor)) for name, job in zip(names, jobs, strict=True)]
+    curves = [
+        Curve(name, job.impactor(impactor), part=part_of(job))
+        for name, job in zip(names, jobs, strict=True)
+    ]
     return curves + [_test(path) for path in measured]
 
 
@@ -96,6 +103,8 @@ def draw_history(
         axes.margins(x=0.0 if across == "time" else 0.03)
         if len(axes.get_legend_handles_labels()[1]) > 1:
             legend_above(made, axes)
+        if len(curves) == 1:
+            name_job(made, curves[0].label, curves[0].part)
         return save(made, path)
 
 
@@ -151,15 +160,15 @@ def _draw_curve(
     look = {"color": MEASURED, "linestyle": "-"} if curve.measured else look_of(place)
     look["linewidth"] = 1.0 if curve.measured else 1.3
     if columns[1] != "force" or curve.measured:
-        axes.plot(x, y, label=curve.label, **look)
+        axes.plot(x, y, label=literal(curve.label), **look)
         return
     span = mean_window(curve.table) if window is None else window
     mean = running_mean(curve.table["time"], y, span)
     if is_noisy(y, mean):
         axes.plot(x, y, color=look["color"], linewidth=0.5, alpha=0.35)
-        axes.plot(x, mean, label=curve.label, **look)
+        axes.plot(x, mean, label=literal(curve.label), **look)
     else:
-        axes.plot(x, y, label=curve.label, **look)
+        axes.plot(x, y, label=literal(curve.label), **look)
 
 
 def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
@@ -183,6 +192,7 @@ def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
         span(lower, x)
         made.align_ylabels([upper, lower])
         legend_above(made, upper)
+        name_job(made, job.job, part_of(job))
         return save(made, path)
 
 

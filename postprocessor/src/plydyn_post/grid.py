@@ -8,7 +8,7 @@ import numpy as np
 import pyvista as pv
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.vtkhdf import layout_of, read_grid, read_point_field
+from plydyn_post.vtkhdf import FARTHEST, layout_of, read_grid, read_point_field
 
 # Our names of tensor components in the order of VTK's symmetric tensors
 TENSOR = ("xx", "yy", "zz", "xy", "yz", "xz")
@@ -60,14 +60,16 @@ def _check(path: Path, name: str, values: np.ndarray) -> None:
             f"{path}: field {name!r} has {values.shape[1:] or 1} numbers at a point, not"
             f" {COMPONENTS.get(name) or 1}"
         )
+    if name == "displacement" and np.any(np.abs(values) > FARTHEST * layout_of(path).side):
+        raise ResultsError(f"{path}: a point moves by {np.abs(values).max():g}")
 
 
-def nearest(times: np.ndarray, time: float) -> int:
-    """The state nearest to a time that somebody asks for; refused where the run was not."""
+def nearest(times: np.ndarray, time: float, where: Path) -> int:
+    """The state of a file nearest to a time asked for; refused where the run was not."""
     first, last = float(times[0]), float(times[-1])
     room = ROUNDING * (last - first)
     if not first - room <= time <= last + room:
-        raise ResultsError(f"--time {time:g} is not between {first:g} and {last:g}")
+        raise ResultsError(f"{where}: --time {time:g} is not between {first:g} and {last:g}")
     return int(np.argmin(np.abs(times - time)))
 
 

@@ -8,10 +8,11 @@ import numpy as np
 import pyvista as pv
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import nearest, read_state, read_times
+from plydyn_post.grid import nearest, read_times
 from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results
 from plydyn_post.sheets import LATTICES
+from plydyn_post.symmetry import copies, read_whole
 from plydyn_post.table import Table
 
 #: Damage from which on an interface counts as delaminated
@@ -55,8 +56,8 @@ def read_interfaces(results: Results, time: float | None = None) -> Interfaces:
     """The interfaces at the state nearest to a time, at the last one without."""
     path = results.interface_fields
     times = read_times(path)
-    step = len(times) - 1 if time is None else nearest(times, time)
-    grid = read_state(path, step)
+    step = len(times) - 1 if time is None else nearest(times, time, path)
+    grid = read_whole(results, path, step)
     for name, data in (("damage", grid.point_data), ("interface", grid.cell_data)):
         if name not in data:
             raise ResultsError(f"{path} has no field {name!r}")
@@ -105,7 +106,7 @@ def _kind(nodes: np.ndarray) -> int:
 
 @dataclass(frozen=True)
 class Areas:
-    """Delaminated areas at an instant, as the solver counts them at its quadrature points."""
+    """Delaminated areas of what is drawn at an instant."""
 
     each: dict[int, float]  # by the number of the interface
     projected: float
@@ -114,11 +115,15 @@ class Areas:
 
 
 def read_areas(results: Results, time: float) -> Areas:
-    """The areas of JOB.delamination.csv at a time."""
+    """The areas of JOB.delamination.csv at a time, which the solver counts at its Gauss points.
+
+    Those of a half or a quarter that is drawn whole are those of the whole.
+    """
     table = results.delamination()
     row = int(np.argmin(np.abs(table["time"] - time)))
-    each = {number: float(table[name][row]) for number, name in area_columns(table).items()}
-    projected = float(table["projected area"][row])
+    times = copies(results)
+    each = {number: times * float(table[name][row]) for number, name in area_columns(table).items()}
+    projected = times * float(table["projected area"][row])
     return Areas(each, projected, sum(each.values()), table.unit("projected area"))
 
 

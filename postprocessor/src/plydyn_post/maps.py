@@ -138,6 +138,8 @@ def instant(header: Header, time: float) -> str:
 
 
 def area_words(area: float, unit: str) -> str:
-    """An area in print."""
+    """An area in print; none where there is none."""
+    if area <= 0.0:
+        return "none"
     digits = 0 if area >= 100.0 else 1
     return f"{area:.{digits}f} {unit.replace('2', '²')}".rstrip()

@@ -27,6 +27,8 @@ QUANTITIES = (
     ("largest energy passed on", "largest_absorbed_energy", ("absorbed",)),
     ("energy error", "energy_error", ()),
 )
+# Those that grow until the contact ends
+GROWING = ("contact duration", "impulse")
 
 
 @dataclass(frozen=True)
@@ -36,10 +38,14 @@ class Row:
     name: str
     unit: str
     values: tuple[float | None, ...]
+    growing: tuple[bool, ...]  # whether the value is that of a contact that has not ended
 
     def texts(self) -> list[str]:
         """The values for print."""
-        return ["–" if value is None else f"{value:.4g}" for value in self.values]
+        return [
+            "–" if value is None else f"{value:.4g}" + (" so far" if growing else "")
+            for value, growing in zip(self.values, self.growing, strict=True)
+        ]
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,7 @@ class Comparison:
 
     labels: tuple[str, ...]
     rows: tuple[Row, ...]
+    ended: tuple[bool, ...]  # whether the contact of each has
     notes: tuple[str, ...]
 
 
@@ -60,9 +67,11 @@ def compare(jobs: list[Results]) -> Comparison:
     for name, attribute, columns in QUANTITIES:
         units = [_unit(job, number, columns) for _, job, number, _ in impacts]
         values = [getattr(numbers, attribute) for *_, numbers in impacts]
-        rows.append(_row(name, units, values))
+        growing = [name in GROWING and not numbers.has_ended for *_, numbers in impacts]
+        rows.append(_row(name, units, values, growing))
     notes = [f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes]
-    return Comparison(tuple(label for label, *_ in impacts), tuple(rows), tuple(notes))
+    ended = tuple(numbers.has_ended for *_, numbers in impacts)
+    return Comparison(tuple(label for label, *_ in impacts), tuple(rows), ended, tuple(notes))
 
 
 def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]:
@@ -82,7 +91,7 @@ def _unit(job: Results, number: int, columns: tuple[str, ...]) -> str:
     return ".".join(units) if all(units) else ""
 
 
-def _row(name: str, units: list[str], values: list[float | None]) -> Row:
+def _row(name: str, units: list[str], values: list[float | None], growing: list[bool]) -> Row:
     """Values in one unit that reads well."""
     known = [
         value * factor(unit, units[0])
@@ -94,7 +103,7 @@ def _row(name: str, units: list[str], values: list[float | None]) -> Row:
         None if value is None else value * factor(unit, units[0]) * scale.factor
         for value, unit in zip(values, units, strict=True)
     ]
-    return Row(name, scale.unit, tuple(scaled))
+    return Row(name, scale.unit, tuple(scaled), tuple(growing))
 
 
 def write_numbers(comparison: Comparison, path: Path) -> Path:
@@ -102,8 +111,11 @@ def write_numbers(comparison: Comparison, path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["job", *(in_brackets(row.name, row.unit) for row in comparison.rows)])
+        names = (in_brackets(row.name, row.unit) for row in comparison.rows)
+        writer.writerow(["job", *names, "contact ended"])
         for place, label in enumerate(comparison.labels):
             values = (row.values[place] for row in comparison.rows)
-            writer.writerow([label, *("" if value is None else f"{value:.6g}" for value in values)])
+            ended = "yes" if comparison.ended[place] else "no"
+            cells = ("" if value is None else f"{value:.6g}" for value in values)
+            writer.writerow([label, *cells, ended])
     return path

@@ -15,7 +15,7 @@ from plydyn_post.camera import AZIMUTH, ELEVATION, Camera, camera_for
 from plydyn_post.render import draw_plain, render_vtk
 from plydyn_post.results import Results
 from plydyn_post.scene import Scene, Wish, make_scene
-from plydyn_post.style import DPI, INK, WIDE, figure, save
+from plydyn_post.style import DPI, INK, WIDE, figure, literal, save
 
 # Inches: colour bar with its numbers, and the line of words
 BAR, WORDS = 0.95, 0.32
@@ -40,6 +40,7 @@ def draw_picture(
         _draw_directions(made, camera, share, lowest)
         _draw_bar(made, scene, share, lowest)
         made.text(0.015, 0.3 * lowest, scene.words, fontsize=8.5, va="bottom")
+        made.text(0.015, 0.985, literal(results.job), fontsize=8.5, va="top")
         return save(made, path)
 
 

@@ -8,10 +8,11 @@ import numpy as np
 import pyvista as pv
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import nearest, read_state, read_times
+from plydyn_post.grid import nearest, read_times
 from plydyn_post.hexahedra import lattice
 from plydyn_post.results import Results
 from plydyn_post.surface import blocks_of
+from plydyn_post.symmetry import read_whole
 
 
 @dataclass(frozen=True)
@@ -44,8 +45,8 @@ class Stack:
 def read_stack(results: Results, time: float | None = None) -> Stack:
     """The plies at the state nearest to a time, at the last one without."""
     times = read_times(results.fields)
-    step = len(times) - 1 if time is None else nearest(times, time)
-    grid = read_state(results.fields, step)
+    step = len(times) - 1 if time is None else nearest(times, time, results.fields)
+    grid = read_whole(results, results.fields, step)
     blocks = blocks_of(grid)
     if len(blocks) != 1:
         raise ResultsError(f"{results.fields} mixes kinds of hexahedra; maps need one kind")

@@ -23,7 +23,8 @@ from plydyn_post.maps import (
 from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, edges_of, sheet_of
-from plydyn_post.style import INK, WIDE, figure, save
+from plydyn_post.style import INK, WIDE, figure, literal, save
+from plydyn_post.symmetry import words_of
 
 #: Fields of damage with their names in print
 MECHANISMS = {
@@ -72,7 +73,8 @@ def draw_ply_maps(
             _name_row(panels[0], MECHANISMS.get(name, name))
         scale_bar(grid[0, 0], middle, half, header.units.get("length", ""))
         damage_bar(made, grid.ravel().tolist())
-        words = f"Damage of the plies from the bottom up, {instant(header, stack.time)}"
+        words = f"{literal(results.job)}: damage of the plies from the bottom up,"
+        words += f" {instant(header, stack.time)}   {words_of(results)}"
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
         return save(made, path)
 

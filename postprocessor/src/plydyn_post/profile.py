@@ -13,7 +13,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.grid import nearest
 from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results, labels
-from plydyn_post.style import QUIET, WIDE, figure, legend_above, look_of, save
+from plydyn_post.style import QUIET, WIDE, figure, legend_above, literal, look_of, save
 from plydyn_post.table import Table, split_header
 from plydyn_post.units import Scale, factor, in_brackets, readable
 
@@ -75,9 +75,12 @@ def read_profile(
         peak = peak_time(job) if job.impactors else times[-1]
         block = int(np.argmin(np.abs(times - peak)))
     else:
-        block = nearest(times, time)
+        block = nearest(times, time, table.path)
     rows = table.values[starts[block] : starts[block + 1]]
     cut = Table(table.path, table.names, table.units, rows, table.notes)
+    for name in ("ply", "z"):
+        if np.any(np.diff(cut[name]) < 0.0):
+            raise ResultsError(f"{table.path}: {name} falls within the instant {times[block]:g}")
     angles = _angles(read_header(job.fields), len(np.unique(cut["ply"])))
     return Profile(label, float(times[block]), table.unit("time"), cut, angles)
 
@@ -140,7 +143,7 @@ def _draw_panel(
     for place, profile in enumerate(profiles):
         values = profile.table[name] * factor(profile.table.unit(name), scale.unit)
         z = profile.z * factor(profile.table.unit("z"), height.unit)
-        axes.plot(values, z, label=names[place], **look_of(place))
+        axes.plot(values, z, label=literal(names[place]), **look_of(place))
     axes.grid(False)
     axes.margins(y=0.0)
     axes.locator_params(axis="x", nbins=4, min_n_ticks=3)

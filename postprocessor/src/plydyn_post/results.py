@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import glob
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from plydyn_post.errors import ResultsError
@@ -17,6 +17,9 @@ ENDINGS = re.compile(
     re.IGNORECASE,
 )
 
+# Choices of the planes of symmetry about which pictures are mirrored
+MIRRORS = ("auto", "x", "y", "xy", "none")
+
 
 @dataclass(frozen=True)
 class Results:
@@ -24,6 +27,7 @@ class Results:
 
     job: str
     folder: Path
+    mirror: str = "auto"  # planes of symmetry of its pictures: auto, x, y, xy or none
 
     @property
     def fields(self) -> Path:
@@ -113,12 +117,14 @@ class Results:
         return read_table(path)
 
 
-def open_results(name: str | Path) -> Results:
+def open_results(name: str | Path, mirror: str = "auto") -> Results:
     """Find the results of a job from its name, one of its files, or the folder of one job."""
+    if mirror not in MIRRORS:
+        raise ResultsError(f"--mirror cannot be {mirror!r}; right would be {', '.join(MIRRORS)}")
     path = Path(name)
     if path.is_dir():
-        return _only_job(path)
-    results = Results(ENDINGS.sub("", path.name), path.parent)
+        return replace(_only_job(path), mirror=mirror)
+    results = Results(ENDINGS.sub("", path.name), path.parent, mirror)
     if not results.fields.is_file() and not results._files("*.csv"):
         raise ResultsError(
             f"{name}: no results there; expected {results.fields} or"

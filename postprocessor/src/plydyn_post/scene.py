@@ -10,11 +10,12 @@ from matplotlib.colors import Colormap
 
 from plydyn_post.cut import cut_surface
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import largest_deflection, nearest, read_state, read_times
+from plydyn_post.grid import largest_deflection, nearest, read_times
 from plydyn_post.header import Header, Sphere, read_header
 from plydyn_post.results import Results
 from plydyn_post.shown import Shown, shown
 from plydyn_post.surface import Surface, blocks_of, extent, surface_of
+from plydyn_post.symmetry import read_whole, words_of
 from plydyn_post.units import in_brackets, readable
 
 # Shares of the side of what is seen that the automatic factors aim at
@@ -117,7 +118,7 @@ def make_scene(results: Results, wish: Wish) -> Scene:
         label=in_brackets(state.shown.label, scale.unit),
         colours=state.shown.colours,
         limits=wish.limits or state.shown.limits or _limits(values, state.shown.signed),
-        words=_words(state, magnified),
+        words="   ".join(filter(None, [_words(state, magnified), words_of(results)])),
         ply_height=magnified.thickness * float(np.ptp(state.points[:, 2])) / plies,
         middle=magnified.place(_below(state.points, _middle(state), 1.0)),
         zoom=wish.zoom,
@@ -128,8 +129,12 @@ def _state(results: Results, wish: Wish) -> State:
     """The state at the time asked for, or at the largest deflection."""
     times = read_times(results.fields)
     chosen = shown(wish.quantity)
-    step = largest_deflection(results.fields) if wish.time is None else nearest(times, wish.time)
-    grid = read_state(results.fields, step)
+    step = (
+        largest_deflection(results.fields)
+        if wish.time is None
+        else nearest(times, wish.time, results.fields)
+    )
+    grid = read_whole(results, results.fields, step)
     if "displacement" not in grid.point_data:
         raise ResultsError(f"{results.fields} has no field 'displacement' to draw")
     columns = [grid.points, grid.point_data["displacement"], chosen.values(grid, results.fields)]

@@ -26,7 +26,7 @@ from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.ply_maps import MECHANISMS
 from plydyn_post.results import Results
 from plydyn_post.sheets import Found, find
-from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, save
+from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, literal, save
 from plydyn_post.units import in_brackets, readable
 
 #: Places along a cut, and finer parts of each layer through the thickness
@@ -74,7 +74,8 @@ def draw_section(
             axes.set_title(f"cut along {angle:g}°", fontsize=8.5, loc="left")
         words = f"{MECHANISMS.get(mechanism, mechanism)} damage".capitalize()
         damage_bar(made, grid[:, 0].tolist(), words)
-        told = f"{instant(header, stack.time)}   $z$ × {_steepness(made, grid[0, 0]):.2g}"
+        told = f"{literal(results.job)}   {instant(header, stack.time)}"
+        told += f"   $z$ × {_steepness(made, grid[0, 0]):.2g}"
         told += "   blue: delaminated" if between else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
         return save(made, path)

@@ -95,6 +95,17 @@ def save(made: Figure, path: Path) -> Path:
     return path
 
 
+def literal(text: str) -> str:
+    """A name in print as it is: matplotlib would take dollars for signs of formulae."""
+    return text.replace("$", r"\$")
+
+
+def name_job(made: Figure, job: str, part: str = "") -> None:
+    """Write the name of the job below a figure, and of which part of the plate its numbers are."""
+    words = f"{literal(job)}, {part}" if part else literal(job)
+    made.supxlabel(words, x=0.995, ha="right", fontsize=7, color=QUIET)
+
+
 def span(axes: Axes, x: np.ndarray) -> None:
     """Let an axis of times begin and end with them; a single instant gets room around it."""
     if x[-1] > x[0]:

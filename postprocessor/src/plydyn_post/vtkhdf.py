@@ -11,7 +11,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pyvista as pv
-from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from plydyn_post.errors import ResultsError
@@ -19,6 +19,8 @@ from plydyn_post.table import LARGEST
 
 # Nodes of the cells that the solver writes, by VTK's types
 NODES = {9: 4, 12: 8, 28: 9, 29: 27}
+# A point is no farther from the origin, and moves no farther, than so many sides of the plate
+FARTHEST = 1e6
 # What h5py raises on files whose bytes are not what HDF5 expects
 HDF5_ERRORS = (
     OSError,
@@ -43,6 +45,11 @@ class Layout:
     types: np.ndarray  # (cells,)
     point_fields: tuple[str, ...]
     cell_fields: tuple[str, ...]
+
+    @property
+    def side(self) -> float:
+        """The larger side of the plate in its plane."""
+        return float(np.max(np.ptp(self.points[:, :2], axis=0)))
 
 
 @contextmanager
@@ -136,7 +143,7 @@ def _times(root: h5py.Group) -> np.ndarray:
     values = array(steps, "Values", "f").astype(float) if steps else np.array([])
     told = steps.attrs.get("NSteps", len(values)) if steps else 0
     if np.size(told) != 1 or np.asarray(told).dtype.kind not in "iu":
-        raise ResultsError(f"{path}: attribute NSteps is {told}, not a number of states")
+        raise ResultsError(f"{path}: attribute NSteps is {told!r}, not a number of states")
     written = int(np.ravel(told)[0])
     if values.ndim != 1 or not 0 <= written <= len(values):
         raise ResultsError(f"{path} tells of {written} states, but has the times of {len(values)}")
@@ -178,6 +185,8 @@ def _check_grid(path: Path, layout: Layout) -> None:
             raise ResultsError(f"{path}: a cell of Connectivity has a point twice")
     if not np.all(np.ptp(points[:, :2], axis=0) > 0.0):
         raise ResultsError(f"{path}: Points span no area")
+    if np.any(np.abs(points) > FARTHEST * layout.side):
+        raise ResultsError(f"{path}: Points reach as far as {np.abs(points).max():g}")
 
 
 def read_point_field(path: Path, name: str, step: int) -> np.ndarray:
@@ -195,22 +204,15 @@ def read_point_field(path: Path, name: str, step: int) -> np.ndarray:
 
 def _rows(root: h5py.Group, kind: str, name: str, step: int, count: int) -> np.ndarray:
     """Rows of a field at a state."""
-    offsets = _group(_group(root, "Steps"), f"{kind}Offsets")
-    start = int(np.ravel(array(offsets, name, "iu", step, 1))[0]) if name in offsets else 0
+    offsets = f"Steps/{kind}Offsets/{name}"
+    start = int(np.ravel(array(root, offsets, "iu", step, 1))[0])
     return array(root[kind], name, "fiu", start, count)
 
 
 def read_grid(path: Path, step: int) -> pv.UnstructuredGrid:
     """A state with all its fields."""
     layout = layout_of(path)
-    cells = vtkCellArray()
-    cells.SetData(
-        numpy_to_vtkIdTypeArray(layout.offsets, deep=True),
-        numpy_to_vtkIdTypeArray(layout.connectivity, deep=True),
-    )
-    grid = pv.UnstructuredGrid()
-    grid.points = layout.points.copy()
-    grid.SetCells(numpy_to_vtk(layout.types.astype(np.uint8), deep=True), cells)
+    grid = grid_of(layout.points, layout.offsets, layout.connectivity, layout.types)
     with opened(path) as file:
         root = file["VTKHDF"]
         for name in layout.point_fields:
@@ -218,3 +220,24 @@ def read_grid(path: Path, step: int) -> pv.UnstructuredGrid:
         for name in layout.cell_fields:
             grid.cell_data[name] = _rows(root, "CellData", name, step, len(layout.types))
     return grid
+
+
+def grid_of(
+    points: np.ndarray, offsets: np.ndarray, connectivity: np.ndarray, types: np.ndarray
+) -> pv.UnstructuredGrid:
+    """A grid of copies of arrays as those of a layout."""
+    cells = vtkCellArray()
+    cells.SetData(
+        numpy_to_vtkIdTypeArray(offsets.astype(np.int64), deep=True),
+        numpy_to_vtkIdTypeArray(connectivity.astype(np.int64), deep=True),
+    )
+    grid = pv.UnstructuredGrid()
+    grid.points = points.copy()
+    grid.SetCells(numpy_to_vtk(types.astype(np.uint8), deep=True), cells)
+    return grid
+
+
+def cells_of(grid: pv.UnstructuredGrid) -> tuple[np.ndarray, np.ndarray]:
+    """Offsets, (cells + 1,), and points of all cells of a grid."""
+    cells = grid.GetCells()
+    return vtk_to_numpy(cells.GetOffsetsArray()), vtk_to_numpy(cells.GetConnectivityArray())
