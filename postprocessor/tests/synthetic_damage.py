@@ -92,6 +92,14 @@ def _write_steps(root: h5py.Group, points: int) -> None:
         steps[f"CellDataOffsets/{name}"] = nothing
 
 
+def add_energy_share(folder: Path, job: str) -> None:
+    """Give the interfaces of a job a share of the fracture energy equal to the damage."""
+    with h5py.File(folder / f"{job}.interfaces.vtkhdf", "r+") as file:
+        root = file["VTKHDF"]
+        root["PointData/energy_share"] = root["PointData/damage"][...]
+        root["Steps/PointDataOffsets/energy_share"] = root["Steps/PointDataOffsets/damage"][...]
+
+
 def add_ply_damage(folder: Path, job: str) -> None:
     """Give the fields of a job damage of fibres, matrix and shear, along the fibres of each ply."""
     with h5py.File(folder / f"{job}.vtkhdf", "r+") as file:

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 from plydyn_post import cscan
 from plydyn_post.cli import app
 from plydyn_post.cscan import draw_cscan, drawn_areas, read_scan
-from plydyn_post.dissipation import mechanisms
+from plydyn_post.dissipation import draw_areas, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import read_areas, read_interfaces
 from plydyn_post.maps import area_words, half_window
@@ -93,6 +93,33 @@ def test_areas_of_ellipses_are_measured_on_the_maps(tmp_path: Path, nodes: int) 
     # the ellipses cross: together they cover less than their sum and more than the largest
     assert max(known.areas()) < scan.areas.projected < sum(known.areas())
     assert scan.areas.unit == "mm2"
+
+
+def test_areas_by_energy_are_those_with_half_of_it_spent(tmp_path: Path) -> None:
+    job = known.write_job(tmp_path)
+    known.write_interfaces(tmp_path, "plate", quads=60)
+    known.add_energy_share(tmp_path, "plate")
+    job.with_name("plate.delamination.csv").unlink()
+    scan = read_scan(open_results(job))
+    assert scan.state.criterion == "half of the fracture energy spent"
+    for number, area in enumerate(known.areas(), start=1):
+        # the share falls from 1 to 0 over the rim: it is one half in its middle
+        wanted = area * (1.0 + known.RIM / 2) ** 2
+        assert scan.areas.each[number] == pytest.approx(wanted, rel=0.01)
+    assert scan.areas.failed is not None
+    assert max(known.areas()) * 0.9 < scan.areas.failed < scan.areas.projected
+    draw_cscan(open_results(job), tmp_path / "a.png")
+
+
+def test_both_areas_of_the_solver_are_read(tmp_path: Path) -> None:
+    job = known.write_job(tmp_path)
+    path = job.with_name("plate.delamination.csv")
+    lines = path.read_text().splitlines()
+    last = ["projected failed area [mm2]", *["70.0"] * (len(lines) - 1)]
+    rows = [f"{row},{more}" for row, more in zip(lines, last, strict=True)]
+    path.write_text("\n".join(rows) + "\n")
+    assert read_areas(open_results(job), synthetic.STATES[-1]).failed == 70.0
+    draw_areas(open_results(job), tmp_path / "a.png")
 
 
 def test_the_areas_of_the_solver_come_first(damaged: Path) -> None:

@@ -13,6 +13,7 @@ from matplotlib.patches import Patch
 
 from plydyn_post.interfaces import (
     DELAMINATED,
+    ENERGY,
     Areas,
     Interface,
     Interfaces,
@@ -53,7 +54,8 @@ class Scan:
     """Interfaces at an instant with all that their maps need."""
 
     state: Interfaces
-    sheets: tuple[Sheet, ...]
+    sheets: tuple[Sheet, ...]  # of the share of the fracture energy that is spent
+    damage: tuple[Sheet, ...]
     areas: Areas
     middle: np.ndarray  # (2,) below the impactor
     half: float  # half the side of the window
@@ -62,13 +64,14 @@ class Scan:
 def read_scan(results: Results, time: float | None = None, whole: bool = False) -> Scan:
     """The interfaces at an instant, the last one without a time."""
     state = read_interfaces(results, time)
-    sheets = tuple(sheet_of(one.places, one.damage) for one in state.each)
+    sheets = tuple(sheet_of(one.places, one.spent) for one in state.each)
+    damage = tuple(sheet_of(one.places, one.damage) for one in state.each)
     middle = middle_of(state.header, state.each[0].places)
     if results.has("delamination"):
         areas = read_areas(results, state.time)
     else:
         areas = drawn_areas(state, sheets)
-    return Scan(state, sheets, areas, middle, half_window(sheets, middle, whole))
+    return Scan(state, sheets, damage, areas, middle, half_window(damage, middle, whole))
 
 
 def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
@@ -78,8 +81,12 @@ def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
         for one, sheet in zip(state.each, sheets, strict=True)
     }
     projected = area_beyond(_worst(state, sheets), DELAMINATED)
+    failed = None
+    if ENERGY in state.each[0].fields:
+        complete = tuple(sheet_of(one.places, one.failed) for one in state.each)
+        failed = area_beyond(_worst(state, complete), DELAMINATED)
     unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
-    return Areas(each, projected, sum(each.values()), unit)
+    return Areas(each, projected, unit, failed)
 
 
 def _worst(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
@@ -140,16 +147,19 @@ def _legend(
     for one, colour in zip(near_first, colours, strict=True):
         area = area_words(scan.areas.each.get(one.number, 0.0), unit)
         rows.append((Patch(facecolor=colour), f"{_depth(scan, one)}{one.words}{between}{area}"))
-    projected = area_words(scan.areas.projected, unit)
-    total = area_words(scan.areas.total, unit)
-    rows.append((Line2D([], [], linestyle="none"), f"projected {projected}\nall together {total}"))
+    words = f"projected {area_words(scan.areas.projected, unit)}"
+    if scan.areas.failed is not None:
+        words += f",  completely failed {area_words(scan.areas.failed, unit)}"
+    words += f"\nall together {area_words(scan.areas.total, unit)}"
+    rows.append((Line2D([], [], linestyle="none"), words))
     mirror = words_of(results)
     side.legend(
         [row[0] for row in rows],
         [row[1] for row in rows],
         loc="center left",
         bbox_to_anchor=(-0.12, 0.5),
-        title=f"{literal(results.job)}: delaminated, {instant(header, scan.state.time)}\n"
+        title=f"{literal(results.job)}   {instant(header, scan.state.time)}\n"
+        f"delaminated: {scan.state.criterion}\n"
         f"depth below the {'top' if hit_from_above(header) else 'bottom'},  ply below / above"
         + (f"\n{mirror}" if mirror else ""),
         alignment="left",
@@ -182,8 +192,9 @@ def draw_delamination(
     high = 0.6 + rows * (0.36 + 0.92 * wide / columns)
     with figure(rows, columns, size=(wide, high), squeeze=False) as (made, grid):
         edges = edges_of(scan.state.each[0].places)
-        for axes, one, sheet in zip(grid.flat, scan.state.each, scan.sheets, strict=False):
-            draw_damage(axes, sheet)
+        each = zip(grid.flat, scan.state.each, scan.sheets, scan.damage, strict=False)
+        for axes, one, sheet, damage in each:
+            draw_damage(axes, damage)
             outline_beyond(axes, sheet, DELAMINATED, "white", 0.8)
             draw_plate(axes, edges)
             mark_impact(axes, scan.middle)
@@ -196,6 +207,6 @@ def draw_delamination(
         damage_bar(made, grid.ravel().tolist())
         words = f"{literal(results.job)}   {instant(scan.state.header, scan.state.time)}"
         words += f"   {words_of(results)}\ninterfaces from the bottom up, plies below / above;"
-        words += " delaminated inside white lines"
+        words += f" {scan.state.criterion} inside white lines"
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
         return save(made, path)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.interfaces import area_columns
+from plydyn_post.interfaces import FAILED_AREA, area_columns
 from plydyn_post.maps import area_words
 from plydyn_post.results import Results
 from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, name_job, save, span
@@ -89,6 +89,10 @@ def draw_areas(results: Results, path: Path) -> Path:
         projected = times * table["projected area"]
         label = f"projected, {area_words(projected[-1], unit)}"
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)
+        if FAILED_AREA in table:
+            failed = times * table[FAILED_AREA]
+            label = f"projected, completely failed, {area_words(failed[-1], unit)}"
+            axes.plot(x, failed, color="black", linewidth=0.8, linestyle="--", label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
         axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))
         span(axes, x)

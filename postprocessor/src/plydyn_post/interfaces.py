@@ -15,9 +15,15 @@ from plydyn_post.sheets import LATTICES
 from plydyn_post.symmetry import copies, read_whole
 from plydyn_post.table import Table
 
-#: Damage from which on an interface counts as delaminated
-DELAMINATED = 0.99
-FIELDS = ("damage", "mode_mixity", "dissipated")
+#: Share of the fracture energy from which on an interface counts as delaminated
+DELAMINATED = 0.5
+#: The field of that share
+ENERGY = "energy_share"
+#: Damage is complete but for the round-off of means over quads
+COMPLETE = 1.0 - 1e-6
+#: The column of the projected area over which the damage is complete
+FAILED_AREA = "projected failed area"
+FIELDS = ("damage", "mode_mixity", "dissipated", ENERGY)
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,22 @@ class Interface:
         return np.clip(self.fields["damage"], 0.0, 1.0)
 
     @property
+    def failed(self) -> np.ndarray:
+        """1 at the nodes where the damage is complete, 0 elsewhere, (quads, n, n)."""
+        return (self.damage >= COMPLETE).astype(float)
+
+    @property
+    def spent(self) -> np.ndarray:
+        """Share of the fracture energy that is spent at the nodes, (quads, n, n).
+
+        Results without that field tell complete damage only. `DELAMINATED` bounds both: halfway
+        between nodes that failed and others the area is that of the solver's Gauss points.
+        """
+        if ENERGY in self.fields:
+            return np.clip(self.fields[ENERGY], 0.0, 1.0)
+        return self.failed
+
+    @property
     def words(self) -> str:
         """The angles in print, from the bottom up."""
         below, above = (f"{angle:g}°".replace("-", "−") for angle in self.angles)
@@ -50,6 +72,13 @@ class Interfaces:
     time: float
     header: Header
     each: tuple[Interface, ...]
+
+    @property
+    def criterion(self) -> str:
+        """What delaminated means in these results, for print."""
+        if ENERGY in self.each[0].fields:
+            return "half of the fracture energy spent"
+        return "completely failed"
 
 
 def read_interfaces(results: Results, time: float | None = None) -> Interfaces:
@@ -110,8 +139,13 @@ class Areas:
 
     each: dict[int, float]  # by the number of the interface
     projected: float
-    total: float
     unit: str
+    failed: float | None  # projected, where the damage is complete; nothing if not told apart
+
+    @property
+    def total(self) -> float:
+        """The areas of all interfaces together."""
+        return sum(self.each.values())
 
 
 def read_areas(results: Results, time: float) -> Areas:
@@ -124,7 +158,9 @@ def read_areas(results: Results, time: float) -> Areas:
     times = copies(results)
     each = {number: times * float(table[name][row]) for number, name in area_columns(table).items()}
     projected = times * float(table["projected area"][row])
-    return Areas(each, projected, sum(each.values()), table.unit("projected area"))
+    failed = table.get(FAILED_AREA)
+    complete = None if failed is None else times * float(failed[row])
+    return Areas(each, projected, table.unit("projected area"), complete)
 
 
 def area_columns(table: Table) -> dict[int, str]:

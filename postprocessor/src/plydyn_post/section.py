@@ -76,7 +76,7 @@ def draw_section(
         damage_bar(made, grid[:, 0].tolist(), words)
         told = f"{literal(results.job)}   {instant(header, stack.time)}"
         told += f"   $z$ × {_steepness(made, grid[0, 0]):.2g}"
-        told += "   blue: delaminated" if between else ""
+        told += f"   blue: {between.criterion}" if between else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
         return save(made, path)
 
@@ -167,8 +167,8 @@ def _draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> No
         if one.number not in range(1, len(cut.heights)):
             continue
         found = find(one.places, cut.places)
-        damage = np.einsum("pab,pab->p", found.weights, one.damage[found.quad])
-        apart = (damage >= DELAMINATED) & (found.quad >= 0)
+        spent = np.einsum("pab,pab->p", found.weights, one.spent[found.quad])
+        apart = (spent >= DELAMINATED) & (found.quad >= 0)
         for ply, face in ((one.number - 1, -1), (one.number, 0)):
             x, z = cut.far[ply][:, face], cut.heights[ply][:, face]
             ends = np.column_stack([x, z]) * length.factor
