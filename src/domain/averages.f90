@@ -324,8 +324,8 @@ contains
          call fail(error, exit_input, "error: "//material%radius_place//": *" &
             & //material%keyword//" R"//text(which)//": in ply "//text(ply) &
             & //" from the bottom, an ellipse of R"//text(which)//" = " &
-            & //text(material%radius(which))//" is nowhere as large as the cell of a Gauss " &
-            & //"point, "//text(factor*material%radius(which))//": make it a quad wide, or the " &
+            & //text(material%law%radius(which))//" is nowhere as large as the cell of a Gauss " &
+            & //"point, "//text(factor*material%law%radius(which))//": make it a quad wide, or the " &
             & //"quads smaller, or leave both radii blank")
       end associate
    end subroutine refuse

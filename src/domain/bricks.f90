@@ -148,9 +148,9 @@ contains
       real(wp) :: rotation(6, 6)
 
       rotation(:, :) = strain_rotation(angle)
-      associate (m => model%materials(model%parts(p)%plies(1)%material))
+      associate (law => model%materials(model%parts(p)%plies(1)%material)%law)
          stiffness(:, :) = matmul(transpose(rotation), &
-            & matmul(ply_stiffness(m%young, m%poisson, m%shear), rotation))
+            & matmul(ply_stiffness(law%young, law%poisson, law%shear), rotation))
       end associate
    end function model_stiffness
 

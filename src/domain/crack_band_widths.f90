@@ -8,9 +8,8 @@ module plydyn_domain_crack_band_widths
    use plydyn_domain_domain, only : crack_band_type, domain_type
    use plydyn_domain_initial_history, only : band_lengths
    use plydyn_element_brick, only : bricks_type
-   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
-   use plydyn_law_ply_constants, only : modes, snap_refuse
-   use plydyn_model_material, only : law_ply_damage
+   use plydyn_element_plate_layers, only : layer_batch_type
+   use plydyn_law_ply_crack_band, only : modes
    use plydyn_model_model, only : model_type
    use plydyn_parallel_comm, only : comm_type
    implicit none
@@ -36,14 +35,13 @@ contains
       real(wp) :: length(2)
       integer :: i, k
 
-      if (all(model%materials%ply%snap_back /= snap_refuse)) return
       do i = 1, size(domain%crack_bands)
          associate (material => model%materials(i), band => domain%crack_bands(i))
-            if (material%ply%snap_back /= snap_refuse .or. band%points == 0) cycle
+            if (band%points == 0) cycle
             do k = 1, 2
                length(:) = 0.0_wp
                length(k) = band%widest(k)
-               call material%ply%refuse_snap_back(length, cause)
+               call material%law%refuse_snap_back(length, cause)
                if (.not. allocated(cause)) cycle
                call fail(error, exit_input, "error: "//material%place//": *"//material%keyword &
                   & //" SNAP: in "//place_of(model, band, k)//", "//cause%message)
@@ -219,8 +217,7 @@ contains
             call widen(length(k), place, k, band)
          end do
          band%points = band%points + points
-         if (model%materials(material)%law /= law_ply_damage) return
-         where (model%materials(material)%ply%snaps_back(length))
+         where (model%materials(material)%law%snaps_back(length))
             band%too_wide(:) = band%too_wide + points
          end where
       end associate

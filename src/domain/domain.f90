@@ -9,7 +9,7 @@ module plydyn_domain_domain
    use plydyn_element_brick, only : bricks_type
    use plydyn_element_interface, only : interface_type
    use plydyn_element_plate_layers, only : plate_type
-   use plydyn_law_ply_constants, only : modes
+   use plydyn_law_ply_crack_band, only : modes
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type

@@ -145,7 +145,7 @@ contains
 
       rotation(:, :) = strain_rotation(angle)
       stiffness(:, :) = matmul(transpose(rotation), matmul( &
-         & ply_stiffness(material%young, material%poisson, material%shear), rotation))
+         & ply_stiffness(material%law%young, material%law%poisson, material%law%shear), rotation))
    end function plate_stiffness
 
 end module plydyn_domain_plates

@@ -68,8 +68,8 @@ contains
       integer, intent(in) :: p, k
 
       associate (plies => model%parts(p)%plies)
-         across = min(model%materials(plies(k)%material)%young(3), &
-            & model%materials(plies(k + 1)%material)%young(3))
+         across = min(model%materials(plies(k)%material)%law%young(3), &
+            & model%materials(plies(k + 1)%material)%law%young(3))
       end associate
    end function across
 
@@ -80,8 +80,8 @@ contains
       integer, intent(in) :: p, k
 
       associate (plies => model%parts(p)%plies)
-         along = min(model%materials(plies(k)%material)%young(1), &
-            & model%materials(plies(k + 1)%material)%young(1))
+         along = min(model%materials(plies(k)%material)%law%young(1), &
+            & model%materials(plies(k + 1)%material)%law%young(1))
       end associate
    end function along
 

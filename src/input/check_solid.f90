@@ -50,7 +50,7 @@ contains
       integer :: i
 
       do i = 1, size(materials)
-         if (.not. materials(i)%averages()) cycle
+         if (.not. materials(i)%law%averages()) cycle
          place%line = materials(i)%radius_line
          call catalogue%report%refuse(place, "R1 of material "//text(materials(i)%id)//": an " &
             & //"average over neighbours does not go with bricks", "plies of plates, or no radii")

@@ -37,7 +37,7 @@ contains
          velocity = 10.0_wp**si_power(units, 1, -1, 0)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
-               call look(catalogue, catalogue%registers(a_material)%line(i), material%young(1) &
+               call look(catalogue, catalogue%registers(a_material)%line(i), material%law%young(1) &
                   & *stress, [least_young, most_young], "a Young's modulus of", "Pa", units)
                call look(catalogue, catalogue%registers(a_material)%line(i), material%density &
                   & *density, [least_density, most_density], "a density of", "kg/m3", units)

@@ -6,8 +6,7 @@ module plydyn_input_read_damage
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, catalogue_type
-   use plydyn_input_read_material, only : begin_material, check_stability, &
-      & read_axes
+   use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
@@ -16,7 +15,7 @@ module plydyn_input_read_damage
       & new_table_curve
    use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
+   use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -39,40 +38,33 @@ contains
       type(model_type), intent(inout) :: model
 
       type(material_type) :: material
+      type(ply_constants_type) :: ply
 
       call begin_material(cards, catalogue, material)
-      material%law = law_ply_damage
-      material%young(:) = cards%reals(["E1", "E2", "E3"])
-      material%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
-      material%shear(:) = cards%reals(["G12", "G13", "G23"])
-      call check_stability(cards, ["NU12", "NU13", "NU23"], material, catalogue)
-      associate (ply => material%ply)
-         ply%young(:) = material%young
-         ply%poisson(:) = material%poisson
-         ply%shear(:) = material%shear
-         ply%fibre_strength(:) = cards%reals(["XT", "XC"])
-         ply%matrix_strength(:) = cards%reals(["YT", "YC"])
-         ply%shear_strength = cards%real("SL")
-         ply%cross_strength = cards%real("ST")
-         ply%fibre_toughness(:) = cards%reals(["G1T", "G1C"])
-         ply%matrix_toughness(:) = cards%reals(["G2T", "G2C"])
-         ply%shear_toughness = cards%real("G2S")
-         ply%band_width = cards%real("LSTAR")
-         ply%residual = 1.0_wp - cards%real("DMAX")
-      end associate
-      call check_strengths(cards, material, catalogue)
-      call read_switches(cards, catalogue, material%ply)
+      call read_ply(cards, catalogue, ply)
+      ply%fibre_strength(:) = cards%reals(["XT", "XC"])
+      ply%matrix_strength(:) = cards%reals(["YT", "YC"])
+      ply%shear_strength = cards%real("SL")
+      ply%cross_strength = cards%real("ST")
+      ply%fibre_toughness(:) = cards%reals(["G1T", "G1C"])
+      ply%matrix_toughness(:) = cards%reals(["G2T", "G2C"])
+      ply%shear_toughness = cards%real("G2S")
+      ply%band_width = cards%real("LSTAR")
+      ply%residual = 1.0_wp - cards%real("DMAX")
+      call check_strengths(cards, ply, catalogue)
+      call read_switches(cards, catalogue, ply)
       material%line = cards%line_of("MID")
       if (cards%has("SNAP")) material%line = cards%line_of("SNAP")
-      call read_shear_curve(cards, catalogue, model%curves, material%ply)
-      call read_average(cards, catalogue, material)
-      model%materials = [model%materials, material]
+      call read_shear_curve(cards, catalogue, model%curves, ply)
+      call read_average(cards, catalogue, ply)
+      if (ply%averages()) material%radius_line = cards%line_of("R1")
+      call add_material(model%materials, material, ply)
    end subroutine read_mat_ply_codam2
 
    !> A strain of onset of 1 and more is a strength in other units than its modulus
-   subroutine check_strengths(cards, material, catalogue)
+   subroutine check_strengths(cards, ply, catalogue)
       type(cards_type), intent(in) :: cards
-      type(material_type), intent(in) :: material
+      type(ply_constants_type), intent(in) :: ply
       type(catalogue_type), intent(inout) :: catalogue
 
       character(2), parameter :: names(5) = ["XT", "XC", "YT", "YC", "SL"]
@@ -80,7 +72,7 @@ contains
       real(wp) :: modulus(5)
       integer :: i
 
-      modulus(:) = [material%young([1, 1, 2, 2]), material%shear(1)]
+      modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
       do i = 1, size(names)
          if (.not. (cards%has(names(i)) .and. cards%has(trim(moduli(i))))) cycle
          if (cards%real(names(i)) < modulus(i)) cycle
@@ -119,10 +111,11 @@ contains
    end subroutine read_switches
 
    !> Radii of the average over neighbours
-   subroutine read_average(cards, catalogue, material)
+   subroutine read_average(cards, catalogue, ply)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), intent(inout) :: material
+      !> The ply
+      type(ply_constants_type), intent(inout) :: ply
 
       character(2), parameter :: names(2) = ["R1", "R2"]
       real(wp) :: radius(2)
@@ -136,12 +129,11 @@ contains
          call catalogue%refuse(cards, names(missing), names(missing)//" is missing beside " &
             & //names(3 - missing)//" = "//number_words(radius(3 - missing)), "both radii of the " &
             & //"ellipse, or none")
-      else if (material%ply%closes) then
+      else if (ply%closes) then
          call catalogue%refuse(cards, "CLOSE", "cracks that close do not go with an average over " &
             & //"neighbours", "0, or no R1 and R2")
       end if
-      material%radius(:) = radius
-      material%radius_line = cards%line_of("R1")
+      ply%radius(:) = radius
    end subroutine read_average
 
    !> Number of a choice; 0 where the deck says none, or what cannot be
@@ -248,21 +240,21 @@ contains
       type(model_type), intent(inout) :: model
 
       type(material_type) :: material
+      type(strain_constants_type) :: ply
       real(wp) :: along, across
 
       call begin_material(cards, catalogue, material)
-      material%law = law_strain_damage
       along = cards%real("EA")
       across = cards%real("EB")
-      material%young(:) = [along, across, across]
-      material%poisson(3) = cards%real("PRCB")
-      material%shear(:2) = cards%real("GAB")
+      ply%young(:) = [along, across, across]
+      ply%poisson(3) = cards%real("PRCB")
+      ply%shear(:2) = cards%real("GAB")
       if (along > 0.0_wp .and. across > 0.0_wp) then
-         material%poisson(:2) = cards%real("PRBA")*along/across
-         call check_stability(cards, ["PRBA", "PRBA", "PRCB"], material, catalogue)
+         ply%poisson(:2) = cards%real("PRBA")*along/across
+         call check_stability(cards, ["PRBA", "PRBA", "PRCB"], ply, catalogue)
       end if
-      if (abs(material%poisson(3)) < 1.0_wp) then
-         material%shear(3) = across/(2.0_wp*(1.0_wp + material%poisson(3)))
+      if (abs(ply%poisson(3)) < 1.0_wp) then
+         ply%shear(3) = across/(2.0_wp*(1.0_wp + ply%poisson(3)))
       end if
       call read_axes(cards, catalogue, material)
       material%axis_angle = material%axis_angle + cards%real("ANGLE1")
@@ -271,15 +263,10 @@ contains
             & //text(cards%integer("NLAYER"))//" layers is not supported", &
             & "1, and each layer a ply of *PART_COMPOSITE with an angle of its own")
       end if
-      associate (strains => material%strains)
-         strains%young(:) = material%young
-         strains%poisson(:) = material%poisson
-         strains%shear(:) = material%shear
-      end associate
-      call read_strains(cards, catalogue, material%strains)
-      material%radius(:) = cards%real("R1")
+      call read_strains(cards, catalogue, ply)
+      ply%radius(:) = cards%real("R1")
       material%radius_line = cards%line_of("R1")
-      model%materials = [model%materials, material]
+      call add_material(model%materials, material, ply)
    end subroutine read_mat_codam2
 
    !> Strains between which damage grows

@@ -5,13 +5,15 @@ module plydyn_input_read_material
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, catalogue_type
-   use plydyn_model_material, only : material_type
+   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
    public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
-      & begin_material, check_stability, read_axes, read_isotropic
+      & begin_material, check_stability, read_axes, read_isotropic, read_ply
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -25,26 +27,28 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
+      type(elastic_constants_type) :: law
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, material)
-      model%materials = [model%materials, material]
+      call read_isotropic(cards, catalogue, law)
+      call add_material(model%materials, material, law)
    end subroutine read_mat_elastic
 
    !> E and PR of an isotropic material
-   subroutine read_isotropic(cards, catalogue, material)
+   subroutine read_isotropic(cards, catalogue, law)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(material_type), intent(inout) :: material
+      !> Gets its elastic constants
+      class(law_constants_type), intent(inout) :: law
 
       real(wp) :: poisson
 
       poisson = cards%real("PR")
-      material%young(:) = cards%real("E")
-      material%poisson(:) = poisson
+      law%young(:) = cards%real("E")
+      law%poisson(:) = poisson
       if (poisson > least_poisson .and. poisson < most_poisson) then
-         material%shear(:) = cards%real("E")/(2.0_wp*(1.0_wp + poisson))
+         law%shear(:) = cards%real("E")/(2.0_wp*(1.0_wp + poisson))
       else
          call catalogue%refuse(cards, "PR", "PR cannot be "//number_words(poisson), &
             & "a number above -1 and below 0.5, or a strain would give energy")
@@ -57,15 +61,26 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
+      type(elastic_constants_type) :: law
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
-      material%young(:) = cards%reals(["E1", "E2", "E3"])
-      material%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
-      material%shear(:) = cards%reals(["G12", "G13", "G23"])
-      call check_stability(cards, ["NU12", "NU13", "NU23"], material, catalogue)
-      model%materials = [model%materials, material]
+      call read_ply(cards, catalogue, law)
+      call add_material(model%materials, material, law)
    end subroutine read_mat_ply_elastic
+
+   !> Engineering constants of a ply in its own axes
+   subroutine read_ply(cards, catalogue, law)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets its elastic constants
+      class(law_constants_type), intent(inout) :: law
+
+      law%young(:) = cards%reals(["E1", "E2", "E3"])
+      law%poisson(:) = cards%reals(["NU12", "NU13", "NU23"])
+      law%shear(:) = cards%reals(["G12", "G13", "G23"])
+      call check_stability(cards, ["NU12", "NU13", "NU23"], law, catalogue)
+   end subroutine read_ply
 
    !> *MAT_ORTHOTROPIC_ELASTIC: a ply by its minor Poisson's ratios and its axes
    subroutine read_mat_orthotropic_elastic(cards, catalogue, model)
@@ -73,19 +88,20 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
+      type(elastic_constants_type) :: law
       type(material_type) :: material
       real(wp) :: minor(3)
 
       call begin_material(cards, catalogue, material)
-      material%young(:) = cards%reals(["EA", "EB", "EC"])
-      material%shear(:) = cards%reals(["GAB", "GCA", "GBC"])
+      law%young(:) = cards%reals(["EA", "EB", "EC"])
+      law%shear(:) = cards%reals(["GAB", "GCA", "GBC"])
       minor(:) = cards%reals(["PRBA", "PRCA", "PRCB"])
-      if (all(material%young > 0.0_wp)) then
-         material%poisson(:) = minor*material%young([1, 1, 2])/material%young([2, 3, 3])
-         call check_stability(cards, ["PRBA", "PRCA", "PRCB"], material, catalogue)
+      if (all(law%young > 0.0_wp)) then
+         law%poisson(:) = minor*law%young([1, 1, 2])/law%young([2, 3, 3])
+         call check_stability(cards, ["PRBA", "PRCA", "PRCB"], law, catalogue)
       end if
       call read_axes(cards, catalogue, material)
-      model%materials = [model%materials, material]
+      call add_material(model%materials, material, law)
    end subroutine read_mat_orthotropic_elastic
 
    !> Direction of the axis a of a material whose vectors a and d lie in the plane of the plate
@@ -128,13 +144,13 @@ contains
    end subroutine begin_material
 
    !> A strain must cost energy: the compliance must be positive definite
-   subroutine check_stability(cards, names, material, catalogue)
+   subroutine check_stability(cards, names, law, catalogue)
       !> The keyword
       type(cards_type), intent(in) :: cards
       !> Fields of the Poisson's ratios 12, 13, 23
       character(*), intent(in) :: names(3)
       !> Elastic constants
-      type(material_type), intent(in) :: material
+      class(law_constants_type), intent(in) :: law
       !> Gets the finding
       type(catalogue_type), intent(inout) :: catalogue
 
@@ -142,13 +158,13 @@ contains
       real(wp) :: bound, determinant, share(3)
       integer :: i
 
-      if (any(material%young <= 0.0_wp)) return
+      if (any(law%young <= 0.0_wp)) return
       do i = 1, size(names)
-         bound = sqrt(material%young(first(i))/material%young(second(i)))
-         share(i) = material%poisson(i)/bound
+         bound = sqrt(law%young(first(i))/law%young(second(i)))
+         share(i) = law%poisson(i)/bound
          if (abs(share(i)) < 1.0_wp) cycle
          call catalogue%refuse(cards, names(i), "Poisson's ratio nu"//text(first(i)) &
-            & //text(second(i))//" = "//number_words(material%poisson(i)) &
+            & //text(second(i))//" = "//number_words(law%poisson(i)) &
             & //" is too large for these moduli", "less than sqrt(E"//text(first(i))//"/E" &
             & //text(second(i))//") = "//number_words(bound)//" in size, or a strain " &
             & //"would give energy")

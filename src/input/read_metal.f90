@@ -8,8 +8,11 @@ module plydyn_input_read_metal
    use plydyn_input_declare_metal, only : card_points
    use plydyn_input_read_material, only : begin_material, read_isotropic
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_material, only : law_plastic_curve, law_plastic_johnson_cook, &
-      & law_plastic_kinematic, material_type, plasticity_type
+   use plydyn_law_metal_johnson_cook, only : johnson_cook_constants_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type
+   use plydyn_law_metal_tabulated, only : tabulated_constants_type
+   use plydyn_law_metal_yield_curve, only : yield_curve_type
+   use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -28,21 +31,19 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
+      type(kinematic_constants_type) :: law
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, material)
-      material%law = law_plastic_kinematic
-      associate (plasticity => material%plasticity)
-         plasticity%yield = cards%real("SIGY")
-         plasticity%tangent = cards%real("ETAN")
-         plasticity%isotropic = cards%real("BETA")
-         plasticity%rate = cards%real("SRC")
-         plasticity%power = cards%real("SRP")
-         call check_tangent(cards, material, catalogue)
-         call check_power(cards, "SRP", "SRC", plasticity, catalogue)
-      end associate
-      model%materials = [model%materials, material]
+      call read_isotropic(cards, catalogue, law)
+      law%yield = cards%real("SIGY")
+      law%tangent = cards%real("ETAN")
+      law%isotropic = cards%real("BETA")
+      law%rate = cards%real("SRC")
+      law%power = cards%real("SRP")
+      call check_tangent(cards, law%tangent, law%young(1), catalogue)
+      call check_power(cards, ["SRP", "SRC"], law%rate, law%power, catalogue)
+      call add_material(model%materials, material, law)
    end subroutine read_mat_plastic_kinematic
 
    !> *MAT_SIMPLIFIED_JOHNSON_COOK: a metal that hardens by a power and the logarithm of the rate
@@ -51,24 +52,22 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
+      type(johnson_cook_constants_type) :: law
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, material)
-      material%law = law_plastic_johnson_cook
-      associate (plasticity => material%plasticity)
-         plasticity%yield = cards%real("A")
-         plasticity%factor = cards%real("B")
-         if (plasticity%factor > 0.0_wp) then
-            plasticity%exponent = cards%real("N")
-            if (plasticity%exponent <= 0.0_wp) call catalogue%refuse(cards, "N", "N is missing", &
-               & "the power of plastic strain, above 0, or B 0 for no hardening")
-         end if
-         plasticity%sensitivity = cards%real("C")
-         plasticity%reference_rate = cards%real("EPSO")
-         if (plasticity%sensitivity > 0.0_wp) call check_formulation(cards, "C", catalogue)
-      end associate
-      model%materials = [model%materials, material]
+      call read_isotropic(cards, catalogue, law)
+      law%yield = cards%real("A")
+      law%factor = cards%real("B")
+      if (law%factor > 0.0_wp) then
+         law%exponent = cards%real("N")
+         if (law%exponent <= 0.0_wp) call catalogue%refuse(cards, "N", "N is missing", &
+            & "the power of plastic strain, above 0, or B 0 for no hardening")
+      end if
+      law%sensitivity = cards%real("C")
+      law%reference_rate = cards%real("EPSO")
+      if (law%sensitivity > 0.0_wp) call check_formulation(cards, "C", catalogue)
+      call add_material(model%materials, material, law)
    end subroutine read_mat_simplified_johnson_cook
 
    !> *MAT_PIECEWISE_LINEAR_PLASTICITY: a metal with a yield stress by points, curve or table
@@ -78,41 +77,41 @@ contains
       type(model_type), intent(inout) :: model
 
       type(material_type) :: material
+      type(tabulated_constants_type) :: law
+      real(wp) :: tangent
 
       call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, material)
-      material%law = law_plastic_curve
-      associate (plasticity => material%plasticity)
-         plasticity%yield = cards%real("SIGY")
-         plasticity%tangent = cards%real("ETAN")
-         plasticity%rate = cards%real("C")
-         plasticity%power = cards%real("P")
-         call check_power(cards, "P", "C", plasticity, catalogue)
-         if (plasticity%rate > 0.0_wp) then
-            call check_formulation(cards, "C", catalogue)
-            call check_yield(cards, plasticity%yield, catalogue)
-         end if
-      end associate
-      if (cards%integer("LCSS") > 0) then
-         call read_yield_curves(cards, model%curves, catalogue, material%plasticity)
-      else if (cards%has("ES1")) then
-         call read_points(cards, catalogue, material%plasticity)
-      else
-         call check_yield(cards, material%plasticity%yield, catalogue)
-         call check_tangent(cards, material, catalogue)
-         call take_straight_line(material)
+      call read_isotropic(cards, catalogue, law)
+      law%yield = cards%real("SIGY")
+      law%rate = cards%real("C")
+      law%power = cards%real("P")
+      call check_power(cards, ["P", "C"], law%rate, law%power, catalogue)
+      if (law%rate > 0.0_wp) then
+         call check_formulation(cards, "C", catalogue)
+         call check_yield(cards, law%yield, catalogue)
       end if
-      model%materials = [model%materials, material]
+      if (cards%integer("LCSS") > 0) then
+         call read_yield_curves(cards, model%curves, catalogue, law)
+      else if (cards%has("ES1")) then
+         call read_points(cards, catalogue, law)
+      else
+         tangent = cards%real("ETAN")
+         call check_yield(cards, law%yield, catalogue)
+         call check_tangent(cards, tangent, law%young(1), catalogue)
+         call take_straight_line(tangent, law)
+      end if
+      call add_material(model%materials, material, law)
    end subroutine read_mat_piecewise_linear_plasticity
 
    !> The curve of LCSS, or the curves of its table
-   subroutine read_yield_curves(cards, curves, catalogue, plasticity)
+   subroutine read_yield_curves(cards, curves, catalogue, law)
       type(cards_type), intent(in) :: cards
       type(curve_type), intent(in) :: curves(:)
       type(catalogue_type), intent(inout) :: catalogue
       !> Gets its curves
-      type(plasticity_type), intent(inout) :: plasticity
+      type(tabulated_constants_type), intent(inout) :: law
 
+      real(wp), allocatable :: rates(:)
       integer, allocatable :: used(:)
       integer :: i, place
 
@@ -120,29 +119,32 @@ contains
       place = catalogue%registers(a_table)%index_of(cards%integer("LCSS"))
       if (place > 0) then
          call catalogue%registers(a_table)%mark(place)
-         plasticity%rates = catalogue%tables(place)%value
+         rates = catalogue%tables(place)%value
          used = catalogue%tables(place)%curve
-         plasticity%logarithmic = plasticity%rates(1) < 0.0_wp
-         if (plasticity%logarithmic) plasticity%rates = exp(plasticity%rates)
+         law%logarithmic = rates(1) < 0.0_wp
+         if (law%logarithmic) rates(:) = exp(rates)
          call check_formulation(cards, "LCSS", catalogue)
       else
          allocate (used(1))
          call catalogue%find(a_curve, cards, "LCSS", used(1))
-         plasticity%rates = [0.0_wp]
+         rates = [0.0_wp]
       end if
       if (any(used == 0)) return
-      plasticity%curves = curves(used)
+      allocate (law%curves(size(used)))
       do i = 1, size(used)
+         law%curves(i)%rate = rates(i)
+         law%curves(i)%strain = curves(used(i))%x
+         law%curves(i)%stress = curves(used(i))%y
          call check_curve(cards, "LCSS", curves(used(i)), catalogue)
       end do
    end subroutine read_yield_curves
 
    !> The points EPS, ES up to the last whose strain is not 0
-   subroutine read_points(cards, catalogue, plasticity)
+   subroutine read_points(cards, catalogue, law)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       !> Gets its curve
-      type(plasticity_type), intent(inout) :: plasticity
+      type(tabulated_constants_type), intent(inout) :: law
 
       type(curve_type) :: curve
       integer :: i, last
@@ -153,8 +155,7 @@ contains
       end do
       curve%x = [(cards%real("EPS"//text(i)), i=1, last)]
       curve%y = [(cards%real("ES"//text(i)), i=1, last)]
-      plasticity%curves = [curve]
-      plasticity%rates = [0.0_wp]
+      law%curves = [yield_curve_type(strain=curve%x, stress=curve%y)]
       do i = 2, last
          if (curve%x(i) > curve%x(i - 1)) cycle
          call catalogue%refuse(cards, "EPS"//text(i), "the plastic strain does not increase", &
@@ -165,20 +166,19 @@ contains
    end subroutine read_points
 
    !> A yield stress that rises in proportion to plastic strain
-   pure subroutine take_straight_line(material)
+   pure subroutine take_straight_line(tangent, law)
+      !> ETAN
+      real(wp), intent(in) :: tangent
       !> Gets its curve from SIGY and ETAN
-      type(material_type), intent(inout) :: material
+      type(tabulated_constants_type), intent(inout) :: law
 
-      type(curve_type) :: curve
       real(wp) :: modulus
 
-      associate (plasticity => material%plasticity, young => material%young(1))
-         modulus = young*plasticity%tangent/(young - min(plasticity%tangent, half*young))
-         curve%x = [0.0_wp, 1.0_wp]
-         curve%y = plasticity%yield + modulus*curve%x
-         plasticity%curves = [curve]
-         plasticity%rates = [0.0_wp]
+      associate (young => law%young(1))
+         modulus = young*tangent/(young - min(tangent, half*young))
       end associate
+      law%curves = [yield_curve_type(strain=[0.0_wp, 1.0_wp], &
+         & stress=law%yield + modulus*[0.0_wp, 1.0_wp])]
    end subroutine take_straight_line
 
    !> *DEFINE_TABLE: values whose curves follow in the deck
@@ -275,27 +275,29 @@ contains
    end subroutine check_yield
 
    !> The slope beyond yield is below that before
-   subroutine check_tangent(cards, material, catalogue)
+   subroutine check_tangent(cards, tangent, young, catalogue)
       type(cards_type), intent(in) :: cards
-      type(material_type), intent(in) :: material
+      !> ETAN and Young's modulus
+      real(wp), intent(in) :: tangent, young
       type(catalogue_type), intent(inout) :: catalogue
 
-      if (material%plasticity%tangent < material%young(1)) return
-      call catalogue%refuse(cards, "ETAN", "ETAN cannot be " &
-         & //number_words(material%plasticity%tangent), "a slope below Young's modulus E")
+      if (tangent < young) return
+      call catalogue%refuse(cards, "ETAN", "ETAN cannot be "//number_words(tangent), &
+         & "a slope below Young's modulus E")
    end subroutine check_tangent
 
    !> A rate has a power
-   subroutine check_power(cards, name, rate, plasticity, catalogue)
+   subroutine check_power(cards, names, rate, power, catalogue)
       type(cards_type), intent(in) :: cards
       !> Fields of the power and of the rate
-      character(*), intent(in) :: name, rate
-      type(plasticity_type), intent(in) :: plasticity
+      character(*), intent(in) :: names(2)
+      !> Rate at which the rise is one, and its power
+      real(wp), intent(in) :: rate, power
       type(catalogue_type), intent(inout) :: catalogue
 
-      if (plasticity%rate <= 0.0_wp .or. plasticity%power > 0.0_wp) return
-      call catalogue%refuse(cards, name, name//" is missing", &
-         & "the power of the rise with the rate, above 0, or "//rate &
+      if (rate <= 0.0_wp .or. power > 0.0_wp) return
+      call catalogue%refuse(cards, names(1), names(1)//" is missing", &
+         & "the power of the rise with the rate, above 0, or "//names(2) &
          & //" 0 for no effect of the rate")
    end subroutine check_power
 

@@ -5,8 +5,9 @@ module plydyn_input_read_output
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : longest_word
    use plydyn_input_catalogue, only : a_node, a_node_set, a_profile, catalogue_type
+   use plydyn_law_law, only : shows_dissipated, shows_plastic_strain
    use plydyn_model_control, only : profile_type, request_type
-   use plydyn_model_material, only : law_elastic, material_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -195,7 +196,7 @@ contains
 
       select case (name)
       case ("plastic_strain")
-         if (any(materials%law /= law_elastic .and. .not. materials%is_damaged())) return
+         if (any(materials%shows(shows_plastic_strain))) return
          call catalogue%refuse(cards, "NAME", "no material yields: there is no PLASTIC_STRAIN", &
             & "a material that yields, such as *MAT_PLASTIC_KINEMATIC, or not this field")
       case ("damage_fibre", "damage_matrix", "damage_shear")
@@ -204,7 +205,7 @@ contains
             & //upper_case(name), "a material with damage, such as *MAT_PLY_CODAM2, or not this " &
             & //"field")
       case ("dissipated")
-         if (any(materials%law /= law_elastic)) return
+         if (any(materials%shows(shows_dissipated))) return
          call catalogue%refuse(cards, "NAME", "no material dissipates: there is no DISSIPATED", &
             & "a material that yields or is damaged, or not this field")
       case default

@@ -2,6 +2,7 @@
 module sample
    use plydyn_base_precision, only : wp
    use plydyn_fem_shape, only : local_nodes
+   use plydyn_law_ply_orthotropic, only : elastic_constants_type
    use plydyn_model_control, only : linear_strain, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layup, only : faces_tied, part_type, ply_type
@@ -101,9 +102,9 @@ contains
       model%materials(1)%id = 1
       model%materials(1)%title = "IM7/8552"
       model%materials(1)%density = 1.7e-9_wp
-      model%materials(1)%young(:) = [165.0e3_wp, 9.0e3_wp, 9.0e3_wp]
-      model%materials(1)%poisson(:) = [0.34_wp, 0.34_wp, 0.5_wp]
-      model%materials(1)%shear(:) = [5.6e3_wp, 5.6e3_wp, 2.8e3_wp]
+      allocate (model%materials(1)%law, source=elastic_constants_type( &
+         & young=[165.0e3_wp, 9.0e3_wp, 9.0e3_wp], poisson=[0.34_wp, 0.34_wp, 0.5_wp], &
+         & shear=[5.6e3_wp, 5.6e3_wp, 2.8e3_wp]))
       model%parts(1)%id = 1
       model%parts(1)%title = "laminate"
       model%parts(1)%plies = [(ply_type(id=k, material=1, thickness=thickness, angle=angle(k), &

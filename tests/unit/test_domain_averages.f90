@@ -6,7 +6,8 @@ program test_domain_averages
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_average, only : average_points, row_of
-   use plydyn_model_material, only : law_ply_damage
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    use ply_point, only : paper_ply
    use sample, only : rectangle_mesh, rectangle_model
@@ -170,14 +171,16 @@ contains
    !> Histories of lanes that another law has are left alone
    subroutine test_other_lane()
       type(domain_type) :: domain
+      type(material_type) :: material
       type(model_type) :: model
       real(wp), allocatable :: history(:)
       integer :: other
 
       call begin("other laws")
       model = averaged(0.0_wp)
-      model%materials = [model%materials(1), model%materials(1)]
-      model%materials(2)%radius(:) = 0.0_wp
+      material%density = model%materials(1)%density
+      material%title = "without an average"
+      call add_material(model%materials, material, paper_ply())
       model%parts(1)%plies%material = [1, 1, 2]
       call build(model, domain, history)
       call check(size(domain%averaging%averages) == 2, "only what has radii is averaged")
@@ -204,7 +207,7 @@ contains
          & 0.25_wp, [1])
       call average_model(model)
       ! between the diagonal of a point's four neighbours and the next, 1 away
-      model%materials(1)%radius(:) = 0.9_wp
+      model%materials(1)%law%radius(:) = 0.9_wp
       call build(model, domain, history)
       call check(all(domain%averaging%neighbours == reshape([4, 9], [2, 1])), &
          & "4 in a corner, 9 within")
@@ -278,11 +281,11 @@ contains
 
       call begin("refused")
       model = averaged(0.0_wp)
-      model%materials(1)%radius(:) = [2.0_wp, 0.05_wp]
+      model%materials(1)%law%radius(:) = [2.0_wp, 0.05_wp]
       call build_domain(model, domain, error)
       call check_error(error, "a.k:9: *MAT_PLY_CODAM2 R2: in ply 1 from the bottom", &
          & "place and radius")
-      model%materials(1)%radius(:) = [0.05_wp, 0.07_wp]
+      model%materials(1)%law%radius(:) = [0.05_wp, 0.07_wp]
       call build_domain(model, domain, error)
       call check_error(error, "R1 = 0.500000E-1 is nowhere as large as the cell", &
          & "what is wrong")
@@ -302,15 +305,15 @@ contains
    subroutine average_model(model)
       type(model_type), intent(inout) :: model
 
+      type(ply_constants_type) :: ply
+
+      ply = paper_ply()
+      ply%radius(:) = radii
       associate (material => model%materials(1))
          material%keyword = "MAT_PLY_CODAM2"
          material%radius_place = "a.k:9"
-         material%law = law_ply_damage
-         material%ply = paper_ply()
-         material%young(:) = material%ply%young
-         material%poisson(:) = material%ply%poisson
-         material%shear(:) = material%ply%shear
-         material%radius(:) = radii
+         deallocate (material%law)
+         allocate (material%law, source=ply)
       end associate
    end subroutine average_model
 

@@ -9,7 +9,8 @@ program test_domain_dissipation
    use plydyn_element_recover, only : layer_values, recovered, scalars_at, stress_at
    use plydyn_law_law, only : by_metal_plasticity, mechanisms, shows_plastic_strain
    use plydyn_model_control, only : linear_strain, total_lagrangian
-   use plydyn_model_material, only : law_plastic_kinematic, material_type, plasticity_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_model, only : model_type
    use plydyn_method_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
@@ -208,11 +209,9 @@ contains
       material%id = 10 + i
       material%title = "metal"
       material%density = 7.8e-9_wp
-      material%young(:) = young(i)
-      material%poisson(:) = poisson
-      material%shear(:) = young(i)/(2.0_wp*(1.0_wp + poisson))
-      material%law = law_plastic_kinematic
-      material%plasticity = plasticity_type(yield=yield(i))
+      allocate (material%law, source=kinematic_constants_type(young=spread(young(i), 1, 3), &
+         & poisson=spread(poisson, 1, 3), shear=spread(young(i)/(2.0_wp*(1.0_wp + poisson)), 1, 3), &
+         & yield=yield(i)))
    end function metal
 
 end program test_domain_dissipation

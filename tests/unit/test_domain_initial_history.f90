@@ -9,9 +9,9 @@ program test_domain_initial_history
    use plydyn_element_layer_scalars, only : point_history
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
-   use plydyn_law_ply_constants, only : snap_refuse
+   use plydyn_law_ply_constants, only : ply_constants_type, snap_reduce, snap_refuse
    use plydyn_law_ply_history, only : fibre_gate, matrix_gate
-   use plydyn_model_material, only : law_ply_damage
+   use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    use ply_point, only : paper_ply
    use sample, only : rectangle_mesh, rectangle_model
@@ -59,7 +59,7 @@ contains
 
       call begin("given width")
       model = plate(rule_band, 9)
-      model%materials(2)%ply%band_width = 0.125_wp
+      call set_ply(model, 0.125_wp, snap_reduce)
       call check(widths_of(model, 3, 5), [0.125_wp, 0.125_wp], 0.0_wp, "wherever, along and across")
    end subroutine test_width_given
 
@@ -91,12 +91,12 @@ contains
 
       call begin("check_bands")
       model = plate(rule_band, 9)
-      model%materials(2)%ply%snap_back = snap_refuse
+      call set_ply(model, 0.0_wp, snap_refuse)
       call build_domain(model, domain, error)
       call check_error(error, "a.k:7: *MAT_PLY_CODAM2 SNAP: in quad 10", "place and quad")
       call check_error(error, "ply 1 from the bottom, the crack band of matrix tension is 1.08", &
          & "ply, mode and width")
-      model%materials(2)%ply%band_width = 0.3_wp
+      call set_ply(model, 0.3_wp, snap_refuse)
       call check_bands(model, domain, error)
       call check(allocated(error), "the domain counts: its laws have the old width")
       call build_domain(model, domain, error)
@@ -132,25 +132,36 @@ contains
       end associate
    end function widths_of
 
+   !> Width of the crack bands of the damaged plies, and what to do about snap-back
+   subroutine set_ply(model, band_width, snap_back)
+      type(model_type), intent(inout) :: model
+      real(wp), intent(in) :: band_width
+      integer, intent(in) :: snap_back
+
+      select type (ply => model%materials(2)%law)
+      type is (ply_constants_type)
+         ply%band_width = band_width
+         ply%snap_back = snap_back
+      end select
+   end subroutine set_ply
+
    !> Two quads with an elastic ply between damaged ones
    function plate(rule, nodes) result(model)
       integer, intent(in) :: rule, nodes
       type(model_type) :: model
+      type(material_type) :: material
+      type(ply_constants_type) :: ply
 
       model = rectangle_model(rectangle_mesh(nint(sqrt(real(nodes, wp))), 2, 1, 2.0_wp*size_x, &
          & size_y, 0.0_wp), [90.0_wp, 0.0_wp, slanted], 0.25_wp, [1, 1, 2])
-      model%materials = [model%materials(1), model%materials(1)]
-      associate (material => model%materials(2))
-         material%id = 2
-         material%keyword = "MAT_PLY_CODAM2"
-         material%place = "a.k:7"
-         material%law = law_ply_damage
-         material%ply = paper_ply()
-         material%ply%band_rule = rule
-         material%young(:) = material%ply%young
-         material%poisson(:) = material%ply%poisson
-         material%shear(:) = material%ply%shear
-      end associate
+      material%id = 2
+      material%keyword = "MAT_PLY_CODAM2"
+      material%place = "a.k:7"
+      material%title = "damaged"
+      material%density = model%materials(1)%density
+      ply = paper_ply()
+      ply%band_rule = rule
+      call add_material(model%materials, material, ply)
       model%parts(1)%plies%material = [2, 1, 2]
    end function plate
 

@@ -5,6 +5,7 @@ program test_input_check_units
    use plydyn_input_catalogue, only : a_material, an_impactor, catalogue_type, new_catalogue
    use plydyn_input_check_units, only : check_units
    use plydyn_input_units, only : derived_units
+   use plydyn_law_ply_orthotropic, only : elastic_constants_type
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, finish
    implicit none
@@ -39,7 +40,7 @@ contains
       call catalogue%registers(a_material)%add(1, 1)
       call catalogue%registers(an_impactor)%add(1, 1)
       model%control%units = derived_units(length, time, mass)
-      model%materials(1)%young(:) = young
+      allocate (model%materials(1)%law, source=elastic_constants_type(young=spread(young, 1, 3)))
       model%materials(1)%density = density
       model%impactors(1)%velocity(3) = velocity
       call check_units(model, catalogue)

@@ -16,16 +16,16 @@ program test_input_read_material
    call read_plate("")
    associate (material => model%materials(1))
       call check(material%density, 1.6e-9_wp, 0.0_wp, "density")
-      call check(material%young, [1.4e5_wp, 1.0e4_wp, 1.0e4_wp], 0.0_wp, "Young's moduli")
-      call check(material%poisson, [0.3_wp, 0.3_wp, 0.45_wp], 0.0_wp, "Poisson's ratios")
-      call check(material%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "G12, G13, G23")
+      call check(material%law%young, [1.4e5_wp, 1.0e4_wp, 1.0e4_wp], 0.0_wp, "Young's moduli")
+      call check(material%law%poisson, [0.3_wp, 0.3_wp, 0.45_wp], 0.0_wp, "Poisson's ratios")
+      call check(material%law%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "G12, G13, G23")
       call check(material%keyword == "MAT_PLY_ELASTIC", "keyword")
    end associate
 
    call begin("read_mat_elastic")
    call read_with("*MAT_ELASTIC_TITLE|steel|5,7.8e-9,2.6e5,0.3|")
    call check(.not. allocated(error), "is read")
-   call check(model%materials(1)%shear, spread(1.0e5_wp, 1, 3), 1.0e-9_wp, "G = E/2(1 + nu)")
+   call check(model%materials(1)%law%shear, spread(1.0e5_wp, 1, 3), 1.0e-9_wp, "G = E/2(1 + nu)")
    call check(model%materials(1)%title == "steel", "title")
    call read_with("*MAT_001|5,7.8e-9,2.6e5,0.5|")
    call check_error(error, "PR cannot be 0.5", "an incompressible material")
@@ -35,9 +35,9 @@ program test_input_read_material
       & //"5000.,3500.,4000.,2.0|0.,0.,0.,1.0,1.0,0.|0.,0.,0.,0.,1.0,0.|")
    call check(.not. allocated(error), "is read")
    associate (material => model%materials(1))
-      call check(material%poisson, [0.28_wp, 0.2_wp, 0.3_wp/0.7_wp], 1.0e-14_wp, &
+      call check(material%law%poisson, [0.28_wp, 0.2_wp, 0.3_wp/0.7_wp], 1.0e-14_wp, &
          & "nu_ij = nu_ji E_i/E_j")
-      call check(material%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "GAB, GCA, GBC")
+      call check(material%law%shear, [5000.0_wp, 4000.0_wp, 3500.0_wp], 0.0_wp, "GAB, GCA, GBC")
       call check(material%axis_angle, 45.0_wp, 1.0e-12_wp, "axis angle from a")
    end associate
    call check(model%parts(1)%plies%angle, [45.0_wp, 135.0_wp, 45.0_wp], 1.0e-12_wp, &

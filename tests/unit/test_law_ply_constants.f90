@@ -2,7 +2,8 @@
 program test_law_ply_constants
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_constants, only : modes, onset_hashin, ply_constants_type
+   use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type, snap_refuse
+   use plydyn_law_ply_crack_band, only : modes
    use ply_point, only : paper_ply
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -72,6 +73,9 @@ program test_law_ply_constants
 
    call begin("refuse_snap_back")
    ply = paper_ply()
+   call ply%refuse_snap_back([4.2_wp, 0.65_wp], error)
+   call check(.not. allocated(error), "takes any band unless the material asks for a refusal")
+   ply%snap_back = snap_refuse
    call ply%refuse_snap_back([4.1_wp, 0.31_wp], error)
    call check(.not. allocated(error), "takes a band that is narrow enough")
    call ply%refuse_snap_back([4.2_wp, 0.31_wp], error)

@@ -2,7 +2,8 @@
 !> All expectations follow from the constants of the paper's Table 5.
 program test_law_ply_damage
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_constants, only : mode_names, ply_constants_type
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_ply_crack_band, only : mode_names
    use plydyn_law_ply_history, only : fibre_damage, fibre_energy, fibre_finish, fibre_onset, &
       & matrix_damage, matrix_energy, matrix_finish, matrix_onset
    use plydyn_law_ply_shear_curve, only : shape_exponential

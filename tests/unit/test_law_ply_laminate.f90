@@ -2,6 +2,7 @@
 program test_law_ply_laminate
    use plydyn_base_precision, only : wp
    use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_orthotropic, only : elastic_constants_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -22,15 +23,19 @@ contains
    subroutine stack(e, nu, g, angles)
       real(wp), intent(in) :: e(2), nu, g, angles(:)
 
+      type(elastic_constants_type) :: constants
       integer :: ply
       real(wp) :: bottom
 
+      constants%young(:2) = e
+      constants%poisson(1) = nu
+      constants%shear(1) = g
       a(:, :) = 0.0_wp
       b(:, :) = 0.0_wp
       d(:, :) = 0.0_wp
       do ply = 1, size(angles)
          bottom = (ply - 1 - 0.5_wp*size(angles))*thick
-         call add_ply_stiffness(e, nu, g, angles(ply), bottom, bottom + thick, a, b, d)
+         call add_ply_stiffness(constants, angles(ply), [bottom, bottom + thick], a, b, d)
       end do
    end subroutine stack
 

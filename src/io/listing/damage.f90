@@ -3,12 +3,11 @@ module plydyn_io_listing_damage
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : crack_band_type, domain_type
-   use plydyn_law_ply_crack_band, only : rule_gauss_point, rule_root_point, rule_root_quad
-   use plydyn_law_ply_constants, only : in_compression, mode_names, modes, &
-      & ply_constants_type, snap_drop
+   use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
+   use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
+      & rule_root_quad
    use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
-   use plydyn_model_material, only : law_ply_damage, law_strain_damage, material_type
    use plydyn_model_model, only : model_type
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
@@ -34,40 +33,44 @@ contains
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
-         if (model%materials(i)%averages()) call write_average(unit, model%materials(i), &
-            & domain%averaging%neighbours(:, i), model%control%units)
-         if (model%materials(i)%law == law_strain_damage) then
-            call write_strains(unit, model%materials(i)%strains, domain%crack_bands(i), &
-               & model%control%units)
-            cycle
-         end if
-         call write_bands(unit, model%materials(i), domain%crack_bands(i), model%control%units)
-         call write_modes(unit, model%materials(i)%ply, domain%crack_bands(i), model%control%units)
-         call write_snap_back(unit, model%materials(i), domain%crack_bands(i))
+         associate (law => model%materials(i)%law, band => domain%crack_bands(i), &
+            & units => model%control%units)
+            if (law%averages()) call write_average(unit, law%radius, &
+               & domain%averaging%neighbours(:, i), units)
+            select type (law)
+            class is (ply_constants_type)
+               call write_bands(unit, law, band, units)
+               call write_modes(unit, law, band, units)
+               call write_snap_back(unit, law, band)
+            class is (strain_constants_type)
+               call write_strains(unit, law, band, units)
+            end select
+         end associate
       end do
    end subroutine write_damage
 
    !> The ellipse of the average over neighbours
-   subroutine write_average(unit, material, points, units)
+   subroutine write_average(unit, radius, points, units)
       integer, intent(in) :: unit
-      type(material_type), intent(in) :: material
+      !> Along the fibres and across them
+      real(wp), intent(in) :: radius(2)
       !> Fewest and most points in it
       integer, intent(in) :: points(2)
       type(units_type), intent(in) :: units
 
-      write (unit, "(2(a,es12.5),2a)") "strains averaged within ", material%radius(1), &
-         & " along the fibres and ", material%radius(2), " across them ", trim(units%length)
+      write (unit, "(2(a,es12.5),2a)") "strains averaged within ", radius(1), &
+         & " along the fibres and ", radius(2), " across them ", trim(units%length)
       write (unit, "(2(a,i0),/)") "  Gauss points in the ellipse ", points(1), " to ", points(2)
    end subroutine write_average
 
    !> Rule and widths of the crack band
-   subroutine write_bands(unit, material, band, units)
+   subroutine write_bands(unit, ply, band, units)
       integer, intent(in) :: unit
-      type(material_type), intent(in) :: material
+      class(ply_constants_type), intent(in) :: ply
       type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
-      write (unit, "(2a)") "width of the crack band       ", rule_words(material)
+      write (unit, "(2a)") "width of the crack band       ", rule_words(ply)
       write (unit, "(a,2(es12.5,a))") "  across broken fibres       ", band%narrowest(1), " to", &
          & band%widest(1), " "//trim(units%length)
       write (unit, "(a,2(es12.5,a),/)") "  across matrix cracks       ", band%narrowest(2), " to", &
@@ -75,18 +78,18 @@ contains
    end subroutine write_bands
 
    !> The rule in words
-   function rule_words(material) result(words)
-      type(material_type), intent(in) :: material
+   function rule_words(ply) result(words)
+      class(ply_constants_type), intent(in) :: ply
       character(:), allocatable :: words
 
-      if (material%ply%band_width > 0.0_wp) then
+      if (ply%band_width > 0.0_wp) then
          words = "given (LSTAR)"
          return
-      else if (material%averages()) then
+      else if (ply%averages()) then
          words = "1.4 radii of the average, or what the quad has where that is wider"
          return
       end if
-      select case (material%ply%band_rule)
+      select case (ply%band_rule)
       case (rule_gauss_point); words = "length of the Gauss point along the direction"
       case (rule_root_point); words = "root of the area of the Gauss point"
       case (rule_root_quad); words = "root of the area of the quad"
@@ -97,7 +100,7 @@ contains
    !> Strengths and strains of each mode in uniaxial stress, at the narrowest and widest band
    subroutine write_modes(unit, ply, band, units)
       integer, intent(in) :: unit
-      type(ply_constants_type), intent(in) :: ply
+      class(ply_constants_type), intent(in) :: ply
       type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
@@ -147,7 +150,7 @@ contains
    !> Share of the strength at which damage starts in uniaxial stress: 1 where the band is narrow
    !> enough, else that of the strength sqrt(2 E G/(ratio band))
    pure function early_share(ply, longest, width) result(share)
-      type(ply_constants_type), intent(in) :: ply
+      class(ply_constants_type), intent(in) :: ply
       real(wp), intent(in) :: longest, width(2)
       real(wp) :: share(2)
 
@@ -165,7 +168,7 @@ contains
 
    !> Strain at which no stress is left, likewise: where the stress drops, that of the drop
    pure real(wp) function last_share(ply, mode, share, early) result(last)
-      type(ply_constants_type), intent(in) :: ply
+      class(ply_constants_type), intent(in) :: ply
       integer, intent(in) :: mode
       !> Share where the line of softening would meet zero, and that at onset
       real(wp), intent(in) :: share, early
@@ -175,13 +178,13 @@ contains
    end function last_share
 
    !> What is done where the band is too wide
-   subroutine write_snap_back(unit, material, band)
+   subroutine write_snap_back(unit, ply, band)
       integer, intent(in) :: unit
-      type(material_type), intent(in) :: material
+      class(ply_constants_type), intent(in) :: ply
       type(crack_band_type), intent(in) :: band
 
       if (all(band%too_wide == 0)) return
-      if (material%ply%snap_back == snap_drop) then
+      if (ply%snap_back == snap_drop) then
          write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
             & //"wide the stress drops at once and more than the toughness is dissipated (SNAP 2)"
       else
@@ -194,7 +197,7 @@ contains
    !> stress at the narrowest and widest band of the mesh
    subroutine write_strains(unit, ply, band, units)
       integer, intent(in) :: unit
-      type(strain_constants_type), intent(in) :: ply
+      class(strain_constants_type), intent(in) :: ply
       type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 

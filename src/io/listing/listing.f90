@@ -158,8 +158,7 @@ contains
       z = part%bottom_offset*sum(part%plies%thickness)
       do k = 1, size(part%plies)
          associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
-            call add_ply_stiffness(material%young(1:2), material%poisson(1), material%shear(1), &
-               & ply%angle, z, z + ply%thickness, a, b, d)
+            call add_ply_stiffness(material%law, ply%angle, [z, z + ply%thickness], a, b, d)
             z = z + ply%thickness
          end associate
       end do

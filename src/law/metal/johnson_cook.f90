@@ -3,12 +3,26 @@
 !> Below the reference rate the rate does not matter.
 module plydyn_law_metal_johnson_cook
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_law, only : law_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    implicit none
    private
 
    !> Least plastic strain: keeps slopes finite
    real(wp), parameter :: least_strain = 1.0e-290_wp
+
+   !> Constants of a metal after Johnson and Cook, besides the elastic ones
+   type, public, extends(metal_constants_type) :: johnson_cook_constants_type
+      !> A: yield stress without plastic strain
+      real(wp) :: yield = 0.0_wp
+      !> B: its rise up to a plastic strain of 1; n: power of plastic strain
+      real(wp) :: factor = 0.0_wp, exponent = 1.0_wp
+      !> C: its rise with the logarithm of the rate; rate from which on it rises
+      real(wp) :: sensitivity = 0.0_wp, reference_rate = 1.0_wp
+   contains
+      procedure :: new_batch
+      procedure :: set_lane => set_lane_of_batch
+   end type johnson_cook_constants_type
 
    !> Constants of the lanes
    type, public, extends(plastic_type) :: plastic_johnson_cook_type
@@ -29,6 +43,28 @@ module plydyn_law_metal_johnson_cook
    end type plastic_johnson_cook_type
 
 contains
+
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(johnson_cook_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (plastic_johnson_cook_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its metal
+   pure subroutine set_lane_of_batch(self, lane, law)
+      class(johnson_cook_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      select type (law)
+      type is (plastic_johnson_cook_type)
+         call law%set_lane(lane, self%young(1), self%poisson(1), self%yield, self%factor, &
+            & self%exponent)
+         call law%set_rate(lane, self%sensitivity, self%reference_rate)
+      end select
+   end subroutine set_lane_of_batch
 
    !> Give a lane to this law
    pure subroutine set_lane(self, lane, young, poisson, yield, factor, power)

@@ -2,10 +2,25 @@
 !> Without hardening it is perfect plasticity.
 module plydyn_law_metal_kinematic
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    implicit none
    private
+
+   !> Constants of a metal with linear hardening, besides the elastic ones
+   type, public, extends(metal_constants_type) :: kinematic_constants_type
+      !> Yield stress without plastic strain, and slope of stress over total strain beyond it
+      real(wp) :: yield = 0.0_wp, tangent = 0.0_wp
+      !> Share of hardening that is isotropic: 1 isotropic, 0 kinematic
+      real(wp) :: isotropic = 0.0_wp
+      !> Rate at which the yield stress is doubled, 0 for none, and the power of its rise
+      !> (Cowper and Symonds)
+      real(wp) :: rate = 0.0_wp, power = 0.0_wp
+   contains
+      procedure :: new_batch
+      procedure :: set_lane => set_lane_of_batch
+   end type kinematic_constants_type
 
    !> Constants of the lanes
    type, public, extends(plastic_type) :: plastic_kinematic_type
@@ -23,6 +38,28 @@ module plydyn_law_metal_kinematic
    end type plastic_kinematic_type
 
 contains
+
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(kinematic_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (plastic_kinematic_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its metal
+   pure subroutine set_lane_of_batch(self, lane, law)
+      class(kinematic_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      select type (law)
+      type is (plastic_kinematic_type)
+         call law%set_lane(lane, self%young(1), self%poisson(1), self%yield, self%tangent, &
+            & self%isotropic)
+         if (self%rate > 0.0_wp) call law%set_rate(lane, self%rate, self%power)
+      end select
+   end subroutine set_lane_of_batch
 
    !> Give a lane to this law
    pure subroutine set_lane(self, lane, young, poisson, yield, tangent, beta)

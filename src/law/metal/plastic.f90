@@ -11,6 +11,7 @@
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
 module plydyn_law_metal_plastic
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
       & shows_plastic_strain
    implicit none
@@ -36,6 +37,12 @@ module plydyn_law_metal_plastic
    real(wp), parameter :: scant = 1.0e-3_wp
    !> Share of its upper bound under which the search does not fall by halving
    real(wp), parameter :: depth = 1.0e-6_wp
+
+   !> Constants of a metal; the yield stress is left to the material
+   type, abstract, public, extends(law_constants_type) :: metal_constants_type
+   contains
+      procedure :: shows
+   end type metal_constants_type
 
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
@@ -81,6 +88,15 @@ module plydyn_law_metal_plastic
    end interface
 
 contains
+
+   !> Scalars that the law has for the fields
+   pure function shows(self)
+      class(metal_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows([shows_plastic_strain, shows_dissipated]) = .true.
+   end function shows
 
    !> Give a lane to this law
    pure subroutine own_lane(self, lane, young, poisson, onset)

@@ -6,8 +6,9 @@
 !> outside the rates given, the nearest curve holds.
 module plydyn_law_metal_tabulated
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    use plydyn_law_metal_yield_curve, only : common_strains, stress_at, yield_curve_type
    implicit none
    private
@@ -16,6 +17,22 @@ module plydyn_law_metal_tabulated
    real(wp), parameter :: never = huge(1.0_wp)
    !> Least rate of which a logarithm is taken
    real(wp), parameter :: least_rate = 1.0e-290_wp
+
+   !> Constants of a metal with a tabulated yield stress, besides the elastic ones
+   type, public, extends(metal_constants_type) :: tabulated_constants_type
+      !> Yield stress over effective plastic strain for each of some rates that rise; one alone
+      !> holds at all rates
+      type(yield_curve_type), allocatable :: curves(:)
+      !> Between two rates their logarithm counts
+      logical :: logarithmic = .false.
+      !> Stress that rises with the rate besides (SIGY)
+      real(wp) :: yield = 0.0_wp
+      !> Rate at which that rise is one, 0 for none, and its power (Cowper and Symonds)
+      real(wp) :: rate = 0.0_wp, power = 0.0_wp
+   contains
+      procedure :: new_batch
+      procedure :: set_lane => set_lane_of_batch
+   end type tabulated_constants_type
 
    !> Curves of the lanes, as straight segments, and the way from curve to curve
    type, public, extends(plastic_type) :: plastic_curve_type
@@ -40,6 +57,29 @@ module plydyn_law_metal_tabulated
    end type plastic_curve_type
 
 contains
+
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(tabulated_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (plastic_curve_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its metal
+   pure subroutine set_lane_of_batch(self, lane, law)
+      class(tabulated_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      select type (law)
+      type is (plastic_curve_type)
+         call law%set_lane(lane, self%young(1), self%poisson(1), self%curves, self%logarithmic)
+         if (self%rate > 0.0_wp) then
+            call law%set_rate(lane, self%rate, self%power, basis=self%yield)
+         end if
+      end select
+   end subroutine set_lane_of_batch
 
    !> Give a lane to this law
    pure subroutine set_lane(self, lane, young, poisson, curves, logarithmic)

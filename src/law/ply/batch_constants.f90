@@ -43,7 +43,7 @@ contains
       !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
-      type(ply_constants_type), intent(in) :: constants
+      class(ply_constants_type), intent(in) :: constants
 
       self%own(lane) = 1.0_wp
       self%whole = all(self%own > 0.0_wp)

@@ -3,7 +3,10 @@ module plydyn_law_ply_constants
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_ply_crack_band, only : longest_length, rule_band
+   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage, &
+      & shows_matrix_damage, shows_shear_damage
+   use plydyn_law_ply_crack_band, only : longest_length, mode_names, modes, rule_band
    use plydyn_law_ply_elastic, only : is_stable
    use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
    implicit none
@@ -20,19 +23,8 @@ module plydyn_law_ply_constants
    !> stress that leaves the toughness right; refuse the mesh; let the stress drop at once
    integer, parameter, public :: snap_reduce = 1, snap_refuse = 2, snap_drop = 3
 
-   !> Uniaxial modes of failure, as they are counted and reported
-   integer, parameter, public :: modes = 5
-   character(*), parameter, public :: mode_names(modes) = [character(18) :: "fibre tension", &
-      & "fibre compression", "matrix tension", "matrix compression", "shear"]
-
-   !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
-   type, public :: ply_constants_type
-      !> E1, E2, E3
-      real(wp) :: young(3) = 0.0_wp
-      !> nu12, nu13, nu23: strain in the second direction from stress along the first
-      real(wp) :: poisson(3) = 0.0_wp
-      !> G12, G13, G23
-      real(wp) :: shear(3) = 0.0_wp
+   !> Constants of a ply that is damaged, besides the elastic ones
+   type, public, extends(law_constants_type) :: ply_constants_type
       !> Shear in the plane until the matrix cracks
       type(shear_curve_type) :: curve
       !> XT, XC; YT, YC
@@ -67,13 +59,45 @@ module plydyn_law_ply_constants
       integer :: band_rule = rule_band
       real(wp) :: band_width = 0.0_wp
    contains
+      procedure :: new_batch
+      procedure :: set_lane
+      procedure :: shows
       procedure :: check
       procedure :: longest_lengths
       procedure :: snaps_back
       procedure :: refuse_snap_back
    end type ply_constants_type
 
+   ! the law of a batch uses these constants: a submodule can use the law
+   interface
+      !> A law without lanes
+      module subroutine new_batch(self, law)
+         class(ply_constants_type), intent(in) :: self
+         !> The law
+         class(law_type), allocatable, intent(out) :: law
+      end subroutine new_batch
+
+      !> Give a lane its ply
+      pure module subroutine set_lane(self, lane, law)
+         class(ply_constants_type), intent(in) :: self
+         !> Lane, which the law owns from then on
+         integer, intent(in) :: lane
+         !> The law
+         class(law_type), intent(inout) :: law
+      end subroutine set_lane
+   end interface
+
 contains
+
+   !> Scalars that the law has for the fields
+   pure function shows(self)
+      class(ply_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows([shows_fibre_damage, shows_matrix_damage, shows_shear_damage, shows_dissipated]) &
+         & = .true.
+   end function shows
 
    !> Refuse constants that no ply has
    subroutine check(self, error)
@@ -141,7 +165,7 @@ contains
       snaps(in_compression + 1:) = length(2) > longest(in_compression + 1:)
    end function snaps_back
 
-   !> Refuse a crack band that snaps back
+   !> Refuse a crack band that snaps back, where the material asks for that
    subroutine refuse_snap_back(self, length, error)
       class(ply_constants_type), intent(in) :: self
       !> Widths of the band for broken fibres and for matrix cracks
@@ -152,6 +176,7 @@ contains
       real(wp) :: longest(modes), width
       integer :: i
 
+      if (self%snap_back /= snap_refuse) return
       longest(:) = self%longest_lengths()/self%snap_ratio
       do i = 1, modes
          width = merge(length(1), length(2), i <= in_compression)

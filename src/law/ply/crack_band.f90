@@ -19,6 +19,11 @@ module plydyn_law_ply_crack_band
    !> average dissipates, within a tenth where damage ends at 1.3 to 8 times the strain of its onset
    real(wp), parameter, public :: share_average = 1.4_wp
 
+   !> Uniaxial modes of failure, as they are counted and reported
+   integer, parameter, public :: modes = 5
+   character(*), parameter, public :: mode_names(modes) = [character(18) :: "fibre tension", &
+      & "fibre compression", "matrix tension", "matrix compression", "shear"]
+
    !> Side of the parent square
    real(wp), parameter :: parent_side = 2.0_wp
 

@@ -50,7 +50,7 @@ contains
       !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
-      type(ply_constants_type), intent(in) :: constants
+      class(ply_constants_type), intent(in) :: constants
 
       self%owns(lane) = .true.
       call self%ply%set_lane(lane, constants)

@@ -58,7 +58,7 @@ contains
       !> Lane
       integer, intent(in) :: lane
       !> Its ply
-      type(ply_constants_type), intent(in) :: constants
+      class(ply_constants_type), intent(in) :: constants
 
       real(wp) :: cross
 
@@ -93,7 +93,7 @@ contains
    pure subroutine set_far(self, lane, constants)
       class(onset_type), intent(inout) :: self
       integer, intent(in) :: lane
-      type(ply_constants_type), intent(in) :: constants
+      class(ply_constants_type), intent(in) :: constants
 
       real(wp) :: toughness, weight
 

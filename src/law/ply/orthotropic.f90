@@ -1,10 +1,19 @@
 !> The elastic law of orthotropic plies over a batch, for stacks where other layers yield or crack.
 module plydyn_law_ply_orthotropic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_elastic, only : ply_stiffness
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : law_type
+   use plydyn_law_ply_elastic, only : ply_stiffness
    implicit none
    private
+
+   !> Constants of a ply or metal that stays elastic
+   type, public, extends(law_constants_type) :: elastic_constants_type
+   contains
+      procedure :: new_batch
+      procedure :: set_lane => set_lane_of_batch
+      procedure :: is_elastic
+   end type elastic_constants_type
 
    !> Stiffness of each lane
    type, public, extends(law_type) :: orthotropic_type
@@ -16,6 +25,33 @@ module plydyn_law_ply_orthotropic
    end type orthotropic_type
 
 contains
+
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(elastic_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (orthotropic_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its material
+   pure subroutine set_lane_of_batch(self, lane, law)
+      class(elastic_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      select type (law)
+      type is (orthotropic_type)
+         call law%set_lane(lane, self%young, self%poisson, self%shear)
+      end select
+   end subroutine set_lane_of_batch
+
+   !> The stress is the stiffness times the strain
+   pure logical function is_elastic(self)
+      class(elastic_constants_type), intent(in) :: self
+
+      is_elastic = .true.
+   end function is_elastic
 
    !> Give a lane its material
    pure subroutine set_lane(self, lane, young, poisson, shear)

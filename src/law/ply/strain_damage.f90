@@ -7,8 +7,10 @@
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_damage_growth, only : least_led
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
+   use plydyn_law_ply_crack_band, only : rule_band
    use plydyn_law_ply_secant, only : secant_type
    implicit none
    private
@@ -31,13 +33,15 @@ module plydyn_law_ply_strain_damage
    !> choose between two sets of strains
    real(wp), parameter :: idle_push = 1.0e-3_wp
 
-   !> Constants of a ply, in its own axes: 1 fibre, 2 across in the plane, 3 normal
-   type, public :: strain_constants_type
-      !> E1, E2, E3; nu12, nu13, nu23; G12, G13, G23
-      real(wp) :: young(3) = 0.0_wp, poisson(3) = 0.0_wp, shear(3) = 0.0_wp
+   !> Constants of a ply, besides the elastic ones
+   type, public, extends(law_constants_type) :: strain_constants_type
       !> Equivalent strains at which each mechanism begins and is complete, in tension and in
       !> compression
       real(wp) :: onset(strain_mechanisms, 2) = 0.0_wp, finish(strain_mechanisms, 2) = 0.0_wp
+   contains
+      procedure :: new_batch
+      procedure :: set_lane => set_lane_of_batch
+      procedure :: shows
    end type strain_constants_type
 
    !> A law with the constants of the lanes
@@ -59,13 +63,44 @@ module plydyn_law_ply_strain_damage
 
 contains
 
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(strain_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (strain_damage_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its ply; widths of crack bands are for the listing only
+   pure subroutine set_lane_of_batch(self, lane, law)
+      class(strain_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      select type (law)
+      type is (strain_damage_type)
+         call law%set_lane(lane, self, rule_band)
+         if (self%averages()) call law%set_average(lane, self%radius)
+      end select
+   end subroutine set_lane_of_batch
+
+   !> Scalars that the law has for the fields
+   pure function shows(self)
+      class(strain_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows([shows_fibre_damage, shows_matrix_damage, shows_shear_damage, shows_dissipated]) &
+         & = .true.
+   end function shows
+
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane(self, lane, constants, band_rule)
       class(strain_damage_type), intent(inout) :: self
       !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
-      type(strain_constants_type), intent(in) :: constants
+      class(strain_constants_type), intent(in) :: constants
       !> Rule for the width of the band in which a crack opens, for the listing only
       integer, intent(in) :: band_rule
 
