@@ -31,6 +31,7 @@ from plydyn_pre.mesh import (
 from plydyn_pre.recipe import example_recipe, load_recipe
 from plydyn_pre.study import (
     Bricks,
+    Cluster,
     Cohesive,
     Contact,
     Control,
@@ -52,9 +53,13 @@ from plydyn_pre.study import (
     Pressure,
     Profile,
     Springs,
+    Strengths,
     Study,
     Support,
     Units,
+    clusters,
+    in_situ,
+    strengths_of,
     unused,
 )
 from plydyn_pre.version import VERSION
@@ -63,6 +68,7 @@ __version__ = VERSION
 
 __all__ = [
     "Bricks",
+    "Cluster",
     "Cohesive",
     "Contact",
     "Control",
@@ -98,13 +104,16 @@ __all__ = [
     "RecipeError",
     "Rectangle",
     "Springs",
+    "Strengths",
     "Study",
     "Support",
     "Units",
+    "clusters",
     "count",
     "deck_text",
     "example_recipe",
     "find_card",
+    "in_situ",
     "is_balanced",
     "is_symmetric",
     "library",
@@ -113,6 +122,7 @@ __all__ = [
     "parse",
     "quality",
     "sources",
+    "strengths_of",
     "unused",
     "write_deck",
 ]

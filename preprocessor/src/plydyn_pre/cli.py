@@ -18,14 +18,15 @@ from rich.text import Text
 
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck
-from plydyn_pre.errors import PreError
+from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
-from plydyn_pre.study import Study, unused
+from plydyn_pre.strength_text import is_linear, strength_lines
+from plydyn_pre.study import Study, strengths_of, unused
 from plydyn_pre.version import VERSION
 
 #: Exit code of an error in what the user wrote, as that of the solver
@@ -125,6 +126,20 @@ def layup(
     words.append("symmetric" if is_symmetric(plies) else "not symmetric")
     words.append("balanced" if is_balanced(plies) else "not balanced")
     out.print("; ".join(words), soft_wrap=True)
+
+
+@app.command()
+def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
+    """Show the in-situ strengths of the plies of a recipe, beside those of a single ply."""
+    study = load_recipe(recipe, overrides or [])
+    rows = list(strengths_of(study))
+    if not rows:
+        raise RecipeError("laminate", "no ply is of kind ply_codam2, which has strengths")
+    for line in strength_lines(rows):
+        out.print(line, markup=False, soft_wrap=True)
+    for name in sorted({cluster.material for _, cluster, ply, _ in rows if is_linear(ply)}):
+        words = "its shear is taken as linear, which overstates SL and YC; give cubic"
+        err.print(f"note: {recipe}: materials.{name}: {words}", markup=False, soft_wrap=True)
 
 
 @app.command()

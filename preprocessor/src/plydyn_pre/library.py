@@ -10,6 +10,7 @@ from importlib.resources import files
 from typing import Any
 
 from plydyn_pre.errors import PreError, RecipeError
+from plydyn_pre.notation import BETWEEN_UNLIKE
 from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table
 
@@ -109,9 +110,9 @@ def with_library(table: Table) -> Table:
     used: list[LibraryCard] = []
     changed = table | {"materials": materials}
     for key, laminate in _laminates(table):
-        joint = laminate.get("interfaces")
-        if isinstance(joint, str) and joint not in own and joint + JOINT in library():
-            laminate = laminate | {"interfaces": joint + JOINT}
+        joint = _joint(laminate, own)
+        if joint is not None:
+            laminate = laminate | {"interfaces": joint}
             changed = _put(changed, key, laminate)
         used += [library()[name] for name in _names(laminate) if name in library()]
     used += [_base(each) for each in own.values() if _base(each) is not None]
@@ -122,6 +123,27 @@ def with_library(table: Table) -> Table:
             curves = card.curve_tables(units) | changed.get("curves", {})
             changed = changed | {"curves": curves}
     return changed
+
+
+def _joint(laminate: Table, own: Table) -> str | None:
+    """What joins plies, by its full name; None where the recipe has it."""
+    words = laminate.get("interfaces")
+    if not isinstance(words, str):
+        return None
+    where = BETWEEN_UNLIKE if f" {words}".endswith(BETWEEN_UNLIKE) else ""
+    name = f" {words}".removesuffix(BETWEEN_UNLIKE).strip() if where else words
+    joints = [key for key, each in own.items() if _is_joint(each)]
+    if not name:
+        known = joints if len(joints) == 1 else [laminate.get("material")]
+        name = known[0] if isinstance(known[0], str) else ""
+    if name not in own and name + JOINT in library():
+        return name + JOINT + where
+    return name + where if where else None
+
+
+def _is_joint(material: object) -> bool:
+    """Whether a table is of a material between plies."""
+    return isinstance(material, dict) and material.get("kind") in ("springs", "cohesive")
 
 
 def _base(material: object) -> LibraryCard | None:
@@ -175,7 +197,9 @@ def _put(table: Table, key: tuple[str, ...], laminate: Table) -> Table:
 
 def _names(laminate: Table) -> list[str]:
     """Names of materials that a laminate may use."""
-    words = [laminate.get("material"), laminate.get("interfaces")]
+    joint = laminate.get("interfaces")
+    joint = joint.removesuffix(BETWEEN_UNLIKE) if isinstance(joint, str) else joint
+    words = [laminate.get("material"), joint]
     thickness = laminate.get("thickness")
     words += list(thickness) if isinstance(thickness, dict) else []
     layup = laminate.get("layup")

@@ -11,7 +11,7 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Mesh
-from plydyn_pre.study import Study
+from plydyn_pre.study import Study, with_in_situ
 from plydyn_pre.version import VERSION
 
 __all__ = ["deck_text", "write_deck"]
@@ -19,10 +19,10 @@ __all__ = ["deck_text", "write_deck"]
 
 def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     """The deck in pieces, each of some lines without the last line's end."""
-    names = Names(study, mesh)
+    names = Names(with_in_situ(study), mesh)
     check_places(names)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
-    if study.bricks is not None:
+    if names.study.bricks is not None:
         yield from bricks.brick_keywords(names)
         yield "*END"
         return

@@ -26,7 +26,8 @@ def part_keywords(names: Names) -> Iterator[str]:
         )
         yield keyword("SECTION_LAYERWISE", _section(laminate, pid), *_expansions(laminate))
         if not laminate.tied:
-            yield keyword("INTERFACE_COHESIVE", _joint(names, laminate, pid))
+            joint = _joint(names, laminate, pid)
+            yield keyword("INTERFACE_COHESIVE", *(joint | place for place in _ranges(laminate)))
 
 
 def _part(laminate: Laminate, pid: int) -> Card:
@@ -69,13 +70,24 @@ def _section(laminate: Laminate, pid: int) -> Card:
     }
 
 
+def _ranges(laminate: Laminate) -> Iterator[Card]:
+    """Ranges of the interfaces that are not tied; zeros where none is."""
+    opened = laminate.opened
+    if len(opened) == len(laminate.stack) - 1:
+        yield {"ifac1": 0, "ifac2": 0}
+        return
+    for _, group in groupby(enumerate(opened), lambda item: item[1] - item[0]):
+        places = [place for _, place in group]
+        yield {"ifac1": places[0], "ifac2": places[-1]}
+
+
 def _joint(names: Names, laminate: Laminate, pid: int) -> Card:
-    """What lies between all plies of a laminate."""
+    """What lies between plies of a laminate."""
     card = {"pid": pid, "ifac1": 0, "ifac2": 0}
-    if laminate.interfaces == "apart":
+    if laminate.joint == "apart":
         return card | {"mid": -1, "nq": 0}
-    card["mid"] = names.material(laminate.interfaces)
-    match names.study.materials[laminate.interfaces]:
+    card["mid"] = names.material(laminate.joint)
+    match names.study.materials[laminate.joint]:
         case Cohesive() as joint:
             choices = {"close": _CLOSINGS[joint.closing], "fric": joint.friction}
             return card | {"nq": _PLACES[joint.quadrature]} | choices | {"fit": _FITS[joint.fit]}

@@ -18,6 +18,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ
 from plydyn_pre.study.joints import Cohesive, Joint, Springs
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
 from plydyn_pre.study.materials import (
@@ -27,11 +28,13 @@ from plydyn_pre.study.materials import (
     PlyCodam2,
     PlyElastic,
 )
+from plydyn_pre.study.resolved import strengths_of, with_in_situ
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
 __all__ = [
     "Bricks",
+    "Cluster",
     "Cohesive",
     "Contact",
     "Control",
@@ -57,8 +60,13 @@ __all__ = [
     "Profile",
     "Springs",
     "StackPly",
+    "Strengths",
     "Study",
     "Support",
     "Units",
+    "clusters",
+    "in_situ",
+    "strengths_of",
     "unused",
+    "with_in_situ",
 ]

@@ -33,7 +33,7 @@ def check_fields(
             rule = f"{name!r} needs a ply of a material that {does}"
             filled = any(isinstance(material, kinds) for material in plies)
             require(filled, f"outputs.fields[{number}]", rule)
-    fails = any(isinstance(materials.get(each.interfaces), Cohesive) for each in laminates)
+    fails = any(isinstance(materials.get(each.joint), Cohesive) for each in laminates)
     rule = "needs interfaces of a cohesive material; leave it out"
     asked = outputs.delamination_interval is not None
     require(fails or not asked, "outputs.delamination_interval", rule)
@@ -43,7 +43,7 @@ def check_scheme(laminates: Iterable[Laminate], bricks: Bricks | None, control: 
     """Refuse a scheme without what it makes implicit."""
     if bricks is not None:
         require(control.scheme == "explicit", "control.scheme", 'bricks need "explicit"')
-    joined = any(each.interfaces not in ("tied", "apart") for each in laminates)
+    joined = any(each.opened and each.joint != "apart" for each in laminates)
     rule = "no plies are joined by an interface that could be implicit"
     require(joined or control.scheme != "implicit_interfaces", "control.scheme", rule)
 

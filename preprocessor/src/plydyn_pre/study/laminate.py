@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Literal
 
 from plydyn_pre.errors import LayupError, RecipeError, require
 from plydyn_pre.layup import parse
+from plydyn_pre.notation import BETWEEN_UNLIKE
 
 _HIGHEST_ORDER = 4
 _MOST_LAYERS = 100  # numerical layers in a ply
@@ -47,7 +49,8 @@ class Laminate:
     layers: int = 1  # numerical layers in each ply
     basis: Literal["equispaced", "gauss_lobatto"] = "equispaced"
     reference: Literal["bottom", "middle", "top"] = "middle"  # where the nodes are
-    interfaces: str = "tied"  # or "apart", or the name of a material of springs
+    interfaces: str = "tied"  # or "apart", or a material, also "NAME between unlike plies"
+    strengths: Literal["given", "in-situ"] = "given"  # of plies that are damaged
     refine: tuple[PlyRange, ...] = ()
     title: str = ""
     stack: tuple[StackPly, ...] = field(init=False, repr=False)
@@ -68,16 +71,33 @@ class Laminate:
         return {"bottom": 0.0, "middle": -0.5, "top": -1.0}[self.reference] * self.total
 
     @property
+    def joint(self) -> str:
+        """What joins plies: "tied", "apart", or the name of a material."""
+        return self.interfaces.removesuffix(BETWEEN_UNLIKE)
+
+    @property
     def tied(self) -> bool:
-        """Whether plies share the points of their faces."""
-        return self.interfaces == "tied"
+        """Whether all plies share the points of their faces."""
+        return not self.opened
+
+    @property
+    def opened(self) -> tuple[int, ...]:
+        """Interfaces whose faces have points of their own, counted from the bottom, from 1."""
+        if self.joint == "tied":
+            return ()
+        pairs = enumerate(pairwise(self.stack), start=1)
+        every = not self.interfaces.endswith(BETWEEN_UNLIKE)
+        return tuple(number for number, (a, b) in pairs if every or not is_alike(a, b))
 
     @property
     def levels(self) -> int:
         """Thickness points above a node of the plane."""
-        if self.tied:
-            return sum(ply.layers * ply.order for ply in self.stack) + 1
-        return sum(ply.layers * ply.order + 1 for ply in self.stack)
+        return sum(ply.layers * ply.order for ply in self.stack) + 1 + len(self.opened)
+
+
+def is_alike(one: StackPly, other: StackPly) -> bool:
+    """Whether two plies have the same material and fibres along the same direction."""
+    return one.material == other.material and (one.angle - other.angle) % 180.0 == 0.0
 
 
 def _check_expansion(order: int, layers: int) -> None:

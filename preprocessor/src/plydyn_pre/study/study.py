@@ -20,6 +20,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.in_situ import check_in_situ
 from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.materials import Material, PlyCodam2
@@ -56,14 +57,11 @@ class Study:
         plies = self._plies()
         for path, laminate in _laminates(self):
             for material in sorted({ply.material for ply in laminate.stack}):
-                _check_name(
-                    f"{path}.material", material, self._plies(), "a ply material", library()
-                )
+                _check_material(f"{path}.material", material, plies, "a ply material")
             springs = [name for name in self.materials if name not in plies]
             joints = [*_JOINTS, *springs]
-            _check_name(
-                f"{path}.interfaces", laminate.interfaces, joints, "a way to join plies", library()
-            )
+            _check_material(f"{path}.interfaces", laminate.joint, joints, "a way to join plies")
+            check_in_situ(path, laminate, self.materials)
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
         hit = self.contact is None or self.impactor is not None

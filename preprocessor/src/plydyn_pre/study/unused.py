@@ -35,7 +35,7 @@ def _materials(study: Study) -> set[str]:
     """Names of the materials of plies and of what joins them."""
     laminates = [*study.laminates.values(), *([study.laminate] if study.laminate else [])]
     plies = {ply.material for laminate in laminates for ply in laminate.stack}
-    return plies | {laminate.interfaces for laminate in laminates}
+    return plies | {laminate.joint for laminate in laminates}
 
 
 def _curves(study: Study) -> set[str]:

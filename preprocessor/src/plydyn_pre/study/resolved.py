@@ -1,0 +1,63 @@
+"""Studies whose plies have in-situ strengths."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ, toughnesses
+from plydyn_pre.study.laminate import Laminate
+from plydyn_pre.study.materials import Material, PlyCodam2
+from plydyn_pre.study.study import Study
+
+
+def with_in_situ(study: Study) -> Study:
+    """The study with a material of its own for each cluster, where laminates ask for it."""
+    if all(laminate.strengths == "given" for laminate in study.all_laminates):
+        return study
+    materials = dict(study.materials)
+    laminates = {name: _renamed(each, materials) for name, each in study.laminates.items()}
+    laminate = _renamed(study.laminate, materials) if study.laminate else None
+    return _changed(study, materials=materials, laminates=laminates, laminate=laminate)
+
+
+def _renamed(laminate: Laminate, materials: dict[str, Material]) -> Laminate:
+    """A laminate whose clusters have materials of their own, which are added."""
+    if laminate.strengths == "given":
+        return laminate
+    stack = list(laminate.stack)
+    for cluster in clusters(laminate):
+        ply = materials[cluster.material]
+        if not isinstance(ply, PlyCodam2):
+            continue
+        place = "outer" if cluster.outer else "embedded"
+        name = f"{cluster.material} {cluster.thickness:g} {place}"
+        exact = vars(in_situ(ply, cluster.thickness, cluster.outer))
+        strengths = {key: float(f"{value:.6g}") for key, value in exact.items()}
+        title = f"{ply.title or cluster.material} in situ {cluster.thickness:g} {place}"
+        materials[name] = replace(ply, **strengths, title=title)
+        for number in range(cluster.first - 1, cluster.last):
+            stack[number] = replace(stack[number], material=name)
+    return _changed(laminate, stack=tuple(stack))
+
+
+def _changed(thing: Any, **values: Any) -> Any:  # noqa: ANN401 - a study or a laminate
+    """A frozen thing with other values, which are not checked again."""
+    changed = copy.copy(thing)
+    for name, value in values.items():
+        object.__setattr__(changed, name, value)
+    return changed
+
+
+def strengths_of(study: Study) -> Iterator[tuple[str, Cluster, PlyCodam2, Strengths | None]]:
+    """Clusters of damaged plies with what they are made of and their in-situ strengths."""
+    named = [("", study.laminate)] if study.laminate else []
+    for part, laminate in [*named, *study.laminates.items()]:
+        for cluster in clusters(laminate):
+            ply = study.materials[cluster.material]
+            if isinstance(ply, PlyCodam2):
+                known = toughnesses(ply)[1] > 0.0
+                found = in_situ(ply, cluster.thickness, cluster.outer) if known else None
+                yield part, cluster, ply, found
