@@ -44,7 +44,7 @@ def test_strengths_are_those_of_the_published_formulae(
     ply = replace(ply, **constants)
     for outer, YT, SL in zip((False, True), tension, shear, strict=True):
         found = pre.in_situ(ply, thickness, outer)
-        # the table has four digits or the unit
+        # the table has a digit behind the point, cut or rounded, or none
         assert pytest.approx(YT, abs=0.06) == found.YT
         assert pytest.approx(SL, abs=0.5 if round(SL) == SL else 0.06) == found.SL
         assert pytest.approx(ply.YC * found.SL / ply.SL, rel=1e-12) == found.YC
