@@ -38,8 +38,14 @@ COMMANDS = {
         ["section", "--angle", "0"],
         ["numbers"],
         ["pvd"],
+        ["animate", "--plain"],
     ),
-    "interfaces.vtkhdf": (["cscan"], ["delamination"], ["section", "--angle", "30"]),
+    "interfaces.vtkhdf": (
+        ["cscan"],
+        ["delamination"],
+        ["section", "--angle", "30"],
+        ["animate", "--plain"],
+    ),
 }
 # Share of the mutants that go through a whole report
 REPORTS = 0.03
@@ -295,8 +301,8 @@ def try_mutants(folder: Path, seed: int, count: int) -> list[tuple[Mutant, str]]
         if rng.random() < REPORTS:
             command = ["report", "--plain"]
         mutant = Mutant(ending, mutate(bad / f"{JOB}.{ending}", rng), tuple(command))
-        target = output if command[0] in ("report", "pvd") else output / "made.png"
-        target = output / "made.csv" if command[0] == "numbers" else target
+        name = {"report": "", "pvd": "", "numbers": "made.csv", "animate": "made.gif"}
+        target = output / name.get(command[0], "made.png")
         code, _, errors, raised = run([command[0], str(bad / JOB), *command[1:], "-o", str(target)])
         wrong = fault(code, errors, raised)
         if wrong:

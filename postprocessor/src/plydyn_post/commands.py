@@ -17,7 +17,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
 
 # Options that must be above 0
-ABOVE_NOTHING = ("zoom", "thickness")
+ABOVE_NOTHING = ("zoom", "thickness", "rate")
 # Exit codes of the house: input that cannot be used, output that cannot be written
 INPUT, OUTPUT = 2, 5
 

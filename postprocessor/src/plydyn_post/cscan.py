@@ -112,24 +112,35 @@ def draw_cscan(
 ) -> Path:
     """Delaminated interfaces over each other, coloured by depth, as seen from the impactor."""
     scan = read_scan(results, time, whole)
-    order = list(zip(scan.state.each, scan.sheets, strict=True))
-    if not hit_from_above(scan.state.header):
-        order.reverse()
+    order = _order(scan)
     size = (WIDE, max(4.15, 1.2 + ROW * len(order)))
     with figure(1, 2, size=size, width_ratios=[1.72, 1]) as (made, (axes, side)):
-        colours = _colours(len(order))
-        draw_plate(axes, edges_of(scan.state.each[0].places))
-        for (_, sheet), colour in zip(order, colours, strict=True):
-            fill_beyond(axes, sheet, DELAMINATED, colour)
-        for (_, sheet), colour in zip(order, colours, strict=True):
-            outline_beyond(axes, sheet, DELAMINATED, "white", 1.5)
-            outline_beyond(axes, sheet, DELAMINATED, colour, 1.0)
-        mark_impact(axes, scan.middle)
-        look_from_above(axes, scan.middle, scan.half)
-        scale_bar(axes, scan.middle, scan.half, scan.state.header.units.get("length", ""))
+        draw_map(axes, scan)
         side.set_axis_off()
-        _legend(results, side, scan, [one for one, _ in order][::-1], colours[::-1])
+        near_first = [scan.state.each[place] for place in order[::-1]]
+        _legend(results, side, scan, near_first, _colours(len(order))[::-1])
         return save(made, path)
+
+
+def _order(scan: Scan) -> list[int]:
+    """Places of the interfaces, from the far one to the near one as seen from the impactor."""
+    order = list(range(len(scan.state.each)))
+    return order if hit_from_above(scan.state.header) else order[::-1]
+
+
+def draw_map(axes: Axes, scan: Scan) -> None:
+    """Delaminated interfaces over each other, the near ones on top."""
+    order = _order(scan)
+    colours = _colours(len(order))
+    draw_plate(axes, edges_of(scan.state.each[0].places))
+    for place, colour in zip(order, colours, strict=True):
+        fill_beyond(axes, scan.sheets[place], DELAMINATED, colour)
+    for place, colour in zip(order, colours, strict=True):
+        outline_beyond(axes, scan.sheets[place], DELAMINATED, "white", 1.5)
+        outline_beyond(axes, scan.sheets[place], DELAMINATED, colour, 1.0)
+    mark_impact(axes, scan.middle)
+    look_from_above(axes, scan.middle, scan.half)
+    scale_bar(axes, scan.middle, scan.half, scan.state.header.units.get("length", ""))
 
 
 def _colours(count: int) -> list[tuple[float, ...]]:

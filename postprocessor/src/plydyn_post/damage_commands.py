@@ -6,6 +6,7 @@ from typing import Annotated
 
 import typer
 
+from plydyn_post.animation import draw_animation, quantity_of
 from plydyn_post.commands import (
     Job,
     Mirror,
@@ -15,12 +16,15 @@ from plydyn_post.commands import (
     app,
     beside,
     console,
+    progress,
     tells_errors,
 )
 from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.dissipation import draw_areas, draw_dissipation
+from plydyn_post.grid import read_times
 from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
 from plydyn_post.results import open_results
+from plydyn_post.scene import Wish
 from plydyn_post.section import draw_section
 
 Mechanisms = Annotated[
@@ -106,3 +110,29 @@ def dissipation(job: Job, output: Output = None) -> None:
     found = open_results(job)
     path = output or beside(found, "dissipation.png")
     console.print(str(draw_dissipation(found, path)), markup=False)
+
+
+@app.command()
+@tells_errors
+def animate(
+    job: Job,
+    output: Output = None,
+    show: Annotated[
+        str | None, typer.Option("--show", help="What colours show, as in picture.")
+    ] = None,
+    cut: Annotated[bool, typer.Option(help="Cut a quarter away.")] = True,
+    zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 2.0,
+    limits: Annotated[
+        tuple[float, float] | None, typer.Option("--limits", help="Ends of the colour bar.")
+    ] = None,
+    rate: Annotated[float | None, typer.Option("--rate", help="Frames a second.")] = None,
+    mirror: Mirror = "auto",
+    plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
+) -> None:
+    """The impact as a GIF or an MP4 with its frames as PNG: plate, delamination and force."""
+    found = open_results(job, mirror)
+    wish = Wish(show or quantity_of(found), cut=cut, zoom=zoom, mesh=False, limits=limits)
+    with progress(len(read_times(found.fields))) as tick:
+        path = output or beside(found, "impact.gif")
+        made = draw_animation(found, path, wish, plain, rate, tick)
+    console.print(str(made), markup=False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -31,17 +33,28 @@ def draw_picture(
     """Draw a job; by matplotlib if asked for, or where VTK cannot draw."""
     scene = make_scene(results, wish or Wish())
     camera = camera_for(scene, *view)
+    with compose(results, scene, camera, None if plain else offscreen.window()) as made:
+        return save(made, path)
+
+
+@contextmanager
+def compose(
+    results: Results, scene: Scene, camera: Camera, window: str | None, below: float = 0.0
+) -> Iterator[Figure]:
+    """A figure with a scene, its colour bar, directions and words, and room below, inches."""
     wide = WIDE - BAR
     high = wide * camera.aspect
-    with figure(size=(WIDE, high + WORDS), layout="none") as (made, axes):
-        share, lowest = wide / WIDE, WORDS / (high + WORDS)
+    whole = high + WORDS + below
+    with figure(size=(WIDE, whole), layout="none") as (made, axes):
+        share, lowest = wide / WIDE, (WORDS + below) / whole
         axes.set_position([0, lowest, share, 1 - lowest])
-        _draw_scene(axes, scene, camera, None if plain else offscreen.window())
+        _draw_scene(axes, scene, camera, window)
         _draw_directions(made, camera, share, lowest)
         _draw_bar(made, scene, share, lowest)
-        made.text(0.015, 0.3 * lowest, scene.words, fontsize=8.5, va="bottom")
+        words = (below + 0.3 * WORDS) / whole
+        made.text(0.015, words, scene.words, fontsize=8.5, va="bottom")
         made.text(0.015, 0.985, literal(results.job), fontsize=8.5, va="top")
-        return save(made, path)
+        yield made
 
 
 def _draw_scene(axes: Axes, scene: Scene, camera: Camera, window: str | None) -> None:

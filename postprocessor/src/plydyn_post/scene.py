@@ -61,6 +61,8 @@ class Scene:
     ply_height: float  # as drawn
     middle: np.ndarray  # (3,) where a zoom leads to
     zoom: float
+    factor: float  # of the displacement
+    thickness: float  # factor of the thickness
 
 
 @dataclass(frozen=True)
@@ -122,6 +124,8 @@ def make_scene(results: Results, wish: Wish) -> Scene:
         ply_height=magnified.thickness * float(np.ptp(state.points[:, 2])) / plies,
         middle=magnified.place(_below(state.points, _middle(state), 1.0)),
         zoom=wish.zoom,
+        factor=magnified.factor,
+        thickness=magnified.thickness,
     )
 
 
