@@ -1,7 +1,6 @@
 !> The words on the command line.
 module plydyn_command
-   use plydyn_base_error, only : error_type, exit_output, exit_usage, fail
-   use plydyn_base_files, only : is_same_path
+   use plydyn_base_error, only : error_type, exit_usage, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case, text
    implicit none
@@ -35,6 +34,8 @@ module plydyn_command
       character(:), allocatable :: restart
       !> Path of the results without endings; empty for the one in the restart file
       character(:), allocatable :: job
+      !> Folder to make for the results; empty where nothing is said
+      character(:), allocatable :: folder
       !> Numbers for parameters, as in `velocity=3.0`, each with a line feed
       character(:), allocatable :: parameters
       !> Seconds on the wall that the run may take
@@ -62,6 +63,7 @@ contains
 
       command%action = ""
       command%deck = ""
+      command%folder = ""
       command%job = ""
       command%keyword = ""
       command%restart = ""
@@ -123,10 +125,13 @@ contains
    pure real(wp) function seconds_of(word) result(seconds)
       character(*), intent(in) :: word
 
-      integer :: begin, colon, status
+      !> Most colons
+      integer, parameter :: most_colons = 2
+      integer :: begin, colon, i, status
       real(wp) :: part
 
       seconds = 0.0_wp
+      if (count([(word(i:i) == ":", i=1, len(word))]) > most_colons) return
       begin = 1
       do
          colon = index(word(begin:)//":", ":")
@@ -221,8 +226,7 @@ contains
          if (len(command%deck) == 0) then
             call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
          else
-            call name_job(command%deck, folder, command, error)
-            call check_results(command, error)
+            call name_job(command%deck, folder, command)
          end if
       case ("restart")
          if (len(command%restart) == 0) then
@@ -231,7 +235,7 @@ contains
             call fail(error, exit_usage, "-p belongs to run: a restart keeps the parameters that " &
                & //"the run began with")
          else if (len(command%job) > 0 .or. len(folder) > 0) then
-            call name_job(command%restart, folder, command, error)
+            call name_job(command%restart, folder, command)
          end if
       case default
          if (len(command%deck) > 0) then
@@ -244,16 +248,14 @@ contains
    end subroutine finish
 
    !> Path of the results
-   subroutine name_job(path, folder, command, error)
+   subroutine name_job(path, folder, command)
       !> Path of the deck or restart file
       character(*), intent(in) :: path
       !> Folder of the results, empty for the current one
       character(*), intent(in) :: folder
       type(command_type), intent(inout) :: command
-      type(error_type), allocatable, intent(out) :: error
 
       integer :: first, last
-      logical :: exists
 
       if (len(command%job) == 0) then
          first = index(path, "/", back=.true.) + 1
@@ -262,28 +264,8 @@ contains
          command%job = path(first:last)
       end if
       if (len(folder) == 0) return
-      inquire (file=folder//"/.", exist=exists)
-      if (.not. exists) call fail(error, exit_output, "there is no folder "//folder)
+      command%folder = folder
       command%job = folder//"/"//command%job
    end subroutine name_job
-
-   !> No result is to replace the deck
-   subroutine check_results(command, error)
-      type(command_type), intent(in) :: command
-      type(error_type), allocatable, intent(inout) :: error
-
-      character(*), parameter :: endings(9) = [character(18) :: ".out", ".energy.csv", &
-         & ".delamination.csv", ".impactor_1.csv", ".nodes.csv", ".profile_1.csv", &
-         & ".supports.csv", ".vtkhdf", ".interfaces.vtkhdf"]
-      integer :: i
-
-      if (allocated(error) .or. command%action == "check") return
-      do i = 1, size(endings)
-         if (.not. is_same_path(command%deck, command%job//trim(endings(i)))) cycle
-         call fail(error, exit_usage, "results of the job would replace its deck " &
-            & //command%deck//": the job needs another name, as in -j JOB")
-         return
-      end do
-   end subroutine check_results
 
 end module plydyn_command

@@ -1,7 +1,8 @@
 !> plydyn: read, build, run, stop. The only place that prints errors and ends the program.
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
-   use plydyn_base_error, only : error_type, exit_normal, exit_output
+   use plydyn_base_error, only : error_type, exit_normal, exit_output, fail
+   use plydyn_base_file_identity, only : make_folder
    use plydyn_base_files, only : is_same_path
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
@@ -11,6 +12,7 @@ program plydyn
    use plydyn_model_model, only : model_type
    use plydyn_model_control, only : changes_type
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
+   use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_listing, only : write_listing, write_restart
    use plydyn_io_checkpoint_file_positions, only : new_file_positions
@@ -81,7 +83,7 @@ contains
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
          return
       end if
-      if (comm%is_root()) call create_text(job%path//".out", job%listing, error)
+      if (comm%is_root()) call begin_results(command, job, error)
       call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call list(job%listing, command%deck, messages, seconds, parts)
@@ -125,7 +127,7 @@ contains
          return
       end if
       job%start_time = parts%state%time
-      if (comm%is_root()) call append_to(job%path//".out", job%listing, error)
+      if (comm%is_root()) call begin_results(command, job, error)
       call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
@@ -151,6 +153,31 @@ contains
       ! from now on, though nothing can be kept before the first step
       if (command%action /= "check") call catch_signals()
    end subroutine begin_job
+
+   !> Open the listing, the first of the results, once it is sure that none replaces an input
+   subroutine begin_results(command, job, error)
+      type(command_type), intent(in) :: command
+      !> The job with its decks; gets the unit of the listing
+      type(job_type), intent(inout) :: job
+      !> An input would be lost, or the listing cannot be opened
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: good
+
+      call check_inputs(job, command%restart, error)
+      if (allocated(error)) return
+      if (len(command%folder) > 0) then
+         call make_folder(command%folder, good)
+         if (.not. good) call fail(error, exit_output, "cannot make the folder "//command%folder)
+         if (.not. good) return
+      end if
+      if (command%action == "restart") then
+         call spare_restart(command%restart, job)
+         call append_to(job%path//".out", job%listing, error)
+      else
+         call create_text(job%path//".out", job%listing, error)
+      end if
+   end subroutine begin_results
 
    !> Let the results of a restart go to files of their own, which begin there, unless these are the
    !> files of the restart: then they go on

@@ -47,10 +47,10 @@ def said(*words: object) -> tuple[int, str]:
         (["run", DECK, "-p", "sped=1"], INPUT, "has no such parameter"),
         (["check", DECK, "-p", "speed=fast"], INPUT, "as in -p velocity=3.0"),
         (["run", "check", DECK], USAGE, "cannot go together"),
-        (["run", "plate.out"], USAGE, "results of the job would replace its deck plate.out"),
+        (["run", DECK, "--wall-time", "1:2:3:4"], USAGE, "hours, minutes and seconds"),
         (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
         (["check", Path(__file__).parent], INPUT, "cannot be read"),
-        (["run", DECK, "-o", "no/such/folder"], OUTPUT, "there is no folder no/such/folder"),
+        (["run", DECK, "-o", DECK / "folder"], OUTPUT, "cannot make the folder"),
         (["run", DECK, "-o", "/proc"], OUTPUT, "cannot create /proc/deck.out"),
     ],
     ids=lambda value: " ".join(str(v) for v in value) if isinstance(value, list) else "",
@@ -68,6 +68,15 @@ def test_words_of_other_codes(tmp_path: Path) -> None:
     assert code == NORMAL, text
     assert (tmp_path / "other.vtkhdf").exists()
     assert f"normal end, results in {tmp_path / 'other'}.*" in text
+
+
+def test_folder_of_results_is_made(tmp_path: Path) -> None:
+    """With those above it; a check makes none."""
+    assert said("check", DECK, "-o", tmp_path / "none")[0] == NORMAL
+    assert not (tmp_path / "none").exists()
+    code, text = said("run", DECK, "-o", tmp_path / "one" / "two")
+    assert code == NORMAL, text
+    assert (tmp_path / "one" / "two" / "deck.vtkhdf").exists()
 
 
 def test_deck_comes_through_a_pipe(tmp_path: Path) -> None:

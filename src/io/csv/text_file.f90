@@ -6,7 +6,9 @@
 module plydyn_io_csv_text_file
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
-   use plydyn_base_files, only : cut_file
+   use plydyn_base_file_identity, only : file_identity_type, identity_of, link_file, no_file, &
+      & regular_file
+   use plydyn_base_files, only : cut_file, remove_file
    implicit none
    private
 
@@ -27,10 +29,39 @@ contains
       character(256) :: reason
       integer :: status
 
+      call take_name(path, error)
+      if (allocated(error)) return
       open (newunit=unit, file=path, status="replace", action="write", access="stream", &
          & form="formatted", iostat=status, iomsg=reason)
       if (status /= 0) call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
    end subroutine create_text
+
+   !> Make sure that what is written under a name goes to no other file: a link is removed, so is
+   !> one of several names of a file
+   subroutine take_name(path, error)
+      !> Path of a file to be created
+      character(*), intent(in) :: path
+      !> Why the name cannot be had
+      type(error_type), allocatable, intent(out) :: error
+
+      type(file_identity_type) :: identity
+
+      identity = identity_of(path, follow=.false.)
+      select case (identity%kind)
+      case (no_file)
+         return
+      case (link_file)
+      case (regular_file)
+         if (identity%links == 1) return
+      case default
+         call fail(error, exit_output, "cannot create "//path//": it is there and no regular file")
+         return
+      end select
+      call remove_file(path)
+      identity = identity_of(path, follow=.false.)
+      if (identity%kind /= no_file) call fail(error, exit_output, "cannot create "//path//": it " &
+         & //"is a link, which cannot be removed")
+   end subroutine take_name
 
    !> Fortran's own opening tells why a path is no good, in words
    subroutine try_text(path, error)
@@ -42,6 +73,8 @@ contains
       character(256) :: reason
       integer :: unit, status
 
+      call take_name(path, error)
+      if (allocated(error)) return
       open (newunit=unit, file=path, action="readwrite", iostat=status, iomsg=reason)
       if (status /= 0) then
          call fail(error, exit_output, "cannot create "//path//": "//trim(reason))
@@ -82,6 +115,8 @@ contains
       integer :: status, unit
       logical :: good
 
+      call refuse_link(path, error)
+      if (allocated(error)) return
       open (newunit=unit, file=path, status="old", action="readwrite", access="stream", &
          & form="formatted", iostat=status)
       if (status /= 0) then
@@ -131,10 +166,26 @@ contains
       character(256) :: reason
       integer :: status
 
+      call refuse_link(path, error)
+      if (allocated(error)) return
       open (newunit=unit, file=path, status="unknown", position="append", action="write", &
          & access="stream", form="formatted", iostat=status, iomsg=reason)
       if (status /= 0) call fail(error, exit_output, "cannot go on with "//path//": "//trim(reason))
    end subroutine append_to
+
+   !> Refuse to go on with a file through a link to it
+   subroutine refuse_link(path, error)
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> It is a link
+      type(error_type), allocatable, intent(out) :: error
+
+      type(file_identity_type) :: identity
+
+      identity = identity_of(path, follow=.false.)
+      if (identity%kind == link_file) call fail(error, exit_output, "cannot go on with "//path &
+         & //": it must be a file, and is a link")
+   end subroutine refuse_link
 
    !> Put all lines written so far on the disk, and see that they are there
    subroutine secure_text(path, unit, error)
