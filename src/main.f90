@@ -15,18 +15,19 @@ program plydyn
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_listing, only : write_listing, write_restart
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions
+   use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_listing_ranks, only : write_ranks
    use plydyn_io_checkpoint_broadcast_job, only : broadcast_job
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_broadcast_archive, only : broadcast_archive
-   use plydyn_run_loop, only : run, seconds_per_step
-   use plydyn_run_output_manager, only : output_manager_type
+   use plydyn_method_observer, only : observers_type
+   use plydyn_run_loop, only : run
+   use plydyn_run_observers, only : make_observers
    use plydyn_run_restart, only : resume
    use plydyn_run_setup, only : run_type, set_up
    use plydyn_run_threads, only : choose_threads, set_threads
-   use plydyn_run_run_control, only : run_control_type
+   use plydyn_run_step_cost, only : seconds_per_step
    use plydyn_version, only : build_text, version
    implicit none
 
@@ -259,25 +260,17 @@ contains
       type(run_type), intent(inout) :: parts
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: words
       type(error_type), allocatable :: close_error
-      type(output_manager_type) :: journal
-      type(run_control_type) :: run_control
+      type(observers_type) :: observers
 
       call broadcast_job(comm, job)
-      associate (model => parts%model, domain => parts%domain, state => parts%state)
-         call run_control%start(comm, job, model%request, most_seconds)
-         call journal%open(job, model, domain, parts%state_parts, error)
+      associate (domain => parts%domain, contacts => parts%contacts, state => parts%state)
+         call make_observers(job, parts, most_seconds, observers, error)
          if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
-            call journal%begin(domain, state, error)
+            call observers%begin(domain, contacts, state, error)
          end if
-         if (.not. allocated(error)) call run(domain, parts%contacts, state, journal, &
-            & run_control, error)
-         call journal%close(close_error)
-         if (.not. allocated(error)) call move_alloc(close_error, error)
-         words = "normal end"
-         if (allocated(error)) words = error%message
-         call journal%write_end(job%listing, model, domain, state, words)
+         if (.not. allocated(error)) call run(domain, contacts, state, observers, error)
+         call observers%close(domain, state, error)
       end associate
       if (.not. comm%is_root()) return
       if (.not. allocated(error)) then

@@ -24,7 +24,17 @@ module plydyn_base_exact_sum
    integer(int64), parameter :: fraction_mask = 2_int64**fraction_bits - 1_int64
    integer(int64), parameter :: hidden_bit = 2_int64**fraction_bits
 
-   !> Some sums
+   !> One sum
+   type, public :: exact_sum_type
+      !> Limbs from the lowest up; in front, at 0, how many terms were too large or not numbers.
+      !> The sum of parts is the sum of their limbs
+      integer(int64) :: limb(0:limbs) = 0_int64
+   contains
+      procedure :: add => add_term
+      procedure :: value => value_of_sum
+   end type exact_sum_type
+
+   !> Sums with an index
    type, public :: exact_sums_type
       !> Limbs from the lowest up; before them, in row 0, how many terms were too large or no
       !> numbers, (0:limbs, sums). Sums of parts are sums of these
@@ -61,6 +71,23 @@ contains
       !> The term
       real(wp), intent(in) :: term
 
+      call add_to_limbs(self%limb(:, k), term)
+   end subroutine add
+
+   !> Add a term
+   pure subroutine add_term(self, term)
+      class(exact_sum_type), intent(inout) :: self
+      !> The term
+      real(wp), intent(in) :: term
+
+      call add_to_limbs(self%limb, term)
+   end subroutine add_term
+
+   !> Add a term to the limbs of a sum
+   pure subroutine add_to_limbs(limb, term)
+      integer(int64), intent(inout) :: limb(0:limbs)
+      real(wp), intent(in) :: term
+
       integer(int64) :: bits, high, low, sign_of
       integer :: first, place
 
@@ -70,7 +97,7 @@ contains
       if (place < 0) return
       first = place/limb_bits + 1
       if (first > limbs - 2) then
-         self%limb(0, k) = self%limb(0, k) + 1_int64
+         limb(0) = limb(0) + 1_int64
          return
       end if
       sign_of = merge(-1_int64, 1_int64, bits < 0_int64)
@@ -78,12 +105,10 @@ contains
       place = mod(place, limb_bits)
       low = shiftl(iand(bits, limb_mask), place)
       high = shiftl(shiftr(bits, limb_bits), place) + shiftr(low, limb_bits)
-      associate (limb => self%limb)
-         limb(first, k) = limb(first, k) + sign_of*iand(low, limb_mask)
-         limb(first + 1, k) = limb(first + 1, k) + sign_of*iand(high, limb_mask)
-         limb(first + 2, k) = limb(first + 2, k) + sign_of*shiftr(high, limb_bits)
-      end associate
-   end subroutine add
+      limb(first) = limb(first) + sign_of*iand(low, limb_mask)
+      limb(first + 1) = limb(first + 1) + sign_of*iand(high, limb_mask)
+      limb(first + 2) = limb(first + 2) + sign_of*shiftr(high, limb_bits)
+   end subroutine add_to_limbs
 
    !> A sum, to the last bit but one; not a number where a term was none
    pure real(wp) function value(self, k)
@@ -91,24 +116,38 @@ contains
       !> Which sum
       integer, intent(in) :: k
 
+      value = value_of_limbs(self%limb(:, k))
+   end function value
+
+   !> The sum, to the last bit but one; not a number where a term was none
+   pure real(wp) function value_of_sum(self) result(value)
+      class(exact_sum_type), intent(in) :: self
+
+      value = value_of_limbs(self%limb)
+   end function value_of_sum
+
+   !> The number that the limbs of a sum stand for
+   pure real(wp) function value_of_limbs(limb) result(value)
+      integer(int64), intent(in) :: limb(0:limbs)
+
       real(wp), parameter :: limb_size = 2.0_wp**limb_bits
       integer(int64) :: digit(-1:limbs)
       integer :: first, top
 
-      if (self%limb(0, k) /= 0_int64) then
+      if (limb(0) /= 0_int64) then
          value = ieee_value(value, ieee_quiet_nan)
          return
       end if
-      call find_ends(self%limb(1:, k), first, top)
+      call find_ends(limb(1:), first, top)
       value = 0.0_wp
       if (top == 0) return
       digit(first - 2:first - 1) = 0_int64
-      digit(first:top) = self%limb(first:top, k)
+      digit(first:top) = limb(first:top)
       call carry(digit(first:top))
       value = 1.0_wp
       if (digit(top) < 0_int64) then
          value = -1.0_wp
-         digit(first:top) = -self%limb(first:top, k)
+         digit(first:top) = -limb(first:top)
          call carry(digit(first:top))
       end if
       do top = top, first + 1, -1
@@ -117,7 +156,7 @@ contains
       ! of three limbs at least 65 bits are there
       value = value*scale((real(digit(top), wp)*limb_size + real(digit(top - 1), wp))*limb_size &
          & + real(digit(top - 2), wp), limb_bits*(top - 3) + lowest)
-   end function value
+   end function value_of_limbs
 
    !> The lowest limb that is not zero, and the one that the highest may carry into; none where all
    !> are zero

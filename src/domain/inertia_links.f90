@@ -1,6 +1,6 @@
 !> Inertia of the relative motion of two points.
 module plydyn_domain_inertia_links
-   use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -20,22 +20,21 @@ module plydyn_domain_inertia_links
 contains
 
    !> Add the kinetic energy of all links, times a factor, to a sum
-   pure subroutine count_energy(self, velocity, factor, tally, k)
+   pure subroutine count_energy(self, velocity, factor, sum)
       class(inertia_links_type), intent(in) :: self
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
       !> The factor
       real(wp), intent(in) :: factor
-      !> The sums, and which of them
-      type(exact_sums_type), intent(inout) :: tally
-      integer, intent(in) :: k
+      !> The sum
+      type(exact_sum_type), intent(inout) :: sum
 
       integer :: i
 
       do i = 1, size(self%inertia)
          if (.not. self%own(i)) cycle
          associate (first => velocity(self%place(1, i)), second => velocity(self%place(2, i)))
-            call tally%add(k, 0.5_wp*factor*self%inertia(i)*(second - first)**2)
+            call sum%add(0.5_wp*factor*self%inertia(i)*(second - first)**2)
          end associate
       end do
    end subroutine count_energy

@@ -2,7 +2,7 @@
 module plydyn_io_job
    use plydyn_base_archive, only : archive_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
+   use plydyn_state_file_positions, only : file_positions_type
    implicit none
    private
 

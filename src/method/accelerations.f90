@@ -1,170 +1,174 @@
 !> Accelerations: forces of plies, interfaces and loads over the masses (the paper's eq. 6).
 module plydyn_method_accelerations
-   use omp_lib, only : omp_get_thread_num
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_thread_team, only : thread_team_type, inner, new_thread_team
-   use plydyn_method_forces, only : add_borders, add_loads, await_forces, find_internal_forces, &
-      & make_chunk_forces, make_outer_forces, push_messages_on
-   use plydyn_method_central_difference, only : accelerate, accelerate_chunk, count_sums
-   use plydyn_method_supports, only : hold_points, hold_supports, resist_columns
+   use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
+   use plydyn_method_forces, only : add_borders, add_external_power, add_loads, await_forces, &
+      & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
+   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_supports, only : add_held_inertia, hold_points, hold_supports
+   use plydyn_method_workspace, only : new_workspace, workspace_type
+   use plydyn_parallel_thread_team, only : inner
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: begin_accelerations, can_go_ahead, count_accelerations, find_accelerations
+   public :: add_motion_sums, begin_accelerations, can_predict, update_accelerations
 
 contains
 
-   !> Accelerations before the first step, or after one that was made before
-   subroutine begin_accelerations(domain, state)
+   !> Accelerations at the time of a state, by threads of their own
+   subroutine begin_accelerations(domain, state, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Accelerations, and what is counted of them
+      !> Accelerations
       type(state_type), intent(inout) :: state
+      !> Sums over all points
+      type(global_reduction_type), intent(out) :: reduction
 
-      type(thread_team_type) :: team
+      type(workspace_type) :: work
 
-      call new_thread_team(domain, team)
+      call new_workspace(domain, state, work)
       !$omp parallel default(shared)
-      call find_accelerations(domain, team, state%step_before, state)
+      call update_accelerations(domain, work, state)
       !$omp end parallel
-      call count_accelerations(domain, state)
+      call add_motion_sums(domain, work, state, reduction)
+      call reduction%sum(domain%comm)
    end subroutine begin_accelerations
 
-   !> Whether a chunk has all that its points need, once the forces of its own are there
-   pure logical function can_go_ahead(domain)
+   !> Whether the accelerations of a chunk follow from forces of chunks alone, so that its motion
+   !> over the next step may be computed with them
+   pure logical function can_predict(domain)
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      can_go_ahead = size(domain%loads) + size(domain%supports%motions) &
+      can_predict = size(domain%loads) + size(domain%supports%motions) &
          & + size(domain%inertia%far_ties) == 0
-   end function can_go_ahead
+   end function can_predict
 
-   !> Accelerations of all points, by all threads together
-   subroutine find_accelerations(domain, team, step, state)
+   !> Accelerations of all points at the end of a step. All threads come here together
+   subroutine update_accelerations(domain, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The threads, which have begun
-      type(thread_team_type), intent(inout) :: team
-      !> The step just made
-      real(wp), intent(in) :: step
-      !> Accelerations, and the sums over the points of each chunk
+      !> The threads; gets the sums over the points of each chunk
+      type(workspace_type), intent(inout) :: work
+      !> Accelerations, histories and forces of supports
       type(state_type), intent(inout) :: state
 
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
-         if (can_go_ahead(domain)) then
-            call make_outer_forces(domain, team, step, u, v, state%history, force)
-            call make_and_move(domain, team, step, state)
-            call await_forces(domain, team, force)
-            call move_rest(domain, team, step, state)
+         if (can_predict(domain)) then
+            call make_outer_forces(domain, work%team, work%step, u, v, state%history, force)
+            call update_while_forces_come(domain, work, state)
+            call await_forces(domain, work%team, force)
+            call update_remaining(domain, work, state)
          else
-            call find_internal_forces(domain, team, step, u, v, state%history, force)
-            call add_loads(domain, state%time, state%load_factor, force)
-            call hold_supports(domain, state%time, force, state%support_force)
-            call accelerate(domain, step, state)
+            call find_internal_forces(domain, work%team, work%step, u, v, state%history, force)
+            call add_loads(domain, work%time, state%load_factor, force)
+            call hold_supports(domain, work%time, force, state%support_force)
+            call apply_masses(domain, work, state)
          end if
       end associate
-   end subroutine find_accelerations
+   end subroutine update_accelerations
 
-   !> Forces of chunks, and after each the motion of those of this thread that now have all theirs,
-   !> while these are in the cache
-   subroutine make_and_move(domain, team, step, state)
+   !> Forces of chunks; after each of them, the accelerations of chunks of this thread that now have
+   !> all their forces, while these are in the cache
+   subroutine update_while_forces_come(domain, work, state)
       type(domain_type), intent(in) :: domain
-      type(thread_team_type), intent(inout) :: team
-      real(wp), intent(in) :: step
+      type(workspace_type), intent(inout) :: work
       type(state_type), intent(inout) :: state
 
-      integer :: chunk, place
-      logical :: is_moved
+      integer :: chunk, next
+      logical :: is_updated
 
-      place = 1
+      next = 1
       associate (u => state%displacement, v => state%velocity, force => state%acceleration)
          do
-            chunk = team%take(inner)
+            chunk = work%team%take(inner)
             if (chunk == 0) exit
-            call make_chunk_forces(domain, team, chunk, step, u, v, state%history, force)
-            call push_messages_on(domain, team, force)
+            call make_chunk_forces(domain, work%team, chunk, work%step, u, v, state%history, force)
+            call progress_messages(domain, work%team, force)
             do
-               call move_ahead(domain, team, place, step, state, is_moved)
-               if (.not. is_moved) exit
-               place = place + 1
+               call try_update(domain, work, next, state, is_updated)
+               if (.not. is_updated) exit
+               next = next + 1
             end do
          end do
       end associate
-      ! whatever else has its forces, while the other threads make theirs
-      do while (team%movers%own(omp_get_thread_num(), place) > 0)
-         call move_ahead(domain, team, place, step, state, is_moved)
-         place = place + 1
+      ! other chunks that have their forces, while the other threads compute the last ones
+      do while (work%team%own_chunk(next) > 0)
+         call try_update(domain, work, next, state, is_updated)
+         next = next + 1
       end do
-   end subroutine make_and_move
+   end subroutine update_while_forces_come
 
-   !> Move a chunk of this thread ahead of the others, if there is one with all its forces
-   subroutine move_ahead(domain, team, place, step, state, is_moved)
+   !> Update a chunk of this thread, if there is one with all its forces
+   subroutine try_update(domain, work, number, state, is_updated)
       type(domain_type), intent(in) :: domain
-      type(thread_team_type), intent(inout) :: team
-      !> Its place among those of this thread
-      integer, intent(in) :: place
-      real(wp), intent(in) :: step
+      type(workspace_type), intent(inout) :: work
+      !> Which of the chunks of this thread
+      integer, intent(in) :: number
       type(state_type), intent(inout) :: state
-      !> Whether it is moved
-      logical, intent(out) :: is_moved
+      !> Whether it is updated
+      logical, intent(out) :: is_updated
 
       integer :: chunk
 
-      is_moved = .false.
-      ! contact asks where points are that it may not push in the end
-      if (.not. team%has_opened()) return
-      chunk = team%movers%own(omp_get_thread_num(), place)
+      is_updated = .false.
+      ! contact reads positions of points that it does not move
+      if (.not. work%team%contact_is_done()) return
+      chunk = work%team%own_chunk(number)
       if (chunk == 0) return
-      is_moved = team%has_forces(domain%chunks%list(chunk)%contributors)
-      if (.not. is_moved) return
-      call move_chunk(domain, chunk, step, state)
-      call team%note_moved(chunk)
-   end subroutine move_ahead
+      is_updated = work%team%has_forces(domain%chunks%list(chunk)%contributors)
+      if (.not. is_updated) return
+      call update_chunk(domain, chunk, work, state)
+      call work%team%note_update(chunk)
+   end subroutine try_update
 
-   !> All other chunks, whoever takes them
-   subroutine move_rest(domain, team, step, state)
+   !> Update all other chunks, by any thread
+   subroutine update_remaining(domain, work, state)
       type(domain_type), intent(in) :: domain
-      type(thread_team_type), intent(inout) :: team
-      real(wp), intent(in) :: step
+      type(workspace_type), intent(inout) :: work
       type(state_type), intent(inout) :: state
 
       integer :: chunk
 
       do
-         chunk = team%movers%take(omp_get_thread_num(), .true.)
+         chunk = work%team%take_update()
          if (chunk == 0) exit
-         if (team%has_moved(chunk)) cycle
-         call move_chunk(domain, chunk, step, state)
+         if (work%team%has_update(chunk)) cycle
+         call update_chunk(domain, chunk, work, state)
       end do
-   end subroutine move_rest
+   end subroutine update_remaining
 
-   !> Accelerations of the points that move with a chunk; when nobody looks at them, also the motion
-   !> over the next step
-   pure subroutine move_chunk(domain, number, step, state)
+   !> Accelerations of the points that move with a chunk
+   pure subroutine update_chunk(domain, number, work, state)
       type(domain_type), intent(in) :: domain
       !> Which chunk
       integer, intent(in) :: number
-      real(wp), intent(in) :: step
+      type(workspace_type), intent(inout) :: work
       type(state_type), intent(inout) :: state
 
       associate (chunk => domain%chunks%list(number), force => state%acceleration)
          call add_borders(domain, chunk%shared_nodes, force)
          call hold_points(domain, chunk%held, force, state%support_force)
       end associate
-      call accelerate_chunk(domain, number, step, state)
-   end subroutine move_chunk
+      call apply_chunk_masses(domain, number, work, state)
+   end subroutine update_chunk
 
-   !> Count what the accelerations of all chunks give
-   subroutine count_accelerations(domain, state)
+   !> Add the sums over the points of this rank, and complete the forces of the supports
+   pure subroutine add_motion_sums(domain, work, state, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Gets sums over all points, and what held points feel
+      !> Has the sums over the points of each chunk
+      type(workspace_type), intent(in) :: work
+      !> Gets the forces of the supports
       type(state_type), intent(inout) :: state
+      !> Sums over all points
+      type(global_reduction_type), intent(inout) :: reduction
 
-      call count_sums(state%chunk_sums, state%tally)
-      call resist_columns(domain, state%acceleration, state%support_force)
-   end subroutine count_accelerations
+      call add_chunk_sums(work%chunk_sums, reduction)
+      call add_held_inertia(domain, state%acceleration, state%support_force)
+      call add_external_power(domain, state, reduction%external_power_after)
+   end subroutine add_motion_sums
 
 end module plydyn_method_accelerations

@@ -1,92 +1,77 @@
 !> The central difference scheme (de Borst et al., 2012), column by column.
 module plydyn_method_central_difference
-   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : domain_type
+   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : couple_column
    use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
-   use plydyn_state_state, only : added_sum, kinetic_sum, momentum_sum, power_sum, pull_sum, &
-      & speed_sum, state_type, sums_type
+   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, &
+      & new_leapfrog_coefficients
+   use plydyn_method_workspace, only : chunk_sums_type, workspace_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: accelerate, accelerate_chunk, advance, count_sums, new_leapfrog_coefficients, step_back
+   public :: add_chunk_sums, apply_chunk_masses, apply_masses, predict, undo_prediction
 
-   !> What a step makes of accelerations: v = keep v + middle a, u = u + step v
-   type, public :: leapfrog_coefficients_type
-      !> Damping over half of the time from middle to middle, and what it leaves of the velocity
-      real(wp) :: brake = 0.0_wp, keep = 1.0_wp
-      !> Time from the middle of the step before to that of this one, less for damping; the step
-      real(wp) :: middle = 0.0_wp, step = 0.0_wp
-   end type leapfrog_coefficients_type
-
-   !> Sums of a block, lane by lane: momentum along x, y, z, then these; at last no sum but a bound
-   integer, parameter :: kinetic_at = 4, power_at = 5, pull_at = 6, fastest_at = 7, parts = 7
-   !> Share by which the last step may exceed the largest, and room for round-off
-   real(wp), parameter :: room = 1.0e-5_wp
+   !> Sums of a block, lane by lane: momentum along x, y, z, then these; the last is a bound, no sum
+   integer, parameter :: kinetic_at = 4, power_at = 5, square_at = 6, speed_at = 7, parts = 7
+   !> Share by which the last step may exceed the largest, and round-off
+   real(wp), parameter :: round_off = 1.0e-5_wp
 
 contains
 
-   !> What a step makes of accelerations, with damping as a share of the velocity at the full step
-   pure type(leapfrog_coefficients_type) function new_leapfrog_coefficients(damping, step_before, &
-      & step) result(self)
-      !> Of the mass, per time
-      real(wp), intent(in) :: damping
-      !> The step before, and this one
-      real(wp), intent(in) :: step_before, step
-
-      real(wp) :: middle_step
-
-      middle_step = 0.5_wp*(step_before + step)
-      self%brake = 0.5_wp*damping*middle_step
-      self%keep = (1.0_wp - self%brake)/(1.0_wp + self%brake)
-      self%middle = middle_step/(1.0_wp + self%brake)
-      self%step = step
-   end function new_leapfrog_coefficients
-
    !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). All
    !> threads come here together, and wait for each other
-   subroutine advance(domain, state)
+   subroutine predict(domain, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Nothing remains to be done where the motion was computed with the accelerations
+      type(workspace_type), intent(inout) :: work
       !> Velocity and displacement
       type(state_type), intent(inout) :: state
 
-      type(leapfrog_coefficients_type) :: stride
+      type(leapfrog_coefficients_type) :: coefficients
       integer :: c
 
-      stride = new_leapfrog_coefficients(domain%control%damping, state%step_before, state%step)
-      ! the thread that accelerates a chunk advances it: it still has its accelerations
+      !$omp master
+      call work%team%expect_contact()
+      !$omp end master
+      !$omp barrier
+      if (work%is_predicted) return
+      coefficients = new_leapfrog_coefficients(domain%control%damping, state%step_before, &
+         & state%step)
+      ! the thread that updates a chunk moves it: its accelerations are still in the cache
       !$omp do schedule(static)
       do c = size(domain%chunks%list), 1, -1
-         call advance_columns(domain, domain%chunks%list(c)%owned_columns, stride, state)
-         call advance_columns(domain, domain%chunks%list(c)%ghost_columns, stride, state)
+         call move_columns(domain, domain%chunks%list(c)%owned_columns, coefficients, state)
+         call move_columns(domain, domain%chunks%list(c)%ghost_columns, coefficients, state)
       end do
       !$omp end do
-   end subroutine advance
+   end subroutine predict
 
-   !> `advance` for some columns
-   pure subroutine advance_columns(domain, columns, stride, state)
+   !> Motion of some columns over a step
+   pure subroutine move_columns(domain, columns, coefficients, state)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: columns(:)
-      type(leapfrog_coefficients_type), intent(in) :: stride
+      type(leapfrog_coefficients_type), intent(in) :: coefficients
       type(state_type), intent(inout) :: state
 
       integer :: i, k
 
       do i = 1, size(columns)
          k = front + domain%columns%height*(columns(i) - 1) + 1
-         call advance_column(domain%columns%height, stride%keep, stride%middle, stride%step, &
-            & state%acceleration(k), state%velocity(k), state%displacement(k))
+         call move_column(domain%columns%height, coefficients%decay, coefficients%mean_step, &
+            & coefficients%step, state%acceleration(k), state%velocity(k), state%displacement(k))
       end do
-   end subroutine advance_columns
+   end subroutine move_columns
 
-   !> `advance` for one column
-   pure subroutine advance_column(height, keep, middle, step, a, v, u)
+   !> Motion of one column over a step: the paper's eq. 15
+   pure subroutine move_column(height, decay, mean_step, step, a, v, u)
       integer, intent(in) :: height
       !> As in `leapfrog_coefficients_type`
-      real(wp), intent(in) :: keep, middle, step
+      real(wp), intent(in) :: decay, mean_step, step
       !> Acceleration, velocity, displacement
       real(wp), intent(in) :: a(height)
       real(wp), intent(inout) :: v(height), u(height)
@@ -95,39 +80,39 @@ contains
 
       !$omp simd
       do k = 1, height
-         v(k) = keep*v(k) + middle*a(k)
+         v(k) = decay*v(k) + mean_step*a(k)
          u(k) = u(k) + step*v(k)
       end do
-   end subroutine advance_column
+   end subroutine move_column
 
-   !> Where the points were before they went ahead, to round-off
-   pure subroutine step_back(domain, state)
+   !> Take back a motion that was computed in advance, to round-off: for reports of a run that fails
+   pure subroutine undo_prediction(domain, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
+      !> Whether there is such a motion
+      type(workspace_type), intent(inout) :: work
       !> Velocity and displacement
       type(state_type), intent(inout) :: state
 
-      type(leapfrog_coefficients_type) :: stride
-
-      if (.not. state%is_ahead) return
-      stride = new_leapfrog_coefficients(domain%control%damping, state%step, state%step_after)
-      associate (u => state%displacement, v => state%velocity)
-         u(:) = u - stride%step*v
-         v(:) = (v - stride%middle*state%acceleration(:size(v)))/stride%keep
+      if (.not. work%predicts_next) return
+      associate (u => state%displacement, v => state%velocity, next => work%next)
+         u(:) = u - next%step*v
+         v(:) = (v - next%mean_step*state%acceleration(:size(v)))/next%decay
       end associate
-      state%is_ahead = .false.
-   end subroutine step_back
+      work%predicts_next = .false.
+   end subroutine undo_prediction
 
-   !> Forces to accelerations, in place, with the sums that the energies need.
+   !> Forces to accelerations, in place, with the sums that the energies need. All threads come here
+   !> together.
+   !>
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
-   !> their accelerations are the same to the last bit. All threads come here together.
-   subroutine accelerate(domain, step, state)
+   !> that their accelerations are the same to the last bit.
+   subroutine apply_masses(domain, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The step just made
-      real(wp), intent(in) :: step
-      !> Forces in, accelerations out, with the sums over the points that each chunk has first: the
-      !> same for any number of threads
+      !> Gets the sums over the points of each chunk: the same for any number of threads
+      type(workspace_type), intent(inout) :: work
+      !> Forces in, accelerations out
       type(state_type), intent(inout) :: state
 
       integer :: c, k
@@ -144,70 +129,72 @@ contains
       end if
       !$omp do schedule(static)
       do c = size(domain%chunks%list), 1, -1
-         call accelerate_chunk(domain, c, step, state)
+         call apply_chunk_masses(domain, c, work, state)
       end do
       !$omp end do nowait
-   end subroutine accelerate
+   end subroutine apply_masses
 
-   !> `accelerate` for the points that move with a chunk, where no ties reach further than a family.
-   !> Points that nobody looks at go on to the end of the next step
-   pure subroutine accelerate_chunk(domain, number, step, state)
+   !> `apply_masses` for the points that move with a chunk, where no ties join layers of different
+   !> families; with their motion over the next step, if it is to be computed in advance
+   pure subroutine apply_chunk_masses(domain, number, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Which chunk
       integer, intent(in) :: number
-      !> As in `accelerate`
-      real(wp), intent(in) :: step
+      !> As in `apply_masses`
+      type(workspace_type), intent(inout) :: work
       type(state_type), intent(inout) :: state
 
-      type(sums_type) :: counted_elsewhere, sums
+      type(chunk_sums_type) :: counted_elsewhere, sums
 
-      call accelerate_columns(domain, domain%chunks%list(number)%owned_columns, step, state, sums)
-      state%chunk_sums(number) = sums
-      call accelerate_columns(domain, domain%chunks%list(number)%ghost_columns, step, state, &
-         & counted_elsewhere)
-   end subroutine accelerate_chunk
+      associate (chunk => domain%chunks%list(number))
+         call update_columns(domain, chunk%owned_columns, work, state, sums)
+         work%chunk_sums(number) = sums
+         call update_columns(domain, chunk%ghost_columns, work, state, counted_elsewhere)
+      end associate
+   end subroutine apply_chunk_masses
 
-   !> `accelerate` for some columns, each moved on while it is in the cache
-   pure subroutine accelerate_columns(domain, columns, step, state, sums)
+   !> `apply_masses` for some columns, each moved on while it is in the cache
+   pure subroutine update_columns(domain, columns, work, state, sums)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: columns(:)
-      real(wp), intent(in) :: step
+      type(workspace_type), intent(in) :: work
       type(state_type), intent(inout) :: state
-      type(sums_type), intent(inout) :: sums
+      type(chunk_sums_type), intent(inout) :: sums
 
-      type(leapfrog_coefficients_type) :: stride
-      real(wp) :: part(lanes, parts), reach
+      real(wp) :: half_step, largest_step, part(lanes, parts)
       integer :: i
       logical :: is_coupled
 
-      stride = new_leapfrog_coefficients(domain%control%damping, step, state%step_after)
+      half_step = 0.5_wp*work%step
+      largest_step = (1.0_wp + round_off)*domain%step
       is_coupled = domain%inertia%thickness%active .or. domain%inertia%pairs%active
-      reach = (1.0_wp + room)*domain%step
       part(:, :) = 0.0_wp
       do i = 1, size(columns)
-         call accelerate_column(domain, columns(i), 0.5_wp*step, reach, state%velocity, &
+         call update_column(domain, columns(i), half_step, largest_step, state%velocity, &
             & state%acceleration, part)
-         if (is_coupled) call couple(domain, columns(i), 0.5_wp*step, reach, state%velocity, &
-            & state%acceleration, sums)
-         if (state%goes_ahead) call advance_columns(domain, columns(i:i), stride, state)
+         if (is_coupled) call couple(domain, columns(i), half_step, largest_step, &
+            & state%velocity, state%acceleration, sums)
+         if (work%predicts_next) call move_columns(domain, columns(i:i), work%next, state)
       end do
-      if (.not. is_coupled) sums%fastest = max(sums%fastest, maxval(part(:, fastest_at)))
+      if (.not. is_coupled) then
+         sums%speed_bound = max(sums%speed_bound, maxval(part(:, speed_at)))
+      end if
       sums%momentum(:) = sums%momentum + sum(part(:, :3), 1)
       sums%twice_kinetic = sums%twice_kinetic + sum(part(:, kinetic_at))
       sums%power = sums%power + sum(part(:, power_at))
-      sums%pull = sums%pull + sum(part(:, pull_at))
-   end subroutine accelerate_columns
+      sums%acceleration_square = sums%acceleration_square + sum(part(:, square_at))
+   end subroutine update_columns
 
-   !> `accelerate` for the families of one column, each point by itself
-   pure subroutine accelerate_column(domain, n, half_step, reach, velocity, force, part)
+   !> `apply_masses` for the families of one column, each point by itself
+   pure subroutine update_column(domain, n, half_step, largest_step, velocity, force, part)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: n
       !> As in `speed_of_column`
-      real(wp), intent(in) :: half_step, reach
+      real(wp), intent(in) :: half_step, largest_step
       real(wp), intent(in), contiguous :: velocity(:)
       real(wp), intent(inout), contiguous :: force(:)
-      !> Gets what the column adds
+      !> Gets the terms of the column
       real(wp), intent(inout) :: part(lanes, parts)
 
       integer :: f, first, mass
@@ -217,81 +204,74 @@ contains
             first = domain%columns%start(f, n)
             mass = domain%columns%mass_start(f, n)
             if (family%is_tied) then
-               call share_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
+               call add_tied_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
                   & force(first:))
             end if
-            call divide(family%blocks*(family%order + 1), half_step, reach, &
-               & domain%inertia%mass(mass:), &
-               & domain%inertia%inverse_mass(mass:), velocity(first:), force(first:), part)
+            call update_family(family%blocks*(family%order + 1), half_step, largest_step, &
+               & domain%inertia%mass(mass:), domain%inertia%inverse_mass(mass:), velocity(first:), &
+               & force(first:), part)
          end associate
       end do
-   end subroutine accelerate_column
+   end subroutine update_column
 
-   !> What no component of the velocity of a column will exceed half a step after the next motion
-   pure real(wp) function speed_of_column(height, n, reach, velocity, acceleration) result(most)
+   !> Bound on every component of the velocity of a column over the next step
+   pure real(wp) function speed_of_column(height, n, largest_step, velocity, acceleration) &
+      & result(bound)
       integer, intent(in) :: height, n
-      !> Largest step, and room for round-off
-      real(wp), intent(in) :: reach
+      !> Largest step, and round-off
+      real(wp), intent(in) :: largest_step
       real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
 
       integer :: k
 
-      most = 0.0_wp
-      !$omp simd reduction(max:most)
+      bound = 0.0_wp
+      !$omp simd reduction(max:bound)
       do k = front + height*(n - 1) + 1, front + height*n
-         most = max(most, abs(velocity(k)) + reach*abs(acceleration(k)))
+         bound = max(bound, abs(velocity(k)) + largest_step*abs(acceleration(k)))
       end do
    end function speed_of_column
 
    !> Add the sums of all chunks
-   pure subroutine count_sums(chunk_sums, tally)
-      !> As from `accelerate`
-      type(sums_type), intent(in) :: chunk_sums(:)
-      !> Gets the sums over all points of this rank that no other counts
-      type(exact_sums_type), intent(inout) :: tally
+   pure subroutine add_chunk_sums(chunk_sums, reduction)
+      !> As from `apply_masses`
+      type(chunk_sums_type), intent(in) :: chunk_sums(:)
+      !> Gets the sums over all points that this rank counts
+      type(global_reduction_type), intent(inout) :: reduction
 
-      integer :: c, i
+      integer :: c
 
-      do c = 1, size(chunk_sums)
-         associate (sums => chunk_sums(c))
-            do i = 1, 3
-               call tally%add(momentum_sum + i, sums%momentum(i))
-            end do
-            call tally%add(kinetic_sum, sums%twice_kinetic)
-            call tally%add(added_sum, sums%twice_added)
-            call tally%add(pull_sum, sums%pull)
-            call tally%add(power_sum, sums%power)
-         end associate
-      end do
       ! a rank may have no chunk
-      if (size(chunk_sums) > 0) call tally%add(speed_sum, maxval(chunk_sums%fastest))
-   end subroutine count_sums
+      reduction%speed_bound = 0.0_wp
+      do c = 1, size(chunk_sums)
+         call reduction%add_motion(chunk_sums(c))
+         reduction%speed_bound = max(reduction%speed_bound, chunk_sums(c)%speed_bound)
+      end do
+   end subroutine add_chunk_sums
 
-   !> Inertia that the points of a column share, as the scheme adds it, and how fast they get
-   pure subroutine couple(domain, node, half_step, reach, velocity, acceleration, sums)
+   !> Inertia that the points of a column share, as the scheme adds it, and the bound on their speed
+   pure subroutine couple(domain, node, half_step, largest_step, velocity, acceleration, sums)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: node
-      real(wp), intent(in) :: half_step, reach
+      real(wp), intent(in) :: half_step, largest_step
       real(wp), intent(in), contiguous :: velocity(:)
       real(wp), intent(inout), contiguous :: acceleration(:)
-      type(sums_type), intent(inout) :: sums
+      type(chunk_sums_type), intent(inout) :: sums
 
       if (domain%inertia%thickness%active) then
          call couple_column(domain%inertia%thickness, domain%columns, domain%inertia%mass, node, &
-            & half_step, &
-            & velocity, acceleration, sums)
+            & half_step, velocity, acceleration, sums%motion_sums_type)
          call add_pair_energy(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
-            & acceleration, sums)
+            & acceleration, sums%motion_sums_type)
       else
          call couple_pairs(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
-            & acceleration, sums)
+            & acceleration, sums%motion_sums_type)
       end if
-      sums%fastest = max(sums%fastest, &
-         & speed_of_column(domain%columns%height, node, reach, velocity, acceleration))
+      sums%speed_bound = max(sums%speed_bound, speed_of_column(domain%columns%height, node, &
+         & largest_step, velocity, acceleration))
    end subroutine couple
 
    !> Give both points of every tied face between lanes side by side the sum of their forces
-   pure subroutine share_forces(width, levels, tied, force)
+   pure subroutine add_tied_forces(width, levels, tied, force)
       integer, intent(in) :: width, levels
       !> 1 where the top of a lane is tied to the bottom of the next, else 0
       real(wp), intent(in) :: tied(width)
@@ -312,27 +292,27 @@ contains
             force(top + l, c) = below + tied(l)*above
          end do
       end do
-   end subroutine share_forces
+   end subroutine add_tied_forces
 
    !> Force over mass of one family above a node, and its part in the sums
-   pure subroutine divide(rows, half_step, reach, mass, inverse_mass, v, a, part)
+   pure subroutine update_family(rows, half_step, largest_step, mass, inverse_mass, v, a, part)
       integer, intent(in) :: rows
-      real(wp), intent(in) :: half_step, reach, mass(lanes, rows), inverse_mass(lanes, rows)
+      real(wp), intent(in) :: half_step, largest_step, mass(lanes, rows), inverse_mass(lanes, rows)
       real(wp), intent(in) :: v(lanes, rows, 3)
       real(wp), intent(inout) :: a(lanes, rows, 3), part(lanes, parts)
 
-      real(wp) :: fastest, kinetic, power, pull, px, py, pz, vx, vy, vz
+      real(wp) :: speed, kinetic, power, square, px, py, pz, vx, vy, vz
       integer :: l, r
 
-      !$omp simd private(fastest, kinetic, power, pull, px, py, pz, vx, vy, vz, r)
+      !$omp simd private(speed, kinetic, power, square, px, py, pz, vx, vy, vz, r)
       do l = 1, lanes
          px = part(l, 1)
          py = part(l, 2)
          pz = part(l, 3)
          kinetic = part(l, kinetic_at)
          power = part(l, power_at)
-         pull = part(l, pull_at)
-         fastest = part(l, fastest_at)
+         square = part(l, square_at)
+         speed = part(l, speed_at)
          r = 0
          ! with its end tested last: around a loop that may be empty there are no vectors
          do
@@ -349,9 +329,10 @@ contains
             kinetic = kinetic + mass(l, r)*(vx**2 + vy**2 + vz**2)
             power = power + mass(l, r)*(a(l, r, 1)*v(l, r, 1) + a(l, r, 2)*v(l, r, 2) &
                & + a(l, r, 3)*v(l, r, 3))
-            pull = pull + mass(l, r)*(a(l, r, 1)**2 + a(l, r, 2)**2 + a(l, r, 3)**2)
-            fastest = max(fastest, abs(v(l, r, 1)) + reach*abs(a(l, r, 1)), &
-               & abs(v(l, r, 2)) + reach*abs(a(l, r, 2)), abs(v(l, r, 3)) + reach*abs(a(l, r, 3)))
+            square = square + mass(l, r)*(a(l, r, 1)**2 + a(l, r, 2)**2 + a(l, r, 3)**2)
+            speed = max(speed, abs(v(l, r, 1)) + largest_step*abs(a(l, r, 1)), &
+               & abs(v(l, r, 2)) + largest_step*abs(a(l, r, 2)), &
+               & abs(v(l, r, 3)) + largest_step*abs(a(l, r, 3)))
             if (r == rows) exit
          end do
          part(l, 1) = px
@@ -359,9 +340,9 @@ contains
          part(l, 3) = pz
          part(l, kinetic_at) = kinetic
          part(l, power_at) = power
-         part(l, pull_at) = pull
-         part(l, fastest_at) = fastest
+         part(l, square_at) = square
+         part(l, speed_at) = speed
       end do
-   end subroutine divide
+   end subroutine update_family
 
 end module plydyn_method_central_difference

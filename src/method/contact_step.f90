@@ -9,9 +9,10 @@ module plydyn_method_contact_step
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
-   use plydyn_method_implicit_column_inertia, only : pull_column
+   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_supports, only : is_active
-   use plydyn_state_state, only : contact_power_sum, contact_sum, state_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -39,17 +40,17 @@ module plydyn_method_contact_step
    type, public :: contacts_type
       !> In the order of `domain%contact%contacts`
       type(pair_type), allocatable :: pairs(:)
-      !> Chunks with a point that contact may push in the coming step; whether it may push any
+      !> Whether contact may push a point of each chunk in the coming step; whether of any chunk
       logical, allocatable :: reached(:)
       logical :: reaches_all = .true.
    contains
-      procedure :: approach
-      procedure :: enforce
-      procedure :: remember
-      procedure :: recall
+      procedure :: predict
+      procedure :: correct
+      procedure :: save
+      procedure :: restore
    end type contacts_type
 
-   !> Share of the radius that an impactor may be inside the plate at time zero
+   !> Penetration at time zero that is round-off, as a share of the radius
    real(wp), parameter :: touching = 1.0e-9_wp
 
 contains
@@ -70,8 +71,8 @@ contains
       allocate (self%reached(size(domain%chunks%list)), source=.false.)
       do i = 1, size(domain%contact%contacts)
          associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
-            & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), pair &
-            & => self%pairs(i))
+            & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
+            & pair => self%pairs(i))
             call new_contact(pair%pair, contact_setup_type(radius=impactor%radius, &
                & mass=impactor%mass, guided=impactor%guided, side=contact%face, &
                & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
@@ -104,8 +105,8 @@ contains
       words = "error: "//contact%place//": *CONTACT_IMPACTOR "//trim(field)//": "
    end function place_of
 
-   !> Put what contact knows from the last step into the state
-   subroutine remember(self, state)
+   !> Put the memory of the contacts into the state
+   subroutine save(self, state)
       class(contacts_type), intent(in) :: self
       !> Gets the memory
       type(state_type), intent(inout) :: state
@@ -114,10 +115,10 @@ contains
       do i = 1, size(self%pairs)
          call self%pairs(i)%pair%remember(state%contacts(i)%places, state%contacts(i)%numbers)
       end do
-   end subroutine remember
+   end subroutine save
 
    !> Take it back from there
-   subroutine recall(self, state, error)
+   subroutine restore(self, state, error)
       class(contacts_type), intent(inout) :: self
       !> Has the memory
       type(state_type), intent(in) :: state
@@ -134,14 +135,16 @@ contains
             & //"in it: it must have been written by the same version of plydyn")
          return
       end do
-   end subroutine recall
+   end subroutine restore
 
-   !> Move the impactors over the coming step without contact, and say where that may be
-   subroutine approach(self, domain, state)
+   !> Move the impactors over the coming step without contact, and find where contact may be
+   subroutine predict(self, domain, speed_bound, state)
       class(contacts_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Impactors; the plate is not advanced yet
+      !> Bound on every component of the velocity of the plate over the step
+      real(wp), intent(in) :: speed_bound
+      !> Impactors; the plate is not predicted yet
       type(state_type), intent(inout) :: state
 
       integer :: i
@@ -152,16 +155,17 @@ contains
       self%reaches_all = size(domain%supports%motions) > 0
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
-            call pair%near%approach(largest_move(domain, state), state%impactors(impactor)%centre)
-            ! what a second pair of an impactor finds is known after the push of the first only
+            call pair%near%approach(largest_move(domain, state%step, speed_bound), &
+               & state%impactors(impactor)%centre)
+            ! a second pair of an impactor depends on the correction of the first
             self%reaches_all = self%reaches_all .or. pair%near%needs_all .or. pair%ground%is_all &
                & .or. any(domain%contact%contacts(:i - 1)%impactor == impactor)
          end associate
       end do
-   end subroutine approach
+   end subroutine predict
 
-   !> Mark the chunks at the ground of a contact
-   pure subroutine reach(self, reached)
+   !> Mark the chunks at the active facets of a contact
+   pure subroutine mark_reached(self, reached)
       type(pair_type), intent(in) :: self
       logical, intent(inout) :: reached(:)
 
@@ -173,24 +177,26 @@ contains
             reached(self%chunk(k)) = .true.
          end do
       end do
-   end subroutine reach
+   end subroutine mark_reached
 
    !> Push the impactors and the plate apart where they meet
-   subroutine enforce(self, domain, state)
+   subroutine correct(self, domain, state, reduction)
       class(contacts_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Impactors, displacement and velocity of the plate, already advanced without contact
+      !> Impactors, displacement and velocity of the plate, already predicted without contact
       type(state_type), intent(inout) :: state
+      !> Gets the work of contact
+      type(global_reduction_type), intent(inout) :: reduction
 
       integer :: i
 
       self%reached(:) = .false.
       do i = 1, size(self%pairs)
-         call enforce_pair(self%pairs(i), domain, i, state)
-         call reach(self%pairs(i), self%reached)
+         call correct_pair(self%pairs(i), domain, i, state, reduction)
+         call mark_reached(self%pairs(i), self%reached)
       end do
-   end subroutine enforce
+   end subroutine correct
 
    !> Trial motion of an impactor
    subroutine move_impactor(domain, i, state)
@@ -215,17 +221,18 @@ contains
    end subroutine move_impactor
 
    !> Contact of one pair
-   subroutine enforce_pair(self, domain, i, state)
+   subroutine correct_pair(self, domain, i, state, reduction)
       type(pair_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: i
       type(state_type), intent(inout) :: state
+      type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
 
-      associate (surface => domain%contact%surfaces(i), own &
-         & => state%impactors(domain%contact%contacts(i)%impactor))
+      associate (surface => domain%contact%surfaces(i), &
+         & own => state%impactors(domain%contact%contacts(i)%impactor))
          ! another pair may have pushed the impactor
          call self%pair%near%approach(0.0_wp, own%centre)
          if (self%pair%near%needs_all) then
@@ -236,7 +243,7 @@ contains
             call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
          end if
          if (size(domain%supports%motions) > 0) then
-            call resist_moved(domain, surface, state%time, self%inverse_mass)
+            call hold_prescribed(domain, surface, state%time, self%inverse_mass)
          end if
          call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
             & centre_correction, found)
@@ -244,15 +251,15 @@ contains
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(domain, surface, self%inverse_mass, self%pair%correction, state)
+         call push_plate(domain, surface, self%inverse_mass, self%pair%correction, state, &
+               & reduction)
          call push_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor)%mass, &
-            & centre_correction, &
-            & state, domain%contact%contacts(i)%impactor)
+            & centre_correction, state, domain%contact%contacts(i)%impactor)
       end associate
-   end subroutine enforce_pair
+   end subroutine correct_pair
 
-   !> Points that move as told do not give way while they do
-   pure subroutine resist_moved(domain, surface, time, inverse_mass)
+   !> Points of prescribed motion do not give way while it is active
+   pure subroutine hold_prescribed(domain, surface, time, inverse_mass)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       real(wp), intent(in) :: time
@@ -269,17 +276,17 @@ contains
                & active(surface%mover(c, k)))
          end do
       end do
-   end subroutine resist_moved
+   end subroutine hold_prescribed
 
-   !> Most that a point of the plate has moved in the step; not known where points are moved, and
-   !> then farther than any
-   pure real(wp) function largest_move(domain, state) result(move)
+   !> Bound on the displacement of a point of the plate in the step; unknown, and then larger than
+   !> any, where motions are prescribed
+   pure real(wp) function largest_move(domain, step, speed_bound) result(move)
       type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      real(wp), intent(in) :: step, speed_bound
 
       move = sqrt(huge(1.0_wp))
-      if (size(domain%supports%motions) > 0 .or. state%fastest > move) return
-      move = sqrt(3.0_wp)*state%step*state%fastest
+      if (size(domain%supports%motions) > 0 .or. speed_bound > move) return
+      move = sqrt(3.0_wp)*step*speed_bound
    end function largest_move
 
    !> Sort the listed points by the ranks that count them
@@ -332,14 +339,15 @@ contains
    end subroutine find_positions
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
-   !> before and after it, of which that before is the velocity at the full step. What shares its
-   !> inertia with the points follows
-   pure subroutine push_plate(domain, surface, inverse_mass, correction, state)
+   !> before and after it, of which the first is the velocity at the full step. Points that share
+   !> their inertia with the pushed points follow
+   pure subroutine push_plate(domain, surface, inverse_mass, correction, state, reduction)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       real(wp), intent(in) :: inverse_mass(:, :)
       type(correction_type), intent(in) :: correction
       type(state_type), intent(inout) :: state
+      type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: jump, mass, move, power, work
       integer :: c, i, k
@@ -363,13 +371,13 @@ contains
                u = u + move
             end associate
             if (domain%inertia%thickness%active) then
-               call pull_column(domain%inertia%thickness, domain%columns, surface, k, c, move, &
-                  & state)
+               call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
+                  & move, state)
             end if
          end do
          if (.not. surface%own(k)) cycle
-         call state%tally%add(contact_sum, work)
-         call state%tally%add(contact_power_sum, power)
+         call reduction%contact_work%add(work)
+         call reduction%contact_power%add(power)
       end do
    end subroutine push_plate
 

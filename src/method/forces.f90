@@ -1,6 +1,6 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_method_forces
-   use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
@@ -10,12 +10,14 @@ module plydyn_method_forces
    use plydyn_element_plate, only : add_layer_forces
    use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_halo, only : messages_type
-   use plydyn_method_thread_team, only : thread_team_type, inner, outer
+   use plydyn_method_supports, only : add_support_power
+   use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: add_borders, add_interface_forces, add_loads, await_forces, count_load_power, &
-      & find_internal_forces, make_chunk_forces, make_outer_forces, push_messages_on
+   public :: add_borders, add_external_power, add_interface_forces, add_loads, await_forces, &
+      & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
 
 contains
 
@@ -42,7 +44,7 @@ contains
          chunk = team%take(inner)
          if (chunk == 0) exit
          call make_chunk_forces(domain, team, chunk, step, displacement, velocity, history, force)
-         call push_messages_on(domain, team, force)
+         call progress_messages(domain, team, force)
       end do
       call await_forces(domain, team, force)
       !$omp do schedule(static)
@@ -68,7 +70,7 @@ contains
       if (size(domain%averaging%averages) > 0) then
          if (domain%comm%ranks > 1) then
             !$omp master
-            call borrow_strains(domain, history)
+            call exchange_strains(domain, history)
             !$omp end master
             !$omp barrier
          end if
@@ -108,8 +110,8 @@ contains
       !$omp barrier
    end subroutine await_forces
 
-   !> Get the strains of other ranks' points that are averaged here, and lend those of this rank
-   subroutine borrow_strains(domain, history)
+   !> Exchange the strains that are averaged on another rank than that of their points
+   subroutine exchange_strains(domain, history)
       type(domain_type), intent(in) :: domain
       real(wp), intent(inout), contiguous, asynchronous :: history(:)
 
@@ -117,10 +119,10 @@ contains
 
       call domain%averaging%strain_halo%start(history, messages)
       call domain%averaging%strain_halo%finish(history, messages)
-   end subroutine borrow_strains
+   end subroutine exchange_strains
 
-   !> Let the forces for other ranks get on while chunks are taken
-   subroutine push_messages_on(domain, team, force)
+   !> Let MPI progress the forces on their way to other ranks
+   subroutine progress_messages(domain, team, force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads
@@ -132,9 +134,9 @@ contains
       !$omp master
       call domain%chunks%halo%push_on(force, team%messages)
       !$omp end master
-   end subroutine push_messages_on
+   end subroutine progress_messages
 
-   !> Average what the points of one chunk and their neighbours had in the step before
+   !> Average the strains of the step before over the points of one chunk and their neighbours
    pure subroutine find_chunk_averages(domain, chunk, history)
       type(domain_type), intent(in) :: domain
       type(chunk_type), intent(in) :: chunk
@@ -174,7 +176,7 @@ contains
             call add_interface_forces(domain, chunk, displacement, history, force)
          end if
       end associate
-      call team%note_made(number)
+      call team%note_forces(number)
    end subroutine make_chunk_forces
 
    !> Set some columns to zero
@@ -284,17 +286,27 @@ contains
       !$omp end single
    end subroutine add_loads
 
-   !> Add the power of the loads to a sum
-   pure subroutine count_load_power(domain, factor, velocity, tally, sum)
+   !> Add the power of loads and supports to a sum
+   pure subroutine add_external_power(domain, state, sum)
       !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Velocity, loads and forces of supports
+      type(state_type), intent(in) :: state
+      !> The sum
+      type(exact_sum_type), intent(inout) :: sum
+
+      call add_load_power(domain, state%load_factor, state%velocity, sum)
+      call add_support_power(domain, state%support_force, state%velocity, sum)
+   end subroutine add_external_power
+
+   !> Add the power of the loads to a sum
+   pure subroutine add_load_power(domain, factor, velocity, sum)
       type(domain_type), intent(in) :: domain
       !> Value of each load's curve
       real(wp), intent(in) :: factor(:)
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
-      !> The sums, and which of them
-      type(exact_sums_type), intent(inout) :: tally
-      integer, intent(in) :: sum
+      type(exact_sum_type), intent(inout) :: sum
 
       real(wp) :: power
       integer :: c, first, i, k
@@ -308,10 +320,10 @@ contains
                   power = power + load%force(i)*velocity(load%freedom(i))
                end do
                first = load%last(c) + 1
-               if (load%own(c)) call tally%add(sum, factor(k)*power)
+               if (load%own(c)) call sum%add(factor(k)*power)
             end do
          end associate
       end do
-   end subroutine count_load_power
+   end subroutine add_load_power
 
 end module plydyn_method_forces

@@ -1,15 +1,16 @@
-!> Points that do not move, and points that move as told.
+!> Supports: held points, and points of prescribed motion.
 module plydyn_method_supports
-   use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type, prescribed_type
+   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
-   use plydyn_state_state, only : state_type, support_sum
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: count_support_power, hold_points, hold_supports, is_active, move_supports, &
-      & resist_columns, support_points
+   public :: add_held_inertia, add_support_power, hold_points, hold_supports, is_active, &
+      & prescribe_motion, support_points
 
 contains
 
@@ -34,7 +35,7 @@ contains
       real(wp), intent(in) :: time
       !> Force on all points; becomes zero on these
       real(wp), intent(inout), contiguous :: force(:)
-      !> What it was: held points first, then those of each motion, zero while that does not act
+      !> The force before: held points first, then those of each motion, zero while it is inactive
       real(wp), intent(inout), contiguous :: support_force(:)
 
       integer :: c, first, m
@@ -49,8 +50,8 @@ contains
       !$omp single
       first = size(domain%supports%held)
       do m = 1, size(domain%supports%motions)
-         associate (motion => domain%supports%motions(m), n &
-            & => size(domain%supports%motions(m)%freedom))
+         associate (motion => domain%supports%motions(m), &
+            & n => size(domain%supports%motions(m)%freedom))
             support_force(first + 1:first + n) = 0.0_wp
             if (is_active(motion, time)) then
                support_force(first + 1:first + n) = force(motion%freedom)
@@ -82,8 +83,8 @@ contains
       end do
    end subroutine hold_points
 
-   !> Add what held points feel of the inertia that they share with free ones of their columns
-   pure subroutine resist_columns(domain, acceleration, support_force)
+   !> Add the forces on held points of the inertia that they share with free points of their columns
+   pure subroutine add_held_inertia(domain, acceleration, support_force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Of all points
@@ -99,7 +100,7 @@ contains
             end associate
          end do
       end associate
-   end subroutine resist_columns
+   end subroutine add_held_inertia
 
    !> Whether a motion acts at some time
    elemental logical function is_active(motion, time)
@@ -112,17 +113,19 @@ contains
    end function is_active
 
    !> Give prescribed points their velocity over the coming step, and the displacement at its end
-   subroutine move_supports(domain, state)
+   subroutine prescribe_motion(domain, state, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Velocity and displacement, already advanced without the supports; their work is counted
+      !> Velocity and displacement, already predicted without the supports
       type(state_type), intent(inout) :: state
+      !> Gets the work of the prescribed motions
+      type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: before, unbraked, velocity
+      real(wp) :: before, undamped, velocity
       integer :: i, k, m
 
-      call domain%inertia%moved_links%count_energy(state%velocity, -1.0_wp, state%tally, &
-         & support_sum)
+      call domain%inertia%moved_links%count_energy(state%velocity, -1.0_wp, &
+         & reduction%prescribed_work)
       k = 0
       do m = 1, size(domain%supports%motions)
          associate (motion => domain%supports%motions(m))
@@ -130,13 +133,13 @@ contains
                k = k + 1
                associate (v => state%velocity(motion%freedom(i)), &
                   & u => state%displacement(motion%freedom(i)), last => state%support_velocity(k))
-                  unbraked = last
+                  undamped = last
                   last = v
                   if (.not. is_active(motion, state%time)) cycle
                   before = u - state%step*v
-                  velocity = prescribed_velocity(domain, motion, state, before, unbraked)
+                  velocity = prescribed_velocity(domain, motion, state, before, undamped)
                   last = velocity
-                  if (motion%own(i)) call state%tally%add(support_sum, &
+                  if (motion%own(i)) call reduction%prescribed_work%add( &
                      & 0.5_wp*domain%inertia%mass(motion%mass(i))*(velocity**2 - v**2))
                   u = before + state%step*velocity
                   v = velocity
@@ -144,8 +147,9 @@ contains
             end do
          end associate
       end do
-      call domain%inertia%moved_links%count_energy(state%velocity, 1.0_wp, state%tally, support_sum)
-   end subroutine move_supports
+      call domain%inertia%moved_links%count_energy(state%velocity, 1.0_wp, &
+         & reduction%prescribed_work)
+   end subroutine prescribe_motion
 
    !> Velocity in the middle of the coming step
    pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)
@@ -170,16 +174,15 @@ contains
 
    !> Add the power that prescribed points take from the plate to a sum: it passes through the
    !> supports
-   pure subroutine count_support_power(domain, support_force, velocity, tally, sum)
+   pure subroutine add_support_power(domain, support_force, velocity, sum)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> As in the state
       real(wp), intent(in) :: support_force(:)
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
-      !> The sums, and which of them
-      type(exact_sums_type), intent(inout) :: tally
-      integer, intent(in) :: sum
+      !> The sum
+      type(exact_sum_type), intent(inout) :: sum
 
       integer :: first, i, m
 
@@ -187,12 +190,12 @@ contains
       do m = 1, size(domain%supports%motions)
          associate (motion => domain%supports%motions(m))
             do i = 1, size(motion%freedom)
-               if (motion%own(i)) call tally%add(sum, &
+               if (motion%own(i)) call sum%add( &
                   & -support_force(first + i)*velocity(motion%freedom(i)))
             end do
             first = first + size(motion%freedom)
          end associate
       end do
-   end subroutine count_support_power
+   end subroutine add_support_power
 
 end module plydyn_method_supports

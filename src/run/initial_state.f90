@@ -1,13 +1,12 @@
 !> The state at time zero.
 module plydyn_run_initial_state
-   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_domain_initial_damage, only : set_initial_damage
    use plydyn_model_model, only : model_type
    use plydyn_method_supports, only : support_points
-   use plydyn_state_state, only : state_type, tally_sums
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -31,8 +30,6 @@ contains
          allocate (state%displacement(n), state%velocity(n))
       end associate
       allocate (state%acceleration(domain%columns%forces))
-      allocate (state%chunk_sums(size(domain%chunks%list)))
-      state%tally = new_exact_sums(tally_sums)
       state%displacement(:) = 0.0_wp
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp

@@ -6,7 +6,8 @@ module plydyn_run_restart
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_method_accelerations, only : begin_accelerations
-   use plydyn_method_energy, only : balance
+   use plydyn_method_energy, only : measure_energies
+   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_run_setup, only : run_type
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type
@@ -35,7 +36,7 @@ contains
          end_cycle = state%end_cycle
          call dump%read_state(run%state_parts, .not. changes%conditions, state, error)
          if (allocated(error)) return
-         call run%contacts%recall(state, error)
+         call run%contacts%restore(state, error)
          if (allocated(error)) return
          if (changes%end) then
             state%end_time = end_time
@@ -61,9 +62,8 @@ contains
          & //"; ENDTIM and ENDCYC, if given, must lie behind")
    end subroutine check_end
 
-   !> Let other supports and loads act from now on
-   !>
-   !> What they take from the motion at once, or give to it, is work from outside.
+   !> Change supports and loads. Energy that they take from the motion at once, or give to it, is
+   !> external work
    subroutine change_conditions(domain, state)
       !> The domain with the new supports and loads
       type(domain_type), intent(in) :: domain
@@ -71,8 +71,9 @@ contains
       type(state_type), intent(inout) :: state
 
       real(wp), allocatable :: history(:)
-      real(wp) :: external, internal, total
+      real(wp) :: total
       integer :: m
+      type(global_reduction_type) :: reduction
 
       state%velocity(domain%supports%held) = 0.0_wp
       deallocate (state%load_factor, state%support_force, state%support_velocity)
@@ -84,15 +85,13 @@ contains
       end do
       associate (e => state%energies)
          total = e%total()
-         external = e%external
-         internal = e%internal
          history = state%history
-         call begin_accelerations(domain, state)
-         call balance(domain, state)
-         ! no step was made: what is stored and dissipated is what it was
+         call begin_accelerations(domain, state, reduction)
+         ! no step was made: histories are as before
          state%history(:) = history
-         e%internal = internal
-         e%external = external + e%total() - total
+         call measure_energies(domain, reduction, state%step_before, state)
+         e%external = e%external + e%total() - total
+         call e%raise_reference()
       end associate
    end subroutine change_conditions
 

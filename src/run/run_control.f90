@@ -1,243 +1,185 @@
-!> Looks after a run from outside of it: restart files, and requests to stop.
+!> Handles requests to a run: signals, the control file, the wall-clock limit.
 module plydyn_run_run_control
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_error, only : error_type, exit_stopped, fail
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : caught_signal, has_caught_signal
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_control, only : request_type
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
-   use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_step, only : contacts_type
-   use plydyn_run_output_manager, only : output_manager_type
+   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_parallel_comm, only : comm_type
    use plydyn_run_control_file, only : control_requests_type, take_requests
-   use plydyn_state_state, only : attention_sum, halt_sum, state_type
+   use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> What looks after a run
-   type, public :: run_control_type
+   public :: new_run_control
+
+   !> Passes requests to the other observers
+   type, public, extends(observer_type) :: run_control_type
       private
-      !> The job; counts its restart files
+      !> Path of the results, and units of screen and listing
       type(job_type) :: job
-      !> Steps between two restart files that are kept, and between two that replace each other, 0
-      !> for none; how many there are of the latter
-      integer :: kept_cycles = 0, running_cycles = 0, running_files = 1
-      !> Seconds on the wall that the run may take; huge for any number
+      !> Wall-clock limit, seconds
       real(wp) :: most_seconds = huge(1.0_wp)
-      !> Clock at the start, and at the last look for requests
+      !> Clock at the start, and at the last look for the control file
       integer(int64) :: started = 0_int64, looked = 0_int64
-      !> Whether this rank looks at the clock and for files
+      !> Whether this rank looks at the clock and for the control file
       logical :: is_root = .true.
-      !> What was found in this step: whether anything, who asks the run to stop, and what else
-      logical :: is_asked = .false.
+      !> Requests that this rank has found: whether any, the reason for a stop, and the others
+      logical :: has_request = .false.
       character(:), allocatable :: asked_by
       type(control_requests_type) :: requests
+      !> Whether requests are to be met at the end of the next step; the same on all ranks
+      logical :: is_pending = .false.
    contains
-      procedure :: start
-      procedure :: announce
-      procedure :: look
+      procedure :: due
+      procedure :: look_for_requests
+      procedure :: notify
+      procedure :: save
    end type run_control_type
 
-   !> Seconds between two looks for requests in a file
+   !> Seconds between two looks for the control file
    real(wp), parameter :: seconds_per_look = 0.25_wp
 
 contains
 
-   !> Begin to look after a run
-   subroutine start(self, comm, job, request, most_seconds)
-      class(run_control_type), intent(inout) :: self
+   !> Start the clock
+   function new_run_control(comm, job, most_seconds) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> The job, the same on all ranks
       type(job_type), intent(in) :: job
-      !> What the deck asks for
-      type(request_type), intent(in) :: request
-      !> Seconds on the wall that the run may take
+      !> Wall-clock limit, seconds
       real(wp), intent(in) :: most_seconds
+      type(run_control_type) :: self
 
       self%is_root = comm%is_root()
       self%asked_by = ""
       self%job = job
-      self%kept_cycles = request%kept_cycles
-      self%running_cycles = request%running_cycles
-      self%running_files = request%running_files
       self%most_seconds = most_seconds
       call system_clock(self%started)
       self%looked = self%started
-   end subroutine start
+   end function new_run_control
 
-   !> Before the sums of a step are made: let all ranks know that this one is asked for something,
-   !> or that a restart file will be due after the next
-   subroutine announce(self, state)
+   !> A request that was found in the step before is met at the end of this step, when the motion is
+   !> complete
+   pure logical function due(self, time, cycle, is_last)
+      class(run_control_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = self%is_pending
+   end function due
+
+   !> Meet requests, or note them for the next step
+   subroutine notify(self, domain, contacts, state, requests, error)
       class(run_control_type), intent(inout) :: self
-      !> The state; the sums are counted
-      type(state_type), intent(inout) :: state
-
-      logical :: is_last
-
-      call find_requests(self, state)
-      if (has_caught_signal() .or. self%is_asked) call state%tally%add(attention_sum, 1.0_wp)
-      is_last = state%ends_after(state%step_after)
-      if (is_due(self%kept_cycles, state%cycle + 1, is_last) &
-         & .or. is_due(self%running_cycles, state%cycle + 1, is_last)) then
-         call state%tally%add(halt_sum, 1.0_wp)
-      end if
-   end subroutine announce
-
-   !> After a step: write the restart files that are due, and do what is asked for. Where the points
-   !> have gone ahead nothing is due, and what is asked for is done after the next step
-   subroutine look(self, domain, contacts, state, journal, error)
-      class(run_control_type), intent(inout) :: self
-      !> The domain
+      !> As in `observer_type`
       type(domain_type), intent(in) :: domain
-      !> Contacts, which put their memory into the state
       type(contacts_type), intent(in) :: contacts
-      !> The state; says whether any rank is asked for something
       type(state_type), intent(inout) :: state
-      !> What writes the results
-      type(output_manager_type), intent(inout) :: journal
-      !> The run is to stop, or a restart file could not be written; the same on all ranks
+      type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: asked_by, path
-      type(control_requests_type) :: requests
-      logical :: is_running, keep
+      character(:), allocatable :: asked_by
+      type(control_requests_type) :: asked
 
-      if (state%is_ahead) return
-      keep = is_due(self%kept_cycles, state%cycle, state%is_finished())
-      is_running = is_due(self%running_cycles, state%cycle, state%is_finished())
-      if (.not. (state%attention .or. keep .or. is_running)) return
-      asked_by = ""
-      if (state%attention) call take_orders(self, domain%comm, asked_by, requests)
-      if (requests%end_time > 0.0_wp) then
-         state%end_time = requests%end_time
-         ! which may be the end of the next step
-         state%halts = .true.
+      if (.not. (requests%attention .or. self%is_pending)) return
+      ! the motion is complete at the end of a run, and where this was due
+      self%is_pending = .not. (self%is_pending .or. state%is_finished())
+      if (self%is_pending) return
+      call share_requests(self, domain%comm, asked_by, asked)
+      if (asked%end_time > 0.0_wp) state%end_time = asked%end_time
+      requests%fields = asked%plot
+      requests%progress = asked%status
+      requests%flush = asked%flush
+      requests%checkpoint = asked%dump
+      if (len(asked_by) > 0 .and. .not. state%is_finished()) then
+         requests%checkpoint = .true.
+         requests%stopped_by = asked_by
       end if
-      if (requests%plot) call journal%plot(domain, state, error)
-      if (allocated(error)) return
-      if (requests%status) call journal%tell(state)
-      if (state%is_finished()) asked_by = ""
-      keep = keep .or. len(asked_by) > 0 .or. requests%dump
-      if (keep) then
-         self%job%dumps = self%job%dumps + 1
-         path = kept_path(self%job)
-      else if (is_running) then
-         path = running_path(self, state)
-      else
-         if (requests%flush) call flush_all(self, journal, error)
-         return
-      end if
-      call contacts%remember(state)
-      call journal%dump(path, self%job, state, error)
-      if (allocated(error)) return
-      if (keep) call self%job%note("restart file "//path//" at cycle "//text(state%cycle) &
-         & //", time "//text(state%time))
-      if (len(asked_by) > 0) call fail(error, exit_stopped, "stopped by "//asked_by &
-         & //" at cycle "//text(state%cycle)//", time "//text(state%time) &
-         & //"; to go on: plydyn restart "//path)
-   end subroutine look
+   end subroutine notify
 
-   !> Look for signals, at the clock, and for a file of requests, all but the first on the root
-   subroutine find_requests(self, state)
+   !> Answer a request to bring all results to the disk
+   subroutine save(self, contacts, positions, state, requests, error)
       class(run_control_type), intent(inout) :: self
-      type(state_type), intent(in) :: state
+      !> As in `observer_type`
+      type(contacts_type), intent(in) :: contacts
+      type(file_positions_type), intent(inout) :: positions
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(in) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      if (requests%flush) call self%job%note("all results are on the disk")
+   end subroutine save
+
+   !> Look for signals on every rank, for the rest on the root
+   subroutine look_for_requests(self, time, found)
+      class(run_control_type), intent(inout) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      logical, intent(inout) :: found
+
+      if (self%is_root .and. .not. self%has_request) call look_at_root(self, time)
+      found = found .or. self%has_request .or. has_caught_signal()
+   end subroutine look_for_requests
+
+   !> Look at the clock and for the control file
+   subroutine look_at_root(self, time)
+      type(run_control_type), intent(inout) :: self
+      real(wp), intent(in) :: time
 
       integer(int64) :: now, rate
       logical :: found
 
-      ! what was found before is still to be done
-      if (self%is_asked .or. .not. self%is_root) return
       call system_clock(now, rate)
       if (real(now - self%started, wp)/rate > self%most_seconds) then
          self%asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
-         self%is_asked = .true.
+         self%has_request = .true.
       end if
       if (now - self%looked < seconds_per_look*rate) return
       self%looked = now
-      call take_requests(self%job%path//".ctl", state%time, self%requests, found)
+      call take_requests(self%job%path//".ctl", time, self%requests, found)
       if (.not. found) return
-      self%is_asked = .true.
+      self%has_request = .true.
       call self%job%note(self%requests%answer)
       if (self%requests%stop .and. len(self%asked_by) == 0) self%asked_by = self%job%path//".ctl"
-   end subroutine find_requests
+   end subroutine look_at_root
 
-   !> What the root was asked for, and who asks the run to stop, a signal to any rank too
-   subroutine take_orders(self, comm, asked_by, requests)
+   !> Let all ranks have the requests of the root, and a signal to any rank
+   subroutine share_requests(self, comm, asked_by, requests)
       class(run_control_type), intent(inout) :: self
       type(comm_type), intent(in) :: comm
-      !> Empty when nobody does
+      !> Reason for a stop, empty for none
       character(:), allocatable, intent(out) :: asked_by
       type(control_requests_type), intent(out) :: requests
 
-      integer :: orders(5)
+      integer :: flags(5)
       real(wp) :: end_time(1)
 
       asked_by = self%asked_by
       if (has_caught_signal()) asked_by = caught_signal()
-      if (self%is_asked) requests = self%requests
+      if (self%has_request) requests = self%requests
       call comm%broadcast(asked_by)
-      orders(:) = merge(1, 0, [requests%dump, requests%plot, requests%status, requests%flush, &
-         & self%is_asked])
-      self%is_asked = .false.
+      flags(:) = merge(1, 0, [requests%dump, requests%plot, requests%status, requests%flush, &
+         & self%has_request])
+      self%has_request = .false.
       end_time(1) = requests%end_time
-      call comm%broadcast(orders)
+      call comm%broadcast(flags)
       call comm%broadcast(end_time)
-      requests%dump = orders(1) == 1
-      requests%plot = orders(2) == 1
-      requests%status = orders(3) == 1
-      requests%flush = orders(4) == 1
+      requests%dump = flags(1) == 1
+      requests%plot = flags(2) == 1
+      requests%status = flags(3) == 1
+      requests%flush = flags(4) == 1
       requests%end_time = end_time(1)
-      ! attention, but not the root's
-      if (len(asked_by) == 0 .and. sum(orders) == 0) asked_by = "a signal to one of the ranks"
-   end subroutine take_orders
-
-   !> Whether a restart file is due: at every so many steps, and at the end
-   pure logical function is_due(cycles, cycle, is_last)
-      !> Steps between two files, 0 for none
-      integer, intent(in) :: cycles
-      !> Steps made, and whether that is the end
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
-
-      is_due = .false.
-      if (cycles > 0) is_due = mod(cycle, cycles) == 0 .or. is_last
-   end function is_due
-
-   !> Path of the restart file that is to be kept
-   function kept_path(job) result(path)
-      type(job_type), intent(in) :: job
-      character(:), allocatable :: path
-
-      integer, parameter :: two_digits = 10
-
-      path = job%path//".dump"//repeat("0", merge(1, 0, job%dumps < two_digits))//text(job%dumps)
-   end function kept_path
-
-   !> Path of the restart file that replaces an older one
-   function running_path(self, state) result(path)
-      type(run_control_type), intent(in) :: self
-      type(state_type), intent(in) :: state
-      character(:), allocatable :: path
-
-      path = self%job%path//".runrsf"
-      if (self%running_files > 1) path = path &
-         & //text(modulo(state%cycle/self%running_cycles - 1, self%running_files) + 1)
-   end function running_path
-
-   !> Bring all results to the disk
-   subroutine flush_all(self, journal, error)
-      type(run_control_type), intent(in) :: self
-      type(output_manager_type), intent(inout) :: journal
-      type(error_type), allocatable, intent(out) :: error
-
-      type(file_positions_type) :: places
-
-      call journal%keep(places, error)
-      if (.not. allocated(error)) call self%job%note("all results are on the disk")
-   end subroutine flush_all
+      ! a request, but not at the root
+      if (len(asked_by) == 0 .and. sum(flags) == 0) asked_by = "a signal to one of the ranks"
+   end subroutine share_requests
 
 end module plydyn_run_run_control

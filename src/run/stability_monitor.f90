@@ -1,7 +1,7 @@
-!> Guards that stop a run which has gone wrong, and name the culprit.
+!> Stops a run that has become unstable, and names the worst point.
 !>
-!> All ranks come to the same guards, since energies are those of the whole model. Each looks at the
-!> points that it has; of several culprits that of the least number of the user is named.
+!> All ranks come to the same verdict, since energies are those of the whole model. Each looks at
+!> its own points; of several that are equally bad, the point with the least number is named.
 module plydyn_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_error, only : error_type, exit_run, fail
@@ -10,35 +10,75 @@ module plydyn_run_stability_monitor
    use plydyn_domain_delamination, only : can_fail, delamination
    use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_model_control, only : all_explicit
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: check_health
+   public :: check_stability, new_stability_monitor
 
-   !> Ripple of an unstable motion, as a multiple of the energy that went in. With a share s of the
-   !> stable step at most s**2/(1 - s**2) times the energy of a mode is ripple: 4 times at 0.9
-   real(wp), parameter :: unstable_ripple = 100.0_wp
-   !> Steps between two looks at what is stored, which takes a sum over all histories
+   !> Half-step correction of an unstable motion, as a multiple of the energy that went in. With a
+   !> share s of the stable step it is at most s**2/(1 - s**2) times the energy of a mode: 4 times
+   !> at 0.9
+   real(wp), parameter :: unstable_correction = 100.0_wp
+   !> Steps between two looks at the stored energy, which takes a sum over all histories
    integer, parameter :: steps_per_look = 1000
    !> Names of the directions
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
-   !> A point that may be the culprit
+   !> Checks every step
+   type, public, extends(observer_type) :: stability_monitor_type
+   contains
+      procedure :: due
+      procedure :: notify
+   end type stability_monitor_type
+
+   !> The worst point of some
    type :: worst_point_type
-      !> Speed, or whatever is looked at; less than none for no point
+      !> Speed, or another measure; negative for no point
       real(wp) :: badness = -1.0_wp
       !> The user's number of the node, and layer and direction there
       integer :: node_id = huge(1), layer = 1, direction = 1
    contains
-      procedure :: name => suspect_name
+      procedure :: name => point_name
    end type worst_point_type
 
 contains
 
+   !> A monitor
+   pure type(stability_monitor_type) function new_stability_monitor() result(self)
+
+      self%reads_motion = .false.
+   end function new_stability_monitor
+
+   !> Every step is checked, and its motion is of interest only when the run fails
+   pure logical function due(self, time, cycle, is_last)
+      class(stability_monitor_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = .true.
+   end function due
+
+   !> Check a step
+   subroutine notify(self, domain, contacts, state, requests, error)
+      class(stability_monitor_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_stability(domain, state, error)
+   end subroutine notify
+
    !> Numbers that are not finite, and an energy balance past its limit; all ranks must come here
-   subroutine check_health(domain, state, error)
+   subroutine check_stability(domain, state, error)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
@@ -48,13 +88,13 @@ contains
 
       if (.not. ieee_is_finite(state%energies%total())) then
          call fail(error, exit_run, "the motion is no longer finite"//when(state) &
-            & //culprit(domain, state))
+            & //first_infinite(domain, state))
       else if (abs(state%energies%error()) > domain%control%energy_limit) then
          call fail(error, exit_run, "the energy balance is off by " &
             & //text(100.0_wp*state%energies%error(), 3)//" %, more than the " &
             & //text(100.0_wp*domain%control%energy_limit, 3) &
             & //" % allowed (ENGLIM of *CONTROL_LAYERWISE)"//when(state)//fastest(domain, state))
-      else if (state%energies%ripple > unstable_ripple*state%energies%reference &
+      else if (state%energies%half_step_correction > unstable_correction*state%energies%reference &
          & .and. state%energies%reference > 0.0_wp) then
          call fail(error, exit_run, "the motion is unstable"//when(state)//fastest(domain, state) &
             & //"; a smaller TSSFAC may help (it is "//text(domain%control%step_factor)//")")
@@ -66,11 +106,11 @@ contains
       else if (mod(state%cycle, steps_per_look) == 0 .or. state%is_finished()) then
          call check_stored(domain, state, error)
       end if
-   end subroutine check_health
+   end subroutine check_stability
 
-   !> Nothing stores less than no energy. Faces that close again in few steps each may give back
-   !> more than they took, which the balance cannot see: it is work of the internal forces. Nor does
-   !> it see what is dissipated
+   !> Stored energy is never negative. Faces that close again within few steps may give back more
+   !> than they took, which the balance cannot see: it is work of the internal forces. Nor does the
+   !> balance see dissipation
    subroutine check_stored(domain, state, error)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
@@ -114,12 +154,12 @@ contains
    end function when
 
    !> The first impactor or point that is not finite
-   function culprit(domain, state) result(words)
+   function first_infinite(domain, state) result(words)
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      type(worst_point_type) :: suspect
+      type(worst_point_type) :: worst
       integer :: i
 
       do i = 1, size(state%impactors)
@@ -127,11 +167,11 @@ contains
          words = ": velocity of impactor "//text(domain%contact%impactors(i)%id)
          return
       end do
-      suspect = worst_point(domain, merge(0.0_wp, 1.0_wp, ieee_is_finite(state%acceleration( &
+      worst = worst_point(domain, merge(0.0_wp, 1.0_wp, ieee_is_finite(state%acceleration( &
          & :domain%columns%freedoms))))
       words = ": energies, while no acceleration is"
-      if (suspect%badness > 0.0_wp) words = ": acceleration along "//suspect%name(domain)
-   end function culprit
+      if (worst%badness > 0.0_wp) words = ": acceleration along "//worst%name(domain)
+   end function first_infinite
 
    !> The point that moves fastest
    function fastest(domain, state) result(words)
@@ -139,10 +179,10 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      type(worst_point_type) :: suspect
+      type(worst_point_type) :: worst
 
-      suspect = worst_point(domain, abs(state%velocity))
-      words = ": fastest is the motion along "//suspect%name(domain)//", "//text(suspect%badness)
+      worst = worst_point(domain, abs(state%velocity))
+      words = ": fastest is the motion along "//worst%name(domain)//", "//text(worst%badness)
    end function fastest
 
    !> The point of the whole model with the largest number; of several alike that of the node with
@@ -198,7 +238,7 @@ contains
    end function worst_here
 
    !> Direction and place of a point, in the user's numbers
-   function suspect_name(self, domain) result(words)
+   function point_name(self, domain) result(words)
       class(worst_point_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       character(:), allocatable :: words
@@ -206,6 +246,6 @@ contains
       words = axis(self%direction)//" at node "//text(self%node_id)
       if (size(domain%bricks) > 0) return
       words = words//", ply "//text(domain%layers%ply(self%layer))//" from the bottom"
-   end function suspect_name
+   end function point_name
 
 end module plydyn_run_stability_monitor

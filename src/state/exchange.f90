@@ -3,7 +3,7 @@ module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_state_state, only : contact_memory_type, energies_type, impactor_state_type, &
-      & state_type, sums_type
+      & motion_sums_type, state_type
    implicit none
    private
 
@@ -100,7 +100,7 @@ contains
    !> Sums and energies, whichever there are: all of them are reals
    subroutine exchange_sums(exchange, sums, energies)
       class(exchange_type), intent(inout) :: exchange
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
       type(energies_type), intent(inout) :: energies
 
       real(wp), allocatable :: numbers(:)

@@ -4,18 +4,18 @@
 !> Values are the best of many short windows, so that other work on the machine disturbs little.
 program bench
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
-   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
    use plydyn_method_forces, only : add_interface_forces, find_internal_forces
-   use plydyn_method_central_difference, only : accelerate, advance, count_sums
+   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_run_threads, only : set_threads
-   use plydyn_state_state, only : state_type, tally_sums
+   use plydyn_state_state, only : state_type
    implicit none
 
    !> Windows, and the time that one is to take at least, seconds
@@ -29,7 +29,8 @@ program bench
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
 
    type(domain_type) :: domain
-   type(thread_team_type) :: team
+   type(global_reduction_type) :: reduction
+   type(workspace_type) :: work_space
    type(state_type) :: state
    real(wp), allocatable :: displacement(:), force(:), history(:)
    real(wp) :: vectors(lanes, chains)
@@ -115,10 +116,7 @@ contains
       state%displacement = displacement
       state%acceleration = force
       state%step = 1.0e-12_wp
-      if (allocated(state%chunk_sums)) deallocate (state%chunk_sums)
-      allocate (state%chunk_sums(size(domain%chunks%list)))
-      state%tally = new_exact_sums(tally_sums)
-      call new_thread_team(domain, team)
+      call new_workspace(domain, state, work_space)
    end subroutine rest
 
    !> Do a piece of work
@@ -130,18 +128,19 @@ contains
       case (probe)
          call multiply_add(vectors)
       case (internal)
-         call team%begin(.false.)
-         call team%close()
-         call team%open()
-         call find_internal_forces(domain, team, 0.0_wp, displacement, displacement, history, &
-            & force)
+         call work_space%team%begin_step(.false.)
+         call work_space%team%expect_contact()
+         call work_space%team%signal_contact()
+         call find_internal_forces(domain, work_space%team, 0.0_wp, displacement, displacement, &
+            & history, force)
       case (joints)
          call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
       case (acceleration)
-         call accelerate(domain, 0.0_wp, state)
-         call count_sums(state%chunk_sums, state%tally)
+         call apply_masses(domain, work_space, state)
+         call add_chunk_sums(work_space%chunk_sums, reduction)
       case default
-         call advance(domain, state)
+         call predict(domain, work_space, state)
+         call work_space%team%signal_contact()
       end select
    end subroutine do_work
 

@@ -27,6 +27,11 @@ RENAMED_DATA: dict[str, str] = {}
 #: Arrays that the newer build keeps in several: old name, new names whose values follow each other
 SPLIT_DATA: dict[str, tuple[str, ...]] = {}
 
+#: Arrays that the newer build keeps without their last values, which were zero, and why
+SHORTENED_DATA: dict[str, str] = {
+    r"state/sums": "the last was a bound on speeds, which no restart file kept: always zero",
+}
+
 #: Arrays and attributes that only one of the builds writes, and why
 ADDED_DATA: dict[str, str] = {}
 DROPPED_DATA: dict[str, str] = {}

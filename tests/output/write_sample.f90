@@ -7,7 +7,7 @@
 program write_sample
    use plydyn_base_error, only : error_type, exit_output
    use plydyn_base_precision, only : wp
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions
+   use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_vtkhdf_vtkhdf, only : piece_type, hyperslab_type, vtkhdf_type
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_owner_reduction, only : band_start

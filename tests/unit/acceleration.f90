@@ -1,10 +1,11 @@
 !> Accelerations of a whole plate at once, as a step makes them chunk by chunk.
 module acceleration
-   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_central_difference, only : accelerate, count_sums
-   use plydyn_state_state, only : state_type, sums_of, sums_type, tally_sums
+   use plydyn_method_central_difference, only : add_chunk_sums, apply_masses
+   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_workspace, only : new_workspace, workspace_type
+   use plydyn_state_state, only : motion_sums_type, state_type
    implicit none
    private
 
@@ -23,18 +24,20 @@ contains
       !> Force in, acceleration out
       real(wp), intent(inout) :: force(:)
       !> Sums over all points
-      type(sums_type), intent(out) :: sums
+      type(motion_sums_type), intent(out) :: sums
 
+      type(global_reduction_type) :: reduction
       type(state_type) :: state
+      type(workspace_type) :: work
 
-      state%tally = new_exact_sums(tally_sums)
+      state%step_before = step
       state%velocity = velocity
       state%acceleration = force
-      allocate (state%chunk_sums(size(domain%chunks%list)))
-      call accelerate(domain, step, state)
+      call new_workspace(domain, state, work)
+      call apply_masses(domain, work, state)
       force(:) = state%acceleration
-      call count_sums(state%chunk_sums, state%tally)
-      sums = sums_of(state%tally)
+      call add_chunk_sums(work%chunk_sums, reduction)
+      sums = reduction%motion_sums()
    end subroutine accelerate_points
 
 end module acceleration

@@ -2,7 +2,7 @@
 program test_base_exact_sum
    use, intrinsic :: ieee_arithmetic, only : ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, &
       & ieee_value
-   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
+   use plydyn_base_exact_sum, only : exact_sum_type, exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use testing, only : begin, check, finish
    implicit none
@@ -20,14 +20,13 @@ contains
    real(wp) function sum_of(terms)
       real(wp), intent(in) :: terms(:)
 
-      type(exact_sums_type) :: sums
+      type(exact_sum_type) :: sum
       integer :: i
 
-      sums = new_exact_sums(1)
       do i = 1, size(terms)
-         call sums%add(1, terms(i))
+         call sum%add(terms(i))
       end do
-      sum_of = sums%value(1)
+      sum_of = sum%value()
    end function sum_of
 
    !> Whole numbers and powers of two have exact sums

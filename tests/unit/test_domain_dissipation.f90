@@ -12,7 +12,7 @@ program test_domain_dissipation
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
    use plydyn_model_material, only : material_type
    use plydyn_model_model, only : model_type
-   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -160,7 +160,7 @@ contains
 
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call new_thread_team(domain, team)
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
       call find_internal_forces(domain, team, 1.0e-6_wp, stretched(domain, strain), &
             & 0.0_wp*stretched(domain, strain), history, force)
    end subroutine strain_plate

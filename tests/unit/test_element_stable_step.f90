@@ -9,9 +9,9 @@ program test_element_stable_step
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
-   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
-   use plydyn_state_state, only : sums_type
+   use plydyn_state_state, only : motion_sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -120,7 +120,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       type(thread_team_type) :: team
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       integer, allocatable :: free(:)
       real(wp), allocatable :: a(:), k(:, :), left(:, :), right(:, :), u(:), wi(:), work(:), wr(:)
       integer :: i, info, n
@@ -133,7 +133,7 @@ contains
          u(:) = 0.0_wp
          u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
-         call new_thread_team(domain, team)
+         call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
          call find_internal_forces(domain, team, 0.0_wp, u, &
             & 0.0_wp*u, history, a)
          call accelerate_points(domain, 0.0_wp, u, a, sums)

@@ -9,7 +9,7 @@ program test_io_checkpoint_dump
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_hdf5_output, only : hdf5_output_type
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type
+   use plydyn_state_file_positions, only : new_file_positions, file_position_type
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
@@ -68,7 +68,7 @@ contains
       state%end_time = 2.0_wp
       state%step = 3.0_wp
       state%step_before = 4.0_wp
-      state%sums%pull = 5.0_wp
+      state%sums%acceleration_square = 5.0_wp
       state%energies%momentum = [6.0_wp, 7.0_wp, 8.0_wp]
       state%displacement = [1.0_wp/3.0_wp, 2.0_wp, -0.0_wp]
       state%velocity = -state%displacement
@@ -110,7 +110,7 @@ contains
       call check(.not. allocated(error), "tells its state")
       call check(other%displacement, state%displacement, 0.0_wp, "motion")
       call check(other%energies%momentum, state%energies%momentum, 0.0_wp, "energies")
-      call check(other%sums%pull, 5.0_wp, 0.0_wp, "sums")
+      call check(other%sums%acceleration_square, 5.0_wp, 0.0_wp, "sums")
       call check(other%cycle == 17 .and. other%impactors(1)%contacts == 15, "whole numbers")
       call check(all(other%contacts(1)%places == [16, 17]), "memory of a contact")
    end subroutine read_one

@@ -1,15 +1,15 @@
-!> Histories: instants, text of numbers, lines in the file.
+!> Files of histories: text of numbers, lines in the file.
 program test_io_csv_history_file
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_history_file, only : history_type, number_text, schedule_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_positions_type
+   use plydyn_io_csv_history_file, only : history_file_type, number_text
+   use plydyn_io_schedule, only : schedule_type
+   use plydyn_state_file_positions, only : new_file_positions, file_positions_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
    character(*), parameter :: path = "test_io_csv_history_file.csv"
 
-   call instants()
    call numbers()
    call lines()
    call goes_on()
@@ -17,42 +17,6 @@ program test_io_csv_history_file
    call finish()
 
 contains
-
-   !> Instants of a schedule against steps that do not divide its interval
-   subroutine instants()
-      type(schedule_type) :: schedule
-      real(wp) :: time
-      integer :: k, used
-
-      call begin("schedule")
-      schedule = schedule_type(0.1_wp)
-      call check(schedule%due(0.0_wp), "the first call is due")
-      call schedule%advance(0.0_wp)
-      call check(.not. schedule%due(0.05_wp), "nothing between two instants")
-      call check(schedule%due(0.1_wp*(1.0_wp - 1.0e-12_wp)), "round-off does not delay")
-      call schedule%advance(0.1_wp*(1.0_wp - 1.0e-12_wp))
-      call check(.not. schedule%due(0.1_wp), "round-off does not repeat")
-      call check(schedule%due(0.57_wp), "a long step is due once")
-      call schedule%advance(0.57_wp)
-      call check(.not. schedule%due(0.58_wp), "instants passed over are not caught up")
-      call check(schedule%due(0.6_wp), "the next multiple is due")
-
-      ! a thousand steps, summed, are ten intervals
-      schedule = schedule_type(1.0_wp)
-      time = 0.0_wp
-      used = 0
-      do k = 0, 1000
-         if (schedule%due(time)) then
-            used = used + 1
-            call schedule%advance(time)
-         end if
-         time = time + 0.01_wp
-      end do
-      call check(used, 11, "first and last instants are met")
-      schedule = schedule_type(0.0_wp)
-      call schedule%advance(1.0_wp)
-      call check(schedule%due(1.0_wp), "an interval of 0 is every call")
-   end subroutine instants
 
    !> Text of numbers
    subroutine numbers()
@@ -70,26 +34,24 @@ contains
 
    !> Lines of a file
    subroutine lines()
-      type(history_type) :: history
+      type(history_file_type) :: history
       type(error_type), allocatable :: error
       character(80) :: line
       integer :: unit, status
 
       call begin("history")
-      call check(.not. history%due(0.0_wp), "nothing is due before it is open")
-      call history%open(path, ["time ", "force", "share"], ["s", "N", " "], 1.0_wp, &
+      call history%open(path, ["time ", "force", "share"], ["s", "N", " "], &
          & new_file_positions("x"), error)
       call check(.not. allocated(error), "opens")
-      call history%record(0.0_wp, [0.0_wp, 2.5_wp, 1.0_wp], error)
+      call history%write_line([0.0_wp, 2.5_wp, 1.0_wp], error)
       call history%flush(error)
       call check(.not. allocated(error), "flushes")
-      call check(.not. history%due(0.5_wp), "the line counts")
-      call history%record(1.0_wp, [1.0_wp, -1.0e-3_wp, 7.0_wp], error)
+      call history%write_line([1.0_wp, -1.0e-3_wp, 7.0_wp], error)
       call history%close(error)
       call check(.not. allocated(error) .and. .not. history%is_open(), "closes")
       open (newunit=unit, file=path, status="old", action="read")
       read (unit, "(a)") line
-      call check(line == "time [s],force [N],share", "heads have units")
+      call check(line == "time [s],force [N],share", "headers have units")
       read (unit, "(a)") line
       call check(line == "0,2.500000000E+00,1", "numbers are separated by commas")
       read (unit, "(a)") line
@@ -101,30 +63,30 @@ contains
 
    !> A file that an earlier run wrote
    subroutine goes_on()
-      type(history_type) :: history
+      type(history_file_type) :: history
       type(error_type), allocatable :: error
-      type(file_positions_type) :: places
+      type(file_positions_type) :: positions
+      type(schedule_type) :: schedule
       character(80) :: line
       integer :: i, unit, status
 
       call begin("history goes on")
-      places = new_file_positions("test_io_csv_history_file")
-      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
-      call history%record(1.0_wp, [1.0_wp], error)
-      call history%record(3.0_wp, [3.0_wp], error)
-      call history%mark(places, error)
-      call check(.not. allocated(error), "the place is noted")
-      call check(size(places%list) == 1 .and. places%list(1)%amount == 13, "thirteen bytes")
-      call history%record(5.0_wp, [5.0_wp], error)
+      positions = new_file_positions("test_io_csv_history_file")
+      call history%open(path, ["time "], ["s"], positions, error)
+      call history%write_line([1.0_wp], error)
+      call history%write_line([3.0_wp], error)
+      call history%mark(schedule, positions, error)
+      call check(.not. allocated(error), "the position is noted")
+      call check(size(positions%list) == 1 .and. positions%list(1)%amount == 13, "thirteen bytes")
+      call history%write_line([5.0_wp], error)
       call history%close(error)
-      call history%open(path, ["force"], ["N"], 2.0_wp, places, error)
+      call history%open(path, ["force"], ["N"], positions, error)
       call check_error(error, "must have the columns", "other columns than before")
-      call history%open(path, ["t"], [" "], 2.0_wp, places, error)
-      call check_error(error, "must have the columns", "heads that only begin alike")
-      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
+      call history%open(path, ["t"], [" "], positions, error)
+      call check_error(error, "must have the columns", "headers that only begin alike")
+      call history%open(path, ["time "], ["s"], positions, error)
       call check(.not. allocated(error), "the same columns")
-      call check(.not. history%due(3.5_wp) .and. history%due(4.0_wp), "the instants go on")
-      call history%record(4.0_wp, [4.0_wp], error)
+      call history%write_line([4.0_wp], error)
       call history%close(error)
       open (newunit=unit, file=path, status="old", action="read")
       do i = 1, 4
@@ -134,28 +96,24 @@ contains
       read (unit, "(a)", iostat=status) line
       call check(status /= 0, "nothing else")
       close (unit)
-      call history%open(path, ["time "], ["s"], 0.5_wp, places, error)
-      call check(history%due(3.0_wp), "another interval counts from the last line on")
-      call history%close(error)
       call delete(path)
-      call history%open(path, ["time "], ["s"], 2.0_wp, places, error)
+      call history%open(path, ["time "], ["s"], positions, error)
       call check_error(error, "as the run left it", "a file that is not there")
    end subroutine goes_on
 
    !> What cannot be written
    subroutine refusals()
-      type(history_type) :: history
+      type(history_file_type) :: history
       type(error_type), allocatable :: error
 
       call begin("history refuses")
-      call history%open("no/such/folder/x.csv", ["time"], ["s"], 0.0_wp, new_file_positions("x"), &
-         & error)
+      call history%open("no/such/folder/x.csv", ["time"], ["s"], new_file_positions("x"), error)
       call check_error(error, "no/such/folder/x.csv", "a folder that is not there")
       call check(.not. history%is_open(), "it stays closed")
-      call history%open(path, ["time"], ["s", "N"], 0.0_wp, new_file_positions("x"), error)
-      call check_error(error, "a name and a unit", "heads without units")
-      call history%open(path, ["time"], ["s"], 0.0_wp, new_file_positions("x"), error)
-      call history%record(0.0_wp, [0.0_wp, 1.0_wp], error)
+      call history%open(path, ["time"], ["s", "N"], new_file_positions("x"), error)
+      call check_error(error, "a name and a unit", "headers without units")
+      call history%open(path, ["time"], ["s"], new_file_positions("x"), error)
+      call history%write_line([0.0_wp, 1.0_wp], error)
       call check_error(error, "a value for each column", "a line too long")
       call history%close(error)
       call delete(path)

@@ -3,7 +3,7 @@ program test_io_csv_support_table
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type, &
+   use plydyn_state_file_positions, only : new_file_positions, file_position_type, &
       & file_positions_type
    use plydyn_io_csv_support_table, only : choose_table
    use testing, only : begin, check, check_error, finish

@@ -1,13 +1,13 @@
 !> The line of life: its text, durations, and the distance of lines.
 program test_io_listing_progress_line
    use plydyn_base_precision, only : wp
-   use plydyn_io_listing_progress_line, only : duration_text, progress_heads, progress_line, &
-      & progress_type, progress_sample_type
+   use plydyn_io_listing_progress_line, only : duration_text, progress_headers, progress_line, &
+      & progress_type, progress_timer_type
    use testing, only : begin, check, finish
    implicit none
 
    call durations()
-   call line_of_life()
+   call values_of_the_line()
    call distances()
    call finish()
 
@@ -23,15 +23,15 @@ contains
       call check(duration_text(1.0e300_wp) == "-", "beyond a year")
    end subroutine durations
 
-   !> The line and its heads
-   subroutine line_of_life()
+   !> The line and its headers
+   subroutine values_of_the_line()
       type(progress_type) :: progress
-      character(:), allocatable :: line, heads
+      character(:), allocatable :: line, headers
 
       call begin("progress_line")
       progress%end_time = 4.0e-3_wp
       line = progress_line(progress, 0.0_wp)
-      call check(line(len(line):) == "-", "nothing is left to tell at the start")
+      call check(line(len(line):) == "-", "no time is left known at the start")
       progress%cycle = 1200
       progress%time = 1.0e-3_wp
       progress%step = 2.5e-8_wp
@@ -39,12 +39,12 @@ contains
       progress%energy_error = -0.0012_wp
       progress%force = -3456.0_wp
       line = progress_line(progress, 60.0_wp)
-      heads = progress_heads("s", "N")
+      headers = progress_headers("s", "N")
       call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3        " &
-         & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "says all: "//line)
-      call check(len(line), len(heads), "heads are as wide as the line")
-      call check(index(heads, "force [N]") + len("force [N]"), &
-         & index(line, "-3.456E+03") + len("-3.456E+03"), "a head ends where its numbers end")
+         & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "all values: "//line)
+      call check(len(line), len(headers), "headers are as wide as the line")
+      call check(index(headers, "force [N]") + len("force [N]"), &
+         & index(line, "-3.456E+03") + len("-3.456E+03"), "a header ends where its numbers end")
       progress%energy_error = -1.0e-17_wp
       line = progress_line(progress, 60.0_wp)
       call check(index(line, "  0.00%") > 0, "no sign at zero")
@@ -52,21 +52,21 @@ contains
       progress%time = 2.0e-3_wp
       line = progress_line(progress, 60.0_wp)
       call check(line(len(line) - 6:) == "0:02:00", "a run that starts late has less to go")
-   end subroutine line_of_life
+   end subroutine values_of_the_line
 
    !> Distances of lines
    subroutine distances()
-      type(progress_sample_type) :: pulse
+      type(progress_timer_type) :: timer
 
-      call begin("pulse")
-      call check(pulse%elapsed(), 0.0_wp, 0.0_wp, "no time before the start")
-      call pulse%start()
-      call check(pulse%elapsed() >= 0.0_wp, "time passes")
-      call check(pulse%due(0.0_wp), "the first line is due at once")
-      call pulse%advance(0.0_wp)
-      call check(.not. pulse%due(0.9_wp) .and. pulse%due(1.0_wp), "then each second")
-      call pulse%advance(1000.0_wp)
-      call check(.not. pulse%due(1019.0_wp) .and. pulse%due(1020.0_wp), "later less often")
+      call begin("timer")
+      call check(timer%elapsed(), 0.0_wp, 0.0_wp, "no time before the start")
+      call timer%start()
+      call check(timer%elapsed() >= 0.0_wp, "time passes")
+      call check(timer%due(0.0_wp), "the first line is due at once")
+      call timer%advance(0.0_wp)
+      call check(.not. timer%due(0.9_wp) .and. timer%due(1.0_wp), "then each second")
+      call timer%advance(1000.0_wp)
+      call check(.not. timer%due(1019.0_wp) .and. timer%due(1020.0_wp), "later less often")
    end subroutine distances
 
 end program test_io_listing_progress_line

@@ -12,7 +12,7 @@ program test_method_forces
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : add_interface_forces, find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -59,7 +59,7 @@ contains
       displacement = linear_field(domain, gradient)
       allocate (force(size(displacement)))
       force(:) = 0.0_wp
-      call new_thread_team(domain, team)
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
       call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force)
       call check(largest_inside(domain, force)/maxval(abs(force)) < 1.0e-11_wp, &
@@ -102,19 +102,19 @@ contains
       end do
       ! the force that a strain of one would make
       force(:) = 0.0_wp
-      call new_thread_team(domain, team)
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
       call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, gradient), &
             & 0.0_wp*linear_field(domain, gradient), history, force)
       scale = maxval(abs(force))/norm2(gradient)
       force(:) = 0.0_wp
-      call new_thread_team(domain, team)
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
       call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, h), &
             & 0.0_wp*linear_field(domain, h), history, force)
       call check(maxval(abs(force)) < 1.0e-11_wp*scale, "a large rotation makes no force")
 
       call make(side, orders, linear_strain, domain)
       force(:) = 0.0_wp
-      call new_thread_team(domain, team)
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
       call find_internal_forces(domain, team, 0.0_wp, linear_field(domain, spin), &
             & 0.0_wp*linear_field(domain, spin), history, force)
       call check(maxval(abs(force)) < 1.0e-10_wp*scale, "a spin makes no linear strain")
@@ -141,11 +141,11 @@ contains
          displacement = 1.0e-2_wp*sin(real([(i, i=1, domain%columns%freedoms)], wp))
          allocate (force(domain%columns%freedoms, 2))
          force(:, :) = 0.0_wp
-         call new_thread_team(domain, team)
+         call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
          call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force(:, 1))
          call set_laws(domain)
-         call new_thread_team(domain, team)
+         call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
          call find_internal_forces(domain, team, 0.0_wp, displacement, &
             & 0.0_wp*displacement, history, force(:, 2))
          call check(maxval(abs(force(:, 2) - force(:, 1))) < 1.0e-12_wp*maxval(abs(force)), &

@@ -11,10 +11,10 @@ program test_method_implicit_column_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, bottom_face, hold_type
-   use plydyn_method_thread_team, only : thread_team_type, new_thread_team
+   use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
-   use plydyn_method_supports, only : resist_columns
-   use plydyn_state_state, only : sums_type
+   use plydyn_method_supports, only : add_held_inertia
+   use plydyn_state_state, only : motion_sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -70,7 +70,7 @@ contains
    !> One layer of order 1: two masses with half of the spring C/h between them, times step squared
    subroutine test_two_masses()
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: k
       integer :: c, place(2)
@@ -96,7 +96,7 @@ contains
       integer, intent(in) :: order(3)
 
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), b(:), force(:, :), v(:)
       integer :: c, i, k
 
@@ -115,10 +115,10 @@ contains
             & 1.0e-12_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
       end do
       ! forces on tied points act on both: every force moves its own point
-      call check(sums%pull, dot_product(a, force(:, 1)), 1.0e-11_wp*sums%pull, &
+      call check(sums%acceleration_square, dot_product(a, force(:, 1)), 1.0e-11_wp*sums%acceleration_square, &
          & "positive: the work of the forces")
       call accelerate_points(domain, 2.0_wp, v, b, sums)
-      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-11_wp*sums%pull, &
+      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-11_wp*sums%acceleration_square, &
          & "symmetric")
       do i = 1, 3
          call check(a(domain%columns%freedom(2, order(2) + 1, i, 2)), &
@@ -146,7 +146,7 @@ contains
    !> Energies of one layer of order 1 against two masses and a spring at every node
    subroutine test_sums()
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, kinetic, mass
       integer :: c, i, n, place(2)
@@ -179,7 +179,7 @@ contains
       integer, parameter :: steps = 40
       type(domain_type) :: domain
       type(model_type) :: model
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), u(:), v(:)
       real(wp) :: k, stretch(0:steps)
       integer :: i, n
@@ -196,7 +196,7 @@ contains
       u(domain%columns%freedom(1, 2, 3, [(n, n=1, 15)])) = 1.0_wp
       do i = 0, steps
          stretch(i) = u(domain%columns%freedom(1, 2, 3, 8)) - u(domain%columns%freedom(1, 1, 3, 8))
-         call new_thread_team(domain, team)
+         call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
          call find_internal_forces(domain, team, 0.0_wp, u, v, history, a)
          a(domain%supports%held) = 0.0_wp
          call accelerate_points(domain, domain%step, v, a, sums)
@@ -213,7 +213,7 @@ contains
    subroutine test_held()
       type(domain_type) :: domain
       type(model_type) :: model
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: k, mass, support(3)
       integer :: place(2)
@@ -231,7 +231,7 @@ contains
       mass = domain%inertia%mass(domain%columns%mass_of(1, 1, 5))
       a(place(2)) = mass
       call accelerate_points(domain, 2.0_wp, v, a, sums)
-      call resist_columns(domain, a, support)
+      call add_held_inertia(domain, a, support)
       k = 0.5_wp*domain%step**2*c33/ply/(0.5_wp*rho*ply)
       call check(a(place), [0.0_wp, 1.0_wp/(1.0_wp + k)], 1.0e-13_wp, "closed form")
       call check(support, [0.0_wp, mass*k/(1.0_wp + k), 0.0_wp], 1.0e-13_wp*mass, &

@@ -11,7 +11,7 @@ program test_method_implicit_pair_inertia
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_method_forces, only : add_interface_forces
-   use plydyn_state_state, only : sums_type
+   use plydyn_state_state, only : motion_sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -60,7 +60,7 @@ contains
       integer, intent(in) :: below, above
 
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, inverse(2, 2), m(2)
       integer :: c, n, place(2)
@@ -93,7 +93,7 @@ contains
    !> The inverse of the inertia is symmetric and positive, and keeps the momentum
    subroutine test_operator()
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), b(:), force(:, :), v(:)
       integer :: i, k
 
@@ -114,17 +114,17 @@ contains
          call check(sums%momentum(i), sum(force(:, 1), along(domain, i)), &
             & 1.0e-13_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
       end do
-      call check(sums%pull, dot_product(a, force(:, 1)), 1.0e-12_wp*sums%pull, &
+      call check(sums%acceleration_square, dot_product(a, force(:, 1)), 1.0e-12_wp*sums%acceleration_square, &
          & "positive: the work of the forces")
       call accelerate_points(domain, 2.0_wp, v, b, sums)
-      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-12_wp*sums%pull, &
+      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-12_wp*sums%acceleration_square, &
          & "symmetric")
    end subroutine test_operator
 
    !> Sums of the energies against those of the points one by one
    subroutine test_sums()
       type(domain_type) :: domain
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), v(:)
       real(wp) :: added, kinetic
       integer :: c, i, n, place(2)
@@ -160,7 +160,7 @@ contains
       integer, parameter :: steps = 50
       type(domain_type) :: domain
       type(error_type), allocatable :: error
-      type(sums_type) :: sums
+      type(motion_sums_type) :: sums
       real(wp), allocatable :: a(:), u(:), v(:)
       real(wp) :: k, opening(0:steps)
       integer :: i, n

@@ -1,4 +1,4 @@
-!> Who is named when a run goes wrong.
+!> The worst point, which is named when a run becomes unstable.
 program test_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use plydyn_base_error, only : error_type
@@ -6,7 +6,7 @@ program test_run_stability_monitor
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
-   use plydyn_run_stability_monitor, only : check_health
+   use plydyn_run_stability_monitor, only : check_stability
    use plydyn_run_initial_state, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -29,9 +29,9 @@ program test_run_stability_monitor
    start%step = 1.0_wp
    start%first_step = 1.0_wp
 
-   call begin("check_health")
+   call begin("check_stability")
    state = start
-   call check_health(domain, state, error)
+   call check_stability(domain, state, error)
    call check(.not. allocated(error), "nothing is wrong")
 
    state = start
@@ -39,21 +39,21 @@ program test_run_stability_monitor
    state%energies%internal = 2.0_wp
    state%velocity(domain%columns%freedom(1, 2, 3, 4)) = -5.0_wp
    state%velocity(domain%columns%freedom(2, 1, 2, 7)) = 6.0_wp
-   call check_health(domain, state, error)
+   call check_stability(domain, state, error)
    call check_error(error, "fastest is the motion along y at node 930, ply 2 from the bottom, 6", &
       & "the fastest is named")
    state%velocity(domain%columns%freedom(1, 1, 1, 9)) = -6.0_wp
-   call check_health(domain, state, error)
+   call check_stability(domain, state, error)
    call check_error(error, "fastest is the motion along x at node 910, ply 1 from the bottom, 6", &
       & "of two that are as fast that of the least number")
 
    state = start
    state%energies%internal = ieee_value(1.0_wp, ieee_quiet_nan)
-   call check_health(domain, state, error)
+   call check_stability(domain, state, error)
    call check_error(error, "energies, while no acceleration is", "no point is to blame")
    state%acceleration(domain%columns%freedom(1, 2, 3, 4)) = ieee_value(1.0_wp, ieee_quiet_nan)
    state%acceleration(domain%columns%freedom(2, 2, 3, 5)) = ieee_value(1.0_wp, ieee_quiet_nan)
-   call check_health(domain, state, error)
+   call check_stability(domain, state, error)
    call check_error(error, "acceleration along z at node 950, ply 2 from the bottom", &
       & "of two that are no numbers that of the least number")
    call finish()

@@ -3,7 +3,7 @@ module plydyn_io_checkpoint_broadcast_job
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type, &
+   use plydyn_state_file_positions, only : new_file_positions, file_position_type, &
       & file_positions_type
    use plydyn_parallel_comm, only : comm_type
    implicit none

@@ -14,7 +14,7 @@ module plydyn_io_checkpoint_dump
    use plydyn_io_checkpoint_check_sum, only : sum_name, sum_text, sums_of
    use plydyn_io_hdf5_output, only : hdf5_output_type, store_double, store_integer
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
+   use plydyn_state_file_positions, only : file_positions_type
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type

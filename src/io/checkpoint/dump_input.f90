@@ -12,7 +12,7 @@ module plydyn_io_checkpoint_dump_input
    use plydyn_io_hdf5_output, only : hyperslab_type
    use plydyn_io_hdf5_input, only : hdf5_input_type
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type
+   use plydyn_state_file_positions, only : new_file_positions, file_position_type
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_state, only : state_type

@@ -1,20 +1,23 @@
-!> The history of delamination: area and energy of every interface that can fail.
+!> The history of delamination, JOB.delamination.csv: area and energy of every interface that can
+!> fail.
 module plydyn_io_csv_delamination_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : interface_ply
+   use plydyn_domain_delamination, only : delamination, delamination_type, interface_ply, &
+      & projected_area
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_control, only : units_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_csv_global_history, only : global_history_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_model_model, only : model_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
    public :: failing_interfaces
 
-   !> The file
+   !> The history
    type, public, extends(history_recorder_type) :: delamination_history_type
       private
       !> Interfaces that can fail, counted from the bottom
@@ -47,58 +50,52 @@ contains
    end function failing_interfaces
 
    !> Create the file, if something can fail
-   subroutine open_delamination(self, path, units, interval, domain, places, error)
+   subroutine open_delamination(self, job, model, domain, error)
       class(delamination_history_type), intent(inout) :: self
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Names of the units
-      type(units_type), intent(in) :: units
-      !> Time between two lines
-      real(wp), intent(in) :: interval
-      !> The domain
+      !> As in `output_type`
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(file_positions_type), intent(in) :: places
-      !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      character(40), allocatable :: names(:), unit(:)
+      character(40), allocatable :: columns(:, :)
       integer :: i, n
 
       self%interfaces = failing_interfaces(domain)
       n = size(self%interfaces)
       if (n == 0) return
-      allocate (names(2*n + 3), unit(2*n + 3))
-      names(1) = "time"
-      unit(1) = units%time
-      do i = 1, n
-         names(1 + i) = "interface "//text(self%interfaces(i))//" area"
-         names(3 + n + i) = "interface "//text(self%interfaces(i))//" energy"
-      end do
-      names(n + 2) = "sum"
-      names(n + 3) = "projected area"
-      unit(2:n + 3) = trim(units%length)//"2"
-      unit(n + 4:) = units%energy
-      call self%history%open(path, names, unit, interval, places, error)
+      self%reads_motion = .false.
+      associate (units => model%control%units)
+         allocate (columns(2*n + 3, 2))
+         columns(1, :) = [character(40) :: "time", units%time]
+         do i = 1, n
+            columns(1 + i, 1) = "interface "//text(self%interfaces(i))//" area"
+            columns(3 + n + i, 1) = "interface "//text(self%interfaces(i))//" energy"
+         end do
+         columns(n + 2:n + 3, 1) = [character(40) :: "sum", "projected area"]
+         columns(2:n + 3, 2) = trim(units%length)//"2"
+         columns(n + 4:, 2) = units%energy
+      end associate
+      call self%open_file(job, domain%comm, job%path//".delamination.csv", columns, &
+         & model%request%delamination_interval, error)
    end subroutine open_delamination
 
-   !> Add a line if one is due
-   subroutine record_delamination(self, rows, time, is_last, error)
+   !> Add a line
+   subroutine record_delamination(self, domain, contacts, state, error)
       class(delamination_history_type), intent(inout) :: self
-      !> What the interfaces have lost
-      type(global_history_type), intent(in) :: rows
-      !> Time now
-      real(wp), intent(in) :: time
-      !> Whether the run ends here
-      logical, intent(in) :: is_last
-      !> Why it could not be written
+      !> As in `history_recorder_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(in) :: state
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%history%is_open()) return
-      if (.not. (self%history%due(time) .or. is_last)) return
-      associate (lost => rows%lost(self%interfaces))
-         call self%history%record(time, [time, lost%failed, sum(lost%failed), &
-            & rows%projected_area, lost%fracture + lost%closing + lost%friction], error)
+      type(delamination_type), allocatable :: all_lost(:)
+
+      all_lost = delamination(domain, state%history)
+      associate (lost => all_lost(self%interfaces))
+         call self%write_line([state%time, lost%failed, sum(lost%failed), &
+            & projected_area(domain, state%history), lost%fracture + lost%closing &
+            & + lost%friction], error)
       end associate
    end subroutine record_delamination
 

@@ -1,4 +1,4 @@
-!> Histories: columns of numbers over time, as comma-separated values with one line of heads.
+!> Histories: columns of numbers over time, as comma-separated values with one line of headers.
 !>
 !> A number has ten significant digits; a whole number of up to ten digits is written as such. The
 !> same run writes the same bytes. Lines reach the disk about once a second and on closing.
@@ -8,19 +8,18 @@ module plydyn_io_csv_history_file
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
-   use plydyn_io_checkpoint_file_positions, only : file_position_type, file_positions_type
    use plydyn_io_csv_text_file, only : close_text, continue_text, create_text, secure_text
+   use plydyn_io_schedule, only : schedule_type
+   use plydyn_state_file_positions, only : file_position_type, file_positions_type
    implicit none
    private
 
-   public :: heads_of, number_text
+   public :: header_line, number_text
 
    !> Longest text of a number
    integer, parameter :: number_length = 18
    !> Significant digits of a number
    integer, parameter :: significant = 10
-   !> Share of an interval by which an instant may come too early
-   real(wp), parameter :: slack = 1.0e-6_wp
    !> Whole numbers below this are written without exponent
    real(wp), parameter :: whole_limit = 1.0e10_wp
    !> Numbers below and from here on have exponents of three digits, by rounding perhaps
@@ -28,28 +27,13 @@ module plydyn_io_csv_history_file
    !> Seconds between two visits to the disk
    real(wp), parameter :: seconds_in_memory = 1.0_wp
 
-   !> Instants at equal intervals: the first call, then the first one at or after each multiple
-   type, public :: schedule_type
-      !> Time between two instants; 0 for every call
-      real(wp) :: interval = 0.0_wp
-      !> Multiple of the interval that comes next; negative before the first call
-      integer(int64), private :: next = -1_int64
-   contains
-      procedure :: due => schedule_due
-      procedure :: advance
-      procedure :: mark => mark_schedule
-      procedure :: resume
-   end type schedule_type
-
-   !> A file of histories being written
-   type, public :: history_type
+   !> A file of a history, on the root
+   type, public :: history_file_type
       private
       !> Path of the file
       character(:), allocatable :: path
       !> Its unit
       integer :: unit = -1
-      !> Instants of the lines
-      type(schedule_type) :: schedule
       !> Numbers in a line
       integer :: columns = 0
       !> Line in the making
@@ -61,96 +45,46 @@ module plydyn_io_csv_history_file
    contains
       procedure :: open => open_history
       procedure :: is_open
-      procedure :: due
-      procedure :: record
+      procedure :: write_line
       procedure :: mark => mark_history
       procedure :: flush => flush_history
       procedure :: close => close_history
-   end type history_type
+   end type history_file_type
 
 contains
 
-   !> True when an instant has come
-   elemental logical function schedule_due(self, time)
-      !> The instants
-      class(schedule_type), intent(in) :: self
-      !> Time now
-      real(wp), intent(in) :: time
-
-      schedule_due = self%interval <= 0.0_wp .or. self%next < 0 &
-         & .or. time >= (self%next - slack)*self%interval
-   end function schedule_due
-
-   !> Note that the instant was used: the next one is later than this time
-   elemental subroutine advance(self, time)
-      !> The instants
-      class(schedule_type), intent(inout) :: self
-      !> Time now
-      real(wp), intent(in) :: time
-
-      if (self%interval > 0.0_wp) self%next = floor(time/self%interval + slack, int64) + 1
-   end subroutine advance
-
-   !> The instants as they are
-   elemental type(file_position_type) function mark_schedule(self, amount) result(place)
-      !> The instants
-      class(schedule_type), intent(in) :: self
-      !> What was written so far
-      integer(int64), intent(in) :: amount
-
-      place = file_position_type(amount=amount, interval=self%interval, next=self%next)
-   end function mark_schedule
-
-   !> Go on with instants from an earlier run, unless their interval is another one
-   elemental subroutine resume(self, place)
-      !> The instants, with their interval
-      class(schedule_type), intent(inout) :: self
-      !> As from `mark`
-      type(file_position_type), intent(in) :: place
-
-      if (abs(place%interval - self%interval) <= 0.0_wp) then
-         self%next = place%next
-      else if (place%next >= 0) then
-         call self%advance(place%interval*(place%next - 1))
-      end if
-   end subroutine resume
-
-   !> Create the file and write the heads, such as `force [N]`; or go on with it
-   subroutine open_history(self, path, names, units, interval, places, error)
+   !> Create the file and write the headers, such as `force [N]`; or go on with it
+   subroutine open_history(self, path, names, units, positions, error)
       !> The history
-      class(history_type), intent(inout) :: self
+      class(history_file_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
       !> Names of the columns
       character(*), intent(in) :: names(:)
       !> Unit of each column; blank for none
       character(*), intent(in) :: units(:)
-      !> Time between two lines; 0 for every step
-      real(wp), intent(in) :: interval
       !> Where to go on with files of an earlier run; a file that is not there is created
-      type(file_positions_type), intent(in) :: places
+      type(file_positions_type), intent(in) :: positions
       !> Why the file could not be created, or there is no going on with it
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: heads
-      type(file_position_type) :: place
+      character(:), allocatable :: headers
+      type(file_position_type) :: position
 
       self%path = trim(path)
       if (size(names) /= size(units) .or. size(names) == 0) then
          call fail(error, exit_output, self%path//": each column must have a name and a unit")
          return
       end if
-      heads = heads_of(names, units)
-      self%schedule = schedule_type(interval)
-      place = places%at(self%path)
-      if (place%amount < 0) then
+      headers = header_line(names, units)
+      position = positions%at(self%path)
+      if (position%amount < 0) then
          call create_text(self%path, self%unit, error)
          if (allocated(error)) return
-         write (self%unit, "(a)") heads
+         write (self%unit, "(a)") headers
       else
-         call continue_text(self%path, heads, place%amount, self%unit, error)
+         call continue_text(self%path, headers, position%amount, self%unit, error)
          if (allocated(error)) return
-         call self%schedule%resume(place)
       end if
       self%columns = size(names)
       if (allocated(self%line)) deallocate (self%line)
@@ -159,44 +93,32 @@ contains
       call self%flush(error)
    end subroutine open_history
 
-   !> The line of heads
-   pure function heads_of(names, units) result(heads)
+   !> The line of headers
+   pure function header_line(names, units) result(headers)
       !> As for `open`
       character(*), intent(in) :: names(:), units(:)
-      character(:), allocatable :: heads
+      character(:), allocatable :: headers
 
       integer :: i
 
-      heads = head(names(1), units(1))
+      headers = header(names(1), units(1))
       do i = 2, size(names)
-         heads = heads//","//head(names(i), units(i))
+         headers = headers//","//header(names(i), units(i))
       end do
-   end function heads_of
+   end function header_line
 
    !> True between `open` and `close`
    pure logical function is_open(self)
       !> The history
-      class(history_type), intent(in) :: self
+      class(history_file_type), intent(in) :: self
 
       is_open = self%opened
    end function is_open
 
-   !> True when a line should be recorded
-   pure logical function due(self, time)
+   !> Write a line
+   subroutine write_line(self, values, error)
       !> The history
-      class(history_type), intent(in) :: self
-      !> Time now
-      real(wp), intent(in) :: time
-
-      due = self%opened .and. self%schedule%due(time)
-   end function due
-
-   !> Write a line, due or not; several lines may have the same time
-   subroutine record(self, time, values, error)
-      !> The history
-      class(history_type), intent(inout) :: self
-      !> Time now: what is due next counts from here
-      real(wp), intent(in) :: time
+      class(history_file_type), intent(inout) :: self
       !> All columns, the time among them
       real(wp), intent(in) :: values(:)
       !> Why it could not be written
@@ -220,17 +142,18 @@ contains
             & //"room, and no other run the same job")
          return
       end if
-      call self%schedule%advance(time)
       call system_clock(now, rate)
       if (now - self%secured > seconds_in_memory*rate) call self%flush(error)
-   end subroutine record
+   end subroutine write_line
 
-   !> Put all lines on the disk, and note how far the file goes
-   subroutine mark_history(self, places, error)
+   !> Put all lines on the disk, and add how far the file has been written
+   subroutine mark_history(self, schedule, positions, error)
       !> The history
-      class(history_type), intent(inout) :: self
-      !> Places in all files
-      type(file_positions_type), intent(inout) :: places
+      class(history_file_type), intent(inout) :: self
+      !> Instants of its lines
+      type(schedule_type), intent(in) :: schedule
+      !> Positions in all files
+      type(file_positions_type), intent(inout) :: positions
       !> Why the lines are not all there
       type(error_type), allocatable, intent(out) :: error
 
@@ -243,7 +166,7 @@ contains
       inquire (file=self%path, size=bytes)
       call secure_file(self%path, good)
       if (good) then
-         call places%add(self%path, self%schedule%mark(bytes))
+         call positions%add(self%path, schedule%mark(bytes))
       else
          call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
       end if
@@ -252,7 +175,7 @@ contains
    !> Put all lines on the disk
    subroutine flush_history(self, error)
       !> The history
-      class(history_type), intent(inout) :: self
+      class(history_file_type), intent(inout) :: self
       !> Why they are not all there
       type(error_type), allocatable, intent(out) :: error
 
@@ -265,7 +188,7 @@ contains
    !> Put all lines on the disk and close the file; nothing happens when it is not open
    subroutine close_history(self, error)
       !> The history
-      class(history_type), intent(inout) :: self
+      class(history_file_type), intent(inout) :: self
       !> Why the lines are not all there
       type(error_type), allocatable, intent(out) :: error
 
@@ -275,16 +198,16 @@ contains
    end subroutine close_history
 
    !> Head of a column
-   pure function head(name, unit)
+   pure function header(name, unit)
       !> Name of the column
       character(*), intent(in) :: name
       !> Its unit; blank for none
       character(*), intent(in) :: unit
-      character(:), allocatable :: head
+      character(:), allocatable :: header
 
-      head = trim(name)
-      if (len_trim(unit) > 0) head = head//" ["//trim(unit)//"]"
-   end function head
+      header = trim(name)
+      if (len_trim(unit) > 0) header = header//" ["//trim(unit)//"]"
+   end function header
 
    !> Add a number and a comma to a line
    pure subroutine add_number(value, line, length)

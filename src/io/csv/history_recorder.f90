@@ -1,40 +1,163 @@
-!> Something that fills a history of its own.
+!> An observer that writes a history: a line whenever its instant has come, and at the end.
 module plydyn_io_csv_history_recorder
    use plydyn_base_error, only : error_type
-   use plydyn_io_csv_history_file, only : history_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_io_csv_history_file, only : history_file_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_output, only : output_type
+   use plydyn_io_schedule, only : schedule_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_observer, only : requests_type
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> The file, which an extension opens and adds lines to
-   type, public :: history_recorder_type
-      !> The file; not open where nothing is asked for
-      type(history_type) :: history
+   !> A history; an extension calls `open_file` and `write_line`
+   type, abstract, public, extends(output_type) :: history_recorder_type
+      !> The ranks
+      type(comm_type) :: comm
+      !> Whether the deck asks for the history, and the instants of its lines: the same on all ranks
+      logical :: is_active = .false.
+      type(schedule_type) :: schedule
+      !> The file, open on the root
+      type(history_file_type), private :: file
    contains
-      procedure :: mark
+      procedure(record_lines), deferred :: record
+      procedure :: due
+      procedure :: begin
+      procedure :: notify
+      procedure :: mark => mark_file
+      procedure :: mark_file
       procedure :: close => close_recorder
+      procedure :: open_file
+      procedure :: write_line
    end type history_recorder_type
+
+   abstract interface
+      !> Write the lines of this time. All ranks come here
+      subroutine record_lines(self, domain, contacts, state, error)
+         import :: contacts_type, domain_type, error_type, history_recorder_type, state_type
+         implicit none
+         class(history_recorder_type), intent(inout) :: self
+         !> The domain of this rank, its contacts and its state
+         type(domain_type), intent(in) :: domain
+         type(contacts_type), intent(in) :: contacts
+         type(state_type), intent(in) :: state
+         !> Why they could not be written; the same on all ranks
+         type(error_type), allocatable, intent(out) :: error
+      end subroutine record_lines
+   end interface
 
 contains
 
-   !> Put all lines on the disk, and note how far the file goes
-   subroutine mark(self, places, error)
+   !> Whether a line is due at the end of a step
+   pure logical function due(self, time, cycle, is_last)
+      class(history_recorder_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = self%is_active
+      if (due) due = is_last .or. self%schedule%due(time)
+   end function due
+
+   !> The lines of the beginning
+   subroutine begin(self, domain, contacts, state, error)
       class(history_recorder_type), intent(inout) :: self
-      !> Places in all files
-      type(file_positions_type), intent(inout) :: places
-      !> Why they are not all there
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
       type(error_type), allocatable, intent(out) :: error
 
-      call self%history%mark(places, error)
-   end subroutine mark
+      if (.not. self%due(state%time, state%cycle, state%is_finished())) return
+      call self%record(domain, contacts, state, error)
+      call self%schedule%advance(state%time)
+   end subroutine begin
+
+   !> The lines of a step
+   subroutine notify(self, domain, contacts, state, requests, error)
+      class(history_recorder_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%begin(domain, contacts, state, error)
+   end subroutine notify
+
+   !> Put all lines on the disk, and add how far the file has been written
+   subroutine mark_file(self, positions, error)
+      class(history_recorder_type), intent(inout) :: self
+      !> Positions in all files
+      type(file_positions_type), intent(inout) :: positions
+      !> Why the lines are not all there; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. self%is_active) return
+      if (self%comm%is_root()) call self%file%mark(self%schedule, positions, error)
+      call self%comm%broadcast(error)
+   end subroutine mark_file
 
    !> Close the file
-   subroutine close_recorder(self, error)
+   subroutine close_recorder(self, domain, state, outcome, error)
       class(history_recorder_type), intent(inout) :: self
-      !> Why it could not be closed
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(error_type), allocatable, intent(in) :: outcome
+      !> Why it could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      call self%history%close(error)
+      if (.not. self%is_active) return
+      if (self%comm%is_root()) call self%file%close(error)
+      call self%comm%broadcast(error)
    end subroutine close_recorder
+
+   !> Let the root create the file, or go on with it. All ranks come here
+   subroutine open_file(self, job, comm, path, columns, interval, error)
+      class(history_recorder_type), intent(inout) :: self
+      !> The job
+      type(job_type), intent(in) :: job
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> Name and unit of each column, (columns, 2)
+      character(*), intent(in) :: columns(:, :)
+      !> Time between two lines; 0 for every step
+      real(wp), intent(in) :: interval
+      !> Why it could not be created; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      self%comm = comm
+      self%is_active = .true.
+      self%schedule = schedule_type(interval)
+      associate (position => job%places%at(path))
+         if (position%amount >= 0) call self%schedule%resume(position)
+      end associate
+      if (comm%is_root()) then
+         call self%file%open(path, columns(:, 1), columns(:, 2), job%places, error)
+      end if
+      call comm%broadcast(error)
+   end subroutine open_file
+
+   !> Let the root write a line. All ranks come here
+   subroutine write_line(self, values, error)
+      class(history_recorder_type), intent(inout) :: self
+      !> All columns; of use on the root alone
+      real(wp), intent(in) :: values(:)
+      !> Why it could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%comm%is_root()) call self%file%write_line(values, error)
+      call self%comm%broadcast(error)
+   end subroutine write_line
 
 end module plydyn_io_csv_history_recorder

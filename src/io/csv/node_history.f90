@@ -1,5 +1,4 @@
-!> Motion of single nodes on both faces of the plate, as a history: written by the root, to which
-!> each rank tells that of the nodes that it counts.
+!> The history of single nodes on both faces of the plate, JOB.nodes.csv.
 module plydyn_io_csv_node_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -9,24 +8,22 @@ module plydyn_io_csv_node_history
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
    use plydyn_io_owned_columns, only : counted_columns
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_parallel_comm, only : comm_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_contact_step, only : contacts_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> Most characters of a head, and of a unit
-   integer, parameter :: head_length = 40
+   !> Most characters of a header, and of a unit
+   integer, parameter :: header_length = 40
 
    !> The history of some nodes
    type, public, extends(history_recorder_type) :: node_history_type
       private
-      !> The ranks
-      type(comm_type) :: comm
       !> Places in the arrays of motion, 0 where another rank counts the node
       integer, allocatable :: freedom(:)
-      !> The row that they fill, and what this rank knows of it
+      !> The line, and which of its values this rank has
       real(wp), allocatable :: row(:)
       logical, allocatable :: is_known(:)
    contains
@@ -36,24 +33,19 @@ module plydyn_io_csv_node_history
 
 contains
 
-   !> Find the nodes, and let the root create the file, if the deck asks for any
-   subroutine open_nodes(self, path, model, domain, places, error)
+   !> Find the nodes, and create the file, if the deck asks for any
+   subroutine open_nodes(self, job, model, domain, error)
       class(node_history_type), intent(inout) :: self
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> The model
+      !> As in `output_type`
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
-      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(file_positions_type), intent(in) :: places
-      !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      character(head_length) :: names(1 + 12*size(model%request%nodes)), units(size(names))
+      character(header_length) :: table(1 + 12*size(model%request%nodes), 2)
       integer :: columns, face, faces, i
 
-      self%comm = domain%comm
+      if (size(model%request%nodes) == 0) return
       allocate (self%freedom(0))
       ! a brick's node is one point
       faces = merge(1, 2, size(domain%bricks) > 0)
@@ -68,10 +60,9 @@ contains
       allocate (self%row(columns), self%is_known(columns))
       self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
          & i=1, size(self%freedom), 3)]]
-      if (size(model%request%nodes) == 0 .or. .not. self%comm%is_root()) return
-      call name_columns(model, faces, names(:columns), units(:columns))
-      call self%history%open(path, names(:columns), units(:columns), model%request%node_interval, &
-         & places, error)
+      call name_columns(model, faces, table(:columns, 1), table(:columns, 2))
+      call self%open_file(job, domain%comm, job%path//".nodes.csv", table(:columns, :), &
+         & model%request%node_interval, error)
    end subroutine open_nodes
 
    !> Time, then for each node and face displacement and velocity, such as `n17 top uz`
@@ -79,7 +70,7 @@ contains
       type(model_type), intent(in) :: model
       !> 2 where a node has a point on both faces of the plate, 1 where it is a point
       integer, intent(in) :: faces
-      character(head_length), intent(out) :: names(:), units(:)
+      character(header_length), intent(out) :: names(:), units(:)
 
       character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
       character(7), parameter :: face_name(2) = [" bottom", " top   "]
@@ -123,12 +114,13 @@ contains
       if (.not. is_counted(domain%columns%column_of(place(1)))) place(:) = 0
    end function places_of
 
-   !> Add a line; the velocity is that of this time. All ranks must come here
-   subroutine record_nodes(self, state, error)
+   !> Add a line; the velocity is that of the full step
+   subroutine record_nodes(self, domain, contacts, state, error)
       class(node_history_type), intent(inout) :: self
-      !> The state of this rank
+      !> As in `history_recorder_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
       type(state_type), intent(in) :: state
-      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       integer :: first, i
@@ -145,8 +137,7 @@ contains
       end do
       call self%comm%merge(self%is_known, self%row)
       self%row(1) = state%time
-      if (self%comm%is_root()) call self%history%record(state%time, self%row, error)
-      call self%comm%broadcast(error)
+      call self%write_line(self%row, error)
    end subroutine record_nodes
 
 end module plydyn_io_csv_node_history

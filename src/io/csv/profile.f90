@@ -1,5 +1,5 @@
-!> Displacement, strain and stress through the thickness at a place of the plane, as a CSV file:
-!> written by the root, to which each rank tells what its quads at the place say.
+!> Displacement, strain and stress through the thickness at a place of the plane,
+!> JOB.profile_ID.csv.
 module plydyn_io_csv_profile
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
@@ -12,10 +12,11 @@ module plydyn_io_csv_profile
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange
-   use plydyn_model_control, only : profile_type, total_lagrangian, units_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_parallel_comm, only : comm_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_model_control, only : profile_type, total_lagrangian
+   use plydyn_model_model, only : model_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -23,8 +24,8 @@ module plydyn_io_csv_profile
    !> A profile being written: blocks of rows from the bottom up, one block for each time
    type, public, extends(history_recorder_type) :: profile_file_type
       private
-      !> The ranks
-      type(comm_type) :: comm
+      !> Index of the profile
+      integer :: profile = 0
       !> Points in each layer
       integer :: points = 0
       !> Quads of this rank that meet at the place: plate and quad, and where the place is in each
@@ -52,7 +53,7 @@ module plydyn_io_csv_profile
    !> Newton steps to find a place in a quad
    integer, parameter :: newton_steps = 20
 
-   public :: check_profiles
+   public :: check_profiles, new_profile_file
 
 contains
 
@@ -82,39 +83,43 @@ contains
       end do
    end subroutine check_profiles
 
-   !> Find the place, and let the root create the file
-   subroutine open_profile(self, path, profile, units, domain, places, error)
+   !> A profile that a deck asks for
+   pure type(profile_file_type) function new_profile_file(profile) result(self)
+      !> Index of the profile
+      integer, intent(in) :: profile
+
+      self%profile = profile
+   end function new_profile_file
+
+   !> Find the place, and create the file
+   subroutine open_profile(self, job, model, domain, error)
       class(profile_file_type), intent(inout) :: self
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> What the deck asks for, on the plate
-      type(profile_type), intent(in) :: profile
-      !> Names of the units
-      type(units_type), intent(in) :: units
-      !> The domain of this rank
+      !> As in `output_type`
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(file_positions_type), intent(in) :: places
-      !> Why the file could not be created
       type(error_type), allocatable, intent(out) :: error
 
-      character(8) :: unit(columns)
+      character(8) :: table(columns, 2)
 
-      self%comm = domain%comm
-      self%points = profile%points
-      call find_quads(self, domain, profile%position)
-      call number_quads(self, domain)
-      if (.not. self%comm%is_root()) return
-      unit(1:6) = [units%time, units%length, "-       ", units%length, units%length, units%length]
-      unit(7:12) = units%stress
-      unit(13:18) = "-"
-      unit(19:24) = units%stress
-      call self%history%open(path, names, unit, profile%interval, places, error)
+      associate (profile => model%request%profiles(self%profile), units => model%control%units)
+         self%points = profile%points
+         call find_quads(self, domain, profile%position)
+         call number_quads(self, domain)
+         table(:, 1) = names
+         table(1:6, 2) = [units%time, units%length, "-       ", units%length, units%length, &
+            & units%length]
+         table(7:12, 2) = units%stress
+         table(13:18, 2) = "-"
+         table(19:24, 2) = units%stress
+         call self%open_file(job, domain%comm, job%path//".profile_"//text(profile%id)//".csv", &
+            & table, profile%interval, error)
+      end associate
    end subroutine open_profile
 
    !> All quads that contain a place, on a border more than one
    subroutine find_quads(self, domain, position)
-      type(profile_file_type), intent(inout) :: self
+      class(profile_file_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: position(2)
 
@@ -139,15 +144,15 @@ contains
       type(profile_file_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      real(wp) :: counts(self%comm%ranks), own(size(self%quad, 2))
+      real(wp) :: counts(domain%comm%ranks), own(size(self%quad, 2))
       real(wp), allocatable :: all_ranks(:)
       integer :: i, r
 
-      call self%comm%allgather([real(size(own), wp)], [(1, r=1, size(counts))], counts)
+      call domain%comm%allgather([real(size(own), wp)], [(1, r=1, size(counts))], counts)
       self%all_quads = nint(sum(counts))
       own(:) = [(real(domain%plates(self%quad(1, i))%quad(self%quad(2, i)), wp), i=1, size(own))]
       allocate (all_ranks(self%all_quads))
-      call self%comm%allgather(own, nint(counts), all_ranks)
+      call domain%comm%allgather(own, nint(counts), all_ranks)
       all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
       self%number = [(minloc(abs(all_ranks - own(i)), 1), i=1, size(own))]
    end subroutine number_quads
@@ -181,32 +186,28 @@ contains
       found = area > 0.0_wp .and. all(abs(local) <= inside)
    end subroutine find_local
 
-   !> Write a block of rows. All ranks must come here
-   subroutine record(self, domain, state, error)
+   !> Write a block of rows
+   subroutine record(self, domain, contacts, state, error)
       class(profile_file_type), intent(inout) :: self
-      !> The domain of this rank
+      !> As in `history_recorder_type`
       type(domain_type), intent(in) :: domain
-      !> Its state
+      type(contacts_type), intent(in) :: contacts
       type(state_type), intent(in) :: state
-      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: part, values(quantities, self%all_quads, self%points, size(domain%layers%order))
       integer :: i, k
 
       call find_values(self, domain, state, values)
-      if (self%comm%is_root()) then
-         write_rows: do k = 1, size(values, 4)
-            do i = 1, self%points
-               part = share_of(self, i)
-               call self%history%record(state%time, [state%time, (1.0_wp - part) &
-                  & *domain%layers%bottom(k) + part*domain%layers%top(k), &
-                  & real(domain%layers%ply(k), wp), mean(values(:, :, i, k))], error)
-               if (allocated(error)) exit write_rows
-            end do
-         end do write_rows
-      end if
-      call self%comm%broadcast(error)
+      do k = 1, size(values, 4)
+         do i = 1, self%points
+            part = share_of(self, i)
+            call self%write_line([state%time, (1.0_wp - part)*domain%layers%bottom(k) &
+               & + part*domain%layers%top(k), real(domain%layers%ply(k), wp), &
+               & mean(values(:, :, i, k))], error)
+            if (allocated(error)) return
+         end do
+      end do
    end subroutine record
 
    !> Height of a point in its layer, from 0 to 1
@@ -217,7 +218,7 @@ contains
       share_of = real(point - 1, wp)/real(self%points - 1, wp)
    end function share_of
 
-   !> Mean of what the quads say, in their order
+   !> Mean of the values of the quads, in their order
    pure function mean(values)
       !> (quantities, quads)
       real(wp), intent(in) :: values(:, :)
@@ -231,7 +232,7 @@ contains
       mean(:) = mean/real(size(values, 2), wp)
    end function mean
 
-   !> What the quads of all ranks say
+   !> Values of the quads of all ranks
    subroutine find_values(self, domain, state, values)
       type(profile_file_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
@@ -254,7 +255,7 @@ contains
          end do
       end do
       flat = reshape(values, [size(values)])
-      call self%comm%merge(reshape(is_known, [size(values)]), flat)
+      call domain%comm%merge(reshape(is_known, [size(values)]), flat)
       values(:, :, :, :) = reshape(flat, shape(values))
    end subroutine find_values
 

@@ -1,5 +1,5 @@
-!> Forces of the supports on the plate, as a history: sums over what all ranks count, without
-!> round-off, written by the root. After the sum of all come those of the single supports.
+!> The history of the forces of the supports on the plate, JOB.supports.csv: exact sums over all
+!> supports, then over each of them.
 module plydyn_io_csv_support_history
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
@@ -9,11 +9,12 @@ module plydyn_io_csv_support_history
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : name_length
    use plydyn_io_owned_columns, only : counted_columns
-   use plydyn_io_csv_history_file, only : heads_of
+   use plydyn_io_csv_history_file, only : header_line
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_csv_support_table, only : choose_table
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_state_file_positions, only : file_positions_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -21,14 +22,12 @@ module plydyn_io_csv_support_history
 
    !> Components of a force
    character(2), parameter :: components(3) = ["fx", "fy", "fz"]
-   !> Most characters of a head
-   integer, parameter :: head_length = name_length + 3
+   !> Most characters of a header
+   integer, parameter :: header_length = name_length + 3
 
    !> The history of the supports
    type, public, extends(history_recorder_type) :: support_history_type
       private
-      !> The ranks
-      type(comm_type) :: comm
       !> Which sum each held and prescribed freedom is a part of, in the order of
       !> `state%support_force`; 0 where another rank counts the point
       integer, allocatable :: sum(:)
@@ -36,7 +35,7 @@ module plydyn_io_csv_support_history
       type(exact_sums_type) :: sums
       !> The line that they fill
       real(wp), allocatable :: row(:)
-      !> Places of the tables that ended before this one
+      !> Positions in the tables that ended before this one
       type(file_positions_type) :: ended
    contains
       procedure :: open => open_supports
@@ -46,29 +45,25 @@ module plydyn_io_csv_support_history
 
 contains
 
-   !> Find what is summed, and let the root create the file, if the deck asks for it
+   !> Find the terms of the sums, and create the file, if the deck asks for it
    subroutine open_supports(self, job, model, domain, error)
       class(support_history_type), intent(inout) :: self
-      !> The job
+      !> As in `output_type`
       type(job_type), intent(in) :: job
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain of this rank
       type(domain_type), intent(in) :: domain
-      !> Why it could not be created
       type(error_type), allocatable, intent(out) :: error
 
       character(name_length), allocatable :: names(:)
       integer, allocatable :: number(:)
 
-      self%comm = domain%comm
-      allocate (self%sum(0))
       if (model%request%support_interval < 0.0_wp) return
+      self%reads_motion = .false.
       call find_names(model, names, number)
       self%sum = sums_of_supports(domain, number, size(model%holds))
       self%sums = new_exact_sums(3 + 3*size(names))
       allocate (self%row(4 + 3*size(names)))
-      if (self%comm%is_root()) call open_table(self, job, model, names, error)
+      call open_table(self, job, model, domain%comm, names, error)
    end subroutine open_supports
 
    !> Names of all supports, each once, and the number of the name of each support and motion
@@ -94,30 +89,35 @@ contains
    end subroutine find_names
 
    !> Begin the table, or go on with it
-   subroutine open_table(self, job, model, names, error)
+   subroutine open_table(self, job, model, comm, names, error)
       class(support_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
+      type(comm_type), intent(in) :: comm
       !> Names of the supports
       character(name_length), intent(in) :: names(:)
       type(error_type), allocatable, intent(out) :: error
 
-      character(head_length) :: heads(size(self%row)), units(size(self%row))
+      character(header_length) :: columns(size(self%row), 2)
       character(:), allocatable :: path
       integer :: c, i
 
-      heads(:4) = [character(head_length) :: "time", components]
+      columns(:4, 1) = [character(header_length) :: "time", components]
       do i = 1, size(names)
          do c = 1, 3
-            heads(1 + 3*i + c) = trim(names(i))//" "//components(c)
+            columns(1 + 3*i + c, 1) = trim(names(i))//" "//components(c)
          end do
       end do
-      units(:) = model%control%units%force
-      units(1) = model%control%units%time
-      call choose_table(job, heads_of(heads, units), model%changes%conditions, path, self%ended, &
-         & error)
+      columns(:, 2) = model%control%units%force
+      columns(1, 2) = model%control%units%time
+      ! the root alone looks at the files
+      path = ""
+      if (comm%is_root()) call choose_table(job, header_line(columns(:, 1), columns(:, 2)), &
+         & model%changes%conditions, path, self%ended, error)
+      call comm%broadcast(error)
       if (allocated(error)) return
-      call self%history%open(path, heads, units, model%request%support_interval, job%places, error)
+      call comm%broadcast(path)
+      call self%open_file(job, comm, path, columns, model%request%support_interval, error)
    end subroutine open_table
 
    !> Which sum each held and prescribed freedom is a part of, 0 where this rank does not count it
@@ -165,12 +165,13 @@ contains
       end do
    end function directions_counted
 
-   !> Add a line. All ranks must come here
-   subroutine record_supports(self, state, error)
+   !> Add a line
+   subroutine record_supports(self, domain, contacts, state, error)
       class(support_history_type), intent(inout) :: self
-      !> The state of this rank
+      !> As in `history_recorder_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
       type(state_type), intent(in) :: state
-      !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
@@ -186,9 +187,8 @@ contains
          do i = 2, size(self%row)
             self%row(i) = self%sums%value(i - 1)
          end do
-         call self%history%record(state%time, self%row, error)
       end if
-      call self%comm%broadcast(error)
+      call self%write_line(self%row, error)
    end subroutine record_supports
 
    !> Each freedom is a part of one support: their sums together are the sum of all
@@ -204,14 +204,15 @@ contains
       end do
    end subroutine add_whole
 
-   !> Put all lines on the disk, and note how far the tables go
-   subroutine mark_supports(self, places, error)
+   !> Put all lines on the disk, and add how far the tables have been written
+   subroutine mark_supports(self, positions, error)
       class(support_history_type), intent(inout) :: self
-      type(file_positions_type), intent(inout) :: places
+      !> As in `observer_type`
+      type(file_positions_type), intent(inout) :: positions
       type(error_type), allocatable, intent(out) :: error
 
-      if (allocated(self%ended%list)) places%list = [places%list, self%ended%list]
-      call self%history%mark(places, error)
+      if (allocated(self%ended%list)) positions%list = [positions%list, self%ended%list]
+      call self%mark_file(positions, error)
    end subroutine mark_supports
 
 end module plydyn_io_csv_support_history

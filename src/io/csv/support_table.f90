@@ -4,9 +4,9 @@ module plydyn_io_csv_support_table
    use plydyn_base_error, only : error_type
    use plydyn_base_text, only : text
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_file_positions, only : new_file_positions, file_position_type, &
+   use plydyn_state_file_positions, only : new_file_positions, file_position_type, &
       & file_positions_type
-   use plydyn_io_csv_text_file, only : end_text, has_head
+   use plydyn_io_csv_text_file, only : end_text, has_header
    implicit none
    private
 
@@ -16,11 +16,11 @@ contains
 
    !> Find the table to begin or to go on with, and let those before it end where the restart file
    !> was written
-   subroutine choose_table(job, heads, is_changed, path, ended, error)
+   subroutine choose_table(job, header, is_changed, path, ended, error)
       !> The job
       type(job_type), intent(in) :: job
       !> Heads of the columns
-      character(*), intent(in) :: heads
+      character(*), intent(in) :: header
       !> Whether a deck of a restart may have brought other supports
       logical, intent(in) :: is_changed
       !> Path of the table
@@ -43,7 +43,7 @@ contains
          ! the last one goes on unless its columns are others
          if (.not. is_known(job, number)) then
             if (.not. is_changed) return
-            if (has_head(path, heads)) return
+            if (has_header(path, header)) return
          end if
          call end_text(path, place%amount, error)
          if (allocated(error)) return

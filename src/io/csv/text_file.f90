@@ -12,7 +12,7 @@ module plydyn_io_csv_text_file
    implicit none
    private
 
-   public :: append_to, close_text, continue_text, create_text, end_text, has_head, secure_text, &
+   public :: append_to, close_text, continue_text, create_text, end_text, has_header, secure_text, &
       & try_text
 
 contains
@@ -84,11 +84,11 @@ contains
    end subroutine try_text
 
    !> Go on with a text file behind some byte; what stands after it is dropped
-   subroutine continue_text(path, head, length, unit, error)
+   subroutine continue_text(path, header, length, unit, error)
       !> Path of the file
       character(*), intent(in) :: path
       !> Its first line
-      character(*), intent(in) :: head
+      character(*), intent(in) :: header
       !> Bytes that stay
       integer(int64), intent(in) :: length
       !> Unit to write lines to
@@ -96,12 +96,12 @@ contains
       !> Why there is no going on
       type(error_type), allocatable, intent(out) :: error
 
-      call end_text(path, length, error, head)
+      call end_text(path, length, error, header)
       if (.not. allocated(error)) call append_to(path, unit, error)
    end subroutine continue_text
 
    !> Drop what stands behind some byte of a text file
-   subroutine end_text(path, length, error, head)
+   subroutine end_text(path, length, error, header)
       !> Path of the file
       character(*), intent(in) :: path
       !> Bytes that stay
@@ -109,7 +109,7 @@ contains
       !> Why they do not
       type(error_type), allocatable, intent(out) :: error
       !> What its first line must be
-      character(*), intent(in), optional :: head
+      character(*), intent(in), optional :: header
 
       integer(int64) :: kept
       integer :: status, unit
@@ -127,7 +127,7 @@ contains
       inquire (unit=unit, size=kept)
       close (unit)
       good = .true.
-      if (present(head)) good = has_head(path, head)
+      if (present(header)) good = has_header(path, header)
       good = good .and. kept >= length
       if (good) call cut_file(path, length, good)
       if (.not. good) call fail(error, exit_output, "cannot go on with "//path//": it must have " &
@@ -135,24 +135,24 @@ contains
    end subroutine end_text
 
    !> Whether a text file is there and begins with some line
-   logical function has_head(path, head)
+   logical function has_header(path, header)
       !> Path of the file
       character(*), intent(in) :: path
       !> The line
-      character(*), intent(in) :: head
+      character(*), intent(in) :: header
 
-      ! one character more than the head shows whether the line is longer
-      character(len(head) + 1) :: found
+      ! one character more than the header shows whether the line is longer
+      character(len(header) + 1) :: found
       integer :: status, unit
 
-      has_head = .false.
+      has_header = .false.
       open (newunit=unit, file=path, status="old", action="read", access="stream", &
          & form="formatted", iostat=status)
       if (status /= 0) return
       read (unit, "(a)", iostat=status) found
       close (unit)
-      has_head = status == 0 .and. found == head
-   end function has_head
+      has_header = status == 0 .and. found == header
+   end function has_header
 
    !> Open a text file at its end
    subroutine append_to(path, unit, error)

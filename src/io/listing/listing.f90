@@ -2,6 +2,7 @@
 module plydyn_io_listing_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
+   use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_ply_laminate, only : add_ply_stiffness
@@ -13,7 +14,6 @@ module plydyn_io_listing_listing
    use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_io_listing_progress_line, only : duration_text
-   use plydyn_io_csv_global_history, only : global_history_type
    use plydyn_io_listing_time_step, only : write_step
    use plydyn_io_listing_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
@@ -289,7 +289,7 @@ contains
    end subroutine write_effort
 
    !> How the run ended
-   subroutine write_end(unit, model, domain, state, rows, seconds, words)
+   subroutine write_end(unit, model, domain, state, dissipated, lost, seconds, words)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> The model
@@ -298,8 +298,9 @@ contains
       type(domain_type), intent(in) :: domain
       !> The last state, of any rank
       type(state_type), intent(in) :: state
-      !> What the whole model has lost
-      type(global_history_type), intent(in) :: rows
+      !> Energy that all mechanisms have dissipated, and losses of each interface
+      real(wp), intent(in) :: dissipated
+      type(delamination_type), intent(in) :: lost(:)
       !> Time that the run took
       real(wp), intent(in) :: seconds
       !> Normal end, or what stopped it
@@ -313,15 +314,15 @@ contains
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
          write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
-            & trim(u%energy), "  dissipated", rows%dissipated, &
+            & trim(u%energy), "  dissipated", dissipated, &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
             & "  added     ", e%added, trim(u%energy), &
-            & "  ripple    ", e%ripple - e%shift, trim(u%energy), &
+            & "  ripple    ", e%half_step_correction - e%step_change, trim(u%energy), &
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
          write (unit, "(a,es10.2)") "share out of balance ", e%error()
       end associate
-      call write_interface_losses(unit, model, domain, rows%lost)
+      call write_interface_losses(unit, model, domain, lost)
       flush (unit)
    end subroutine write_end
 

@@ -1,11 +1,11 @@
-!> The line of life of a run: where it is, what holds it, and when it will end.
+!> The progress line of a run: time reached, step and its cause, time left.
 module plydyn_io_listing_progress_line
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: progress_heads, progress_line, duration_text
+   public :: progress_headers, progress_line, duration_text
 
    !> Widths of the columns, and blanks between two
    integer, parameter :: cycle_width = 9, number_width = 10, share_width = 6, cause_width = 24, &
@@ -14,7 +14,7 @@ module plydyn_io_listing_progress_line
    !> Share of the elapsed time that passes between two lines of a long run
    real(wp), parameter :: share_between = 0.02_wp
 
-   !> Where a run is
+   !> Progress of a run
    type, public :: progress_type
       !> Steps done
       integer :: cycle = 0
@@ -22,7 +22,7 @@ module plydyn_io_listing_progress_line
       real(wp) :: time = 0.0_wp, start_time = 0.0_wp, end_time = 0.0_wp
       !> Size of the step
       real(wp) :: step = 0.0_wp
-      !> What controls the step, in short
+      !> Cause of the step, in short
       character(cause_width) :: cause = ""
       !> Share of the energy that is out of balance
       real(wp) :: energy_error = 0.0_wp
@@ -30,9 +30,9 @@ module plydyn_io_listing_progress_line
       real(wp) :: force = 0.0_wp
    end type progress_type
 
-   !> Decides by the clock on the wall when a line is due: at first each `interval`, then with
+   !> Decides by the wall clock when a line is due: at first each `interval`, then with
    !> growing distance, so that a run of days leaves a few hundred lines
-   type, public :: progress_sample_type
+   type, public :: progress_timer_type
       !> Least seconds between two lines
       real(wp) :: interval = 1.0_wp
       !> Clock at the start
@@ -44,14 +44,14 @@ module plydyn_io_listing_progress_line
       procedure :: elapsed
       procedure :: due
       procedure :: advance
-   end type progress_sample_type
+   end type progress_timer_type
 
 contains
 
    !> Start the clock; the first line is due at once
    subroutine start(self)
       !> The clock
-      class(progress_sample_type), intent(inout) :: self
+      class(progress_timer_type), intent(inout) :: self
 
       call system_clock(self%started)
       self%next = 0.0_wp
@@ -60,7 +60,7 @@ contains
    !> Seconds since the start; none before it
    real(wp) function elapsed(self)
       !> The clock
-      class(progress_sample_type), intent(in) :: self
+      class(progress_timer_type), intent(in) :: self
 
       integer(int64) :: now, rate
 
@@ -73,7 +73,7 @@ contains
    !> True when a line should be written
    elemental logical function due(self, seconds)
       !> The clock
-      class(progress_sample_type), intent(in) :: self
+      class(progress_timer_type), intent(in) :: self
       !> Seconds since the start
       real(wp), intent(in) :: seconds
 
@@ -83,15 +83,15 @@ contains
    !> Note that a line was written
    elemental subroutine advance(self, seconds)
       !> The clock
-      class(progress_sample_type), intent(inout) :: self
+      class(progress_timer_type), intent(inout) :: self
       !> Seconds since the start
       real(wp), intent(in) :: seconds
 
       self%next = seconds + max(self%interval, share_between*seconds)
    end subroutine advance
 
-   !> Heads of the columns
-   pure function progress_heads(time_unit, force_unit) result(line)
+   !> Headers of the columns
+   pure function progress_headers(time_unit, force_unit) result(line)
       !> Name of the unit of time
       character(*), intent(in) :: time_unit
       !> Name of the unit of force
@@ -107,11 +107,11 @@ contains
          & //right("force ["//trim(force_unit)//"]", number_width)//gap &
          & //right("elapsed", duration_width)//gap &
          & //right("left", duration_width)
-   end function progress_heads
+   end function progress_headers
 
-   !> One line that says where a run is
+   !> The line
    pure function progress_line(progress, seconds) result(line)
-      !> Where the run is
+      !> Progress of the run
       type(progress_type), intent(in) :: progress
       !> Seconds since the start of the run
       real(wp), intent(in) :: seconds
@@ -136,7 +136,7 @@ contains
 
    !> Share of this run that is done, 0 to 1
    pure real(wp) function share_done(progress)
-      !> Where the run is
+      !> Progress of the run
       type(progress_type), intent(in) :: progress
 
       real(wp) :: span
@@ -148,7 +148,7 @@ contains
 
    !> Seconds still to go at the present pace; negative when unknown
    pure real(wp) function remaining(progress, seconds)
-      !> Where the run is
+      !> Progress of the run
       type(progress_type), intent(in) :: progress
       !> Seconds since the start of the run
       real(wp), intent(in) :: seconds

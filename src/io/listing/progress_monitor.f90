@@ -1,32 +1,38 @@
-!> The line of life on the screen, as a run goes on.
+!> The progress line on the screen.
 module plydyn_io_listing_progress_monitor
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_control, only : units_type
    use plydyn_io_job, only : job_type, no_unit
-   use plydyn_io_listing_progress_line, only : progress_heads, progress_line, progress_type, &
-      & progress_sample_type
+   use plydyn_io_listing_progress_line, only : progress_headers, progress_line, progress_type, &
+      & progress_timer_type
+   use plydyn_io_output, only : output_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_observer, only : requests_type
+   use plydyn_model_model, only : model_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> What writes the line
-   type, public :: progress_monitor_type
+   public :: new_progress_monitor
+
+   !> Writes the line, on the root
+   type, public, extends(output_type) :: progress_monitor_type
       private
       !> Unit of the screen
       integer :: screen = no_unit
       type(progress_type) :: progress
-      type(progress_sample_type) :: pulse
-      !> Largest step but for a curve that bounds it; what it comes from; whether there is a curve
+      type(progress_timer_type) :: timer
+      !> Largest step without regard of a curve that bounds it, and its cause
       real(wp) :: largest = 0.0_wp
       character(:), allocatable :: cause
+      !> Whether a curve bounds the step
       logical :: has_curve = .false.
    contains
-      procedure :: begin
-      procedure :: show
-      procedure :: tell
-      procedure :: elapsed
+      procedure :: open => open_monitor
+      procedure :: due
+      procedure :: notify
    end type progress_monitor_type
 
    !> Steps between two looks at the clock
@@ -34,25 +40,43 @@ module plydyn_io_listing_progress_monitor
 
 contains
 
-   !> Start the clock, and write the heads
-   subroutine begin(self, job, units, domain)
+   !> The progress line
+   pure type(progress_monitor_type) function new_progress_monitor() result(self)
+
+      self%reads_motion = .false.
+   end function new_progress_monitor
+
+   !> Start the clock, and write the headers
+   subroutine open_monitor(self, job, model, domain, error)
       class(progress_monitor_type), intent(inout) :: self
-      !> The job
+      !> As in `output_type`
       type(job_type), intent(in) :: job
-      !> Names of the units
-      type(units_type), intent(in) :: units
-      !> The domain
+      type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
 
       self%screen = job%screen
       self%progress%start_time = job%start_time
       call find_cause(self, domain)
-      call self%pulse%start()
+      call self%timer%start()
       if (self%screen == no_unit) return
-      write (self%screen, "(a)") progress_heads(units%time, units%force)
-   end subroutine begin
+      associate (units => model%control%units)
+         write (self%screen, "(a)") progress_headers(units%time, units%force)
+      end associate
+   end subroutine open_monitor
 
-   !> What the step comes from
+   !> A clock decides, not the step
+   pure logical function due(self, time, cycle, is_last)
+      class(progress_monitor_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = .false.
+   end function due
+
+   !> Find the cause of the step
    subroutine find_cause(self, domain)
       class(progress_monitor_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
@@ -70,34 +94,33 @@ contains
       end associate
    end subroutine find_cause
 
-   !> Write the line when its time has come
-   subroutine show(self, state)
+   !> Write the line when its time has come, at the end, and on request
+   subroutine notify(self, domain, contacts, state, requests, error)
       class(progress_monitor_type), intent(inout) :: self
-      !> The state
-      type(state_type), intent(in) :: state
-
-      real(wp) :: seconds
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
 
       if (self%screen == no_unit) return
-      if (.not. state%is_finished()) then
+      if (.not. (state%is_finished() .or. requests%progress)) then
          if (mod(state%cycle, steps_per_look) /= 0) return
-         seconds = self%pulse%elapsed()
-         if (.not. self%pulse%due(seconds)) return
+         if (.not. self%timer%due(self%timer%elapsed())) return
       end if
-      call self%tell(state)
-   end subroutine show
+      call write_line(self, state)
+   end subroutine notify
 
-   !> Write the line, due or not
-   subroutine tell(self, state)
-      class(progress_monitor_type), intent(inout) :: self
-      !> The state
+   !> Write the line
+   subroutine write_line(self, state)
+      type(progress_monitor_type), intent(inout) :: self
       type(state_type), intent(in) :: state
 
       real(wp) :: seconds
 
-      if (self%screen == no_unit) return
-      seconds = self%pulse%elapsed()
-      call self%pulse%advance(seconds)
+      seconds = self%timer%elapsed()
+      call self%timer%advance(seconds)
       self%progress%cycle = state%cycle
       self%progress%time = state%time
       self%progress%end_time = state%end_time
@@ -109,13 +132,6 @@ contains
       if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
       write (self%screen, "(a)") progress_line(self%progress, seconds)
       flush (self%screen)
-   end subroutine tell
-
-   !> Seconds since the start of the run
-   real(wp) function elapsed(self)
-      class(progress_monitor_type), intent(in) :: self
-
-      elapsed = self%pulse%elapsed()
-   end function elapsed
+   end subroutine write_line
 
 end module plydyn_io_listing_progress_monitor

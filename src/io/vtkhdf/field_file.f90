@@ -4,7 +4,7 @@ module plydyn_io_vtkhdf_field_file
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_description, only : describe_file
-   use plydyn_io_checkpoint_file_positions, only : file_positions_type
+   use plydyn_state_file_positions, only : file_positions_type
    use plydyn_io_vtkhdf_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
    implicit none

@@ -16,7 +16,7 @@ module plydyn_io_vtkhdf_vtkhdf
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_io_hdf5_output, only : hyperslab_type, store_single
-   use plydyn_io_checkpoint_file_positions, only : file_position_type, file_positions_type
+   use plydyn_state_file_positions, only : file_position_type, file_positions_type
    use plydyn_io_vtkhdf_copy, only : copy_states
    use plydyn_io_vtkhdf_unstructured_grid, only : field_name_length, grid_file_type
    use plydyn_io_vtkhdf_layout, only : add_state, cell_data_offsets, make_offsets, piece_type, &

@@ -4,11 +4,11 @@ module plydyn_method_implicit_column_inertia
    use plydyn_domain_column_inertia, only : column_inertia_type, together
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
-   use plydyn_state_state, only : state_type, sums_type
+   use plydyn_state_state, only : state_type, motion_sums_type
    implicit none
    private
 
-   public :: couple_column, pull_column
+   public :: couple_column, add_column_correction
 
 contains
 
@@ -29,7 +29,7 @@ contains
       !> Force over mass of all points in, their acceleration out
       real(wp), intent(inout), contiguous :: acceleration(:)
       !> Sums over all points
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       real(wp) :: free(3, size(self%response, 2))
       integer :: d, f, first, place, starts(size(self%rows))
@@ -60,7 +60,7 @@ contains
       real(wp), intent(in) :: half_step, free(:, :)
       real(wp), intent(in) :: mass(self%rows(f)), v(self%rows(f), 3)
       real(wp), intent(inout) :: a(self%rows(f), 3)
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       real(wp) :: changes(lanes, 3, 3), new(lanes, 3)
       integer :: c, k, r
@@ -79,7 +79,7 @@ contains
          sums%momentum(c) = sums%momentum(c) + half_step*sum(changes(:, 1, c))
       end do
       sums%twice_kinetic = sums%twice_kinetic + half_step*sum(changes(:, 2, :))
-      sums%pull = sums%pull + sum(changes(:, 3, :))
+      sums%acceleration_square = sums%acceleration_square + sum(changes(:, 3, :))
    end subroutine respond
 
    !> Products of eight rows of a response with accelerations along x, y, z; sums that do not wait
@@ -113,7 +113,7 @@ contains
    pure subroutine replace(half_step, mass, v, new, a, changes)
       real(wp), intent(in) :: half_step, mass(lanes), v(lanes), new(lanes)
       real(wp), intent(inout) :: a(lanes)
-      !> What that changes in the sums: force, its power twice, its product with the acceleration
+      !> Changes of the sums: force, its power twice, its product with the acceleration
       real(wp), intent(inout) :: changes(lanes, 3)
 
       real(wp) :: force
@@ -134,7 +134,7 @@ contains
       type(column_inertia_type), intent(in) :: self
       integer, intent(in) :: f, node, width
       real(wp), intent(in) :: half_step, v(width, *), a(width, *)
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       real(wp) :: square(lanes)
       integer :: c, k, l, levels, p, s, t
@@ -159,8 +159,9 @@ contains
       sums%twice_added = sums%twice_added + self%area(node)*sum(square)
    end subroutine add_stretches
 
-   !> Let the columns under the points of a face follow what contact makes these jump
-   pure subroutine pull_column(self, columns, surface, point, direction, correction, state)
+   !> Correction of the columns under a point of a face, which share their inertia with it
+   pure subroutine add_column_correction(self, columns, surface, point, direction, correction, &
+      & state)
       !> The columns
       type(column_inertia_type), intent(in) :: self
       !> Where the points lie
@@ -189,6 +190,6 @@ contains
             end do
          end do
       end do
-   end subroutine pull_column
+   end subroutine add_column_correction
 
 end module plydyn_method_implicit_column_inertia

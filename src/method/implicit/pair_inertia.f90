@@ -3,7 +3,7 @@ module plydyn_method_implicit_pair_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_columns, only : columns_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
-   use plydyn_state_state, only : sums_type
+   use plydyn_state_state, only : motion_sums_type
    implicit none
    private
 
@@ -27,7 +27,7 @@ contains
       !> Force over mass of all points in, their acceleration out
       real(wp), intent(inout), contiguous :: acceleration(:)
       !> Sums over all points
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       integer :: f, first
 
@@ -47,14 +47,14 @@ contains
       integer, intent(in) :: f, node, levels, width
       real(wp), intent(in) :: half_step, v(width*levels, 3)
       real(wp), intent(inout) :: a(width*levels, 3)
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
-      real(wp), dimension(lanes) :: added, pull, square
+      real(wp), dimension(lanes) :: added, product, square
       real(wp) :: gap, high, left, low, speed
       integer :: c, k, l, top
 
       added(:) = 0.0_wp
-      pull(:) = 0.0_wp
+      product(:) = 0.0_wp
       square(:) = 0.0_wp
       top = width*(levels - 1)
       associate (table => pairs%tables(f), class => pairs%class(node))
@@ -70,7 +70,7 @@ contains
                   a(k + l + 1, c) = high - table%above(k + l, c, class)*gap
                   a(top + k + l, c) = low + table%below(k + l, c, class)*gap
                   left = gap - (table%below(k + l, c, class) + table%above(k + l, c, class))*gap
-                  pull(l) = pull(l) + table%inertia(k + l, c)*gap*left
+                  product(l) = product(l) + table%inertia(k + l, c)*gap*left
                   square(l) = square(l) &
                      & + table%inertia(k + l, c)*left*(2.0_wp*speed + half_step*(gap + left))
                   added(l) = added(l) + table%inertia(k + l, c)*(speed + half_step*left)**2
@@ -78,7 +78,7 @@ contains
             end do
          end do
       end associate
-      sums%pull = sums%pull - pairs%area(node)*sum(pull)
+      sums%acceleration_square = sums%acceleration_square - pairs%area(node)*sum(product)
       sums%twice_kinetic = sums%twice_kinetic - pairs%area(node)*half_step*sum(square)
       sums%twice_added = sums%twice_added + pairs%area(node)*sum(added)
    end subroutine couple_family
@@ -89,7 +89,7 @@ contains
       integer, intent(in) :: node
       real(wp), intent(in) :: half_step, v(:)
       real(wp), intent(inout) :: a(:)
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       real(wp) :: gap, inertia, left, speed
       integer :: k
@@ -103,7 +103,7 @@ contains
             a(low) = a(low) + share(1)*gap
             a(high) = a(high) - share(2)*gap
             left = gap - sum(share)*gap
-            sums%pull = sums%pull - inertia*gap*left
+            sums%acceleration_square = sums%acceleration_square - inertia*gap*left
             sums%twice_kinetic = sums%twice_kinetic &
                & - half_step*inertia*left*(2.0_wp*speed + half_step*(gap + left))
             sums%twice_added = sums%twice_added + inertia*(speed + half_step*left)**2
@@ -124,7 +124,7 @@ contains
       !> Velocity of all points, half a step before; their acceleration
       real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
       !> Sums over all points
-      type(sums_type), intent(inout) :: sums
+      type(motion_sums_type), intent(inout) :: sums
 
       real(wp) :: twice
       integer :: f, first, k

@@ -1,29 +1,29 @@
-!> Whose turn it is: which thread takes which of a list of chunks.
+!> Work queue: assigns chunks to threads, with static affinity and stealing.
 !>
-!> Every thread begins with a stretch of the list that is the same in all steps, so that what it
-!> needs is still in the cache of its core. One that has come to the end of its own takes of what
-!> the others have left. The chunks say where their forces go: who takes them changes no bit.
+!> Every thread begins with a range of the list that is the same in all steps, so that its data are
+!> still in the cache of its core. A thread that has finished its range takes chunks that other
+!> threads have left. Results do not depend on it: each chunk has its own places for its forces.
 !>
-!> A list that is taken backward in every second step begins with what was used last, which is in
-!> the cache still where the whole stretch does not fit.
+!> A list that is taken backward in every second step begins with the chunks used last, which are
+!> still in the cache where the whole range does not fit.
 !>
-!> Some chunks may have to wait. They are the first of their stretch once they need not any more,
+!> Some chunks may have to wait. They come first in their range once they need not wait any more,
 !> and are passed over until then.
-module plydyn_method_work_queue
+module plydyn_parallel_work_queue
    implicit none
    private
 
-   !> Integers in a line of the cache: threads do not wait for each other's counters
+   !> Integers in a line of the cache: counters in different lines avoid false sharing
    integer, parameter, public :: line = 16
-   !> Parts of a stretch: chunks that wait, and the others
+   !> Parts of a range: chunks that wait, and the others
    integer, parameter :: waiting = 1, free = 2
 
-   !> What is left of a list
+   !> A list of chunks, and how far each thread has come in its range
    type, public :: work_queue_type
       private
-      !> The list; first in each stretch what waits
+      !> The list; in each range the chunks that wait come first
       integer, allocatable :: list(:)
-      !> Places before and at the end of either part of each thread's stretch, (2, threads)
+      !> Places before and at the end of either part of each thread's range, (2, threads)
       integer, allocatable :: before(:, :), last(:, :)
       !> Last place taken of either part, (line, threads)
       integer, allocatable :: taken(:, :)
@@ -38,7 +38,7 @@ module plydyn_method_work_queue
 
 contains
 
-   !> Give each thread of the coming parallel regions a stretch of a list; then `begin`
+   !> Assign a range of a list to each thread of the coming parallel regions; `begin` follows
    pure subroutine arrange(self, list, waits, threads)
       class(work_queue_type), intent(inout) :: self
       !> The chunks
@@ -65,7 +65,7 @@ contains
       end do
    end subroutine arrange
 
-   !> Put those that wait in front, in their order
+   !> Put the chunks that wait in front, in their order
    pure subroutine put_first(list, waits, sorted, count)
       integer, intent(in) :: list(:)
       logical, intent(in) :: waits(:)
@@ -89,7 +89,7 @@ contains
       end do
    end subroutine put_first
 
-   !> Nothing is taken any more
+   !> Begin with all chunks in the queue
    pure subroutine begin(self, is_backward)
       class(work_queue_type), intent(inout) :: self
       !> Take the parts from their ends
@@ -99,19 +99,19 @@ contains
       self%is_backward = is_backward
    end subroutine begin
 
-   !> The next chunk for a thread; 0 when nothing is left
-   integer function take(self, thread, is_open) result(chunk)
+   !> The next chunk for a thread; 0 when none is left
+   integer function take(self, thread, take_waiting) result(chunk)
       class(work_queue_type), intent(inout) :: self
       !> The thread, from 0
       integer, intent(in) :: thread
       !> Whether the chunks that wait may be taken too
-      logical, intent(in) :: is_open
+      logical, intent(in) :: take_waiting
 
       integer :: k, part, place, t
 
       do k = 0, size(self%last, 2) - 1
          t = mod(thread + k, size(self%last, 2))
-         do part = merge(waiting, free, is_open), free
+         do part = merge(waiting, free, take_waiting), free
             !$omp atomic capture
             self%taken(part, t) = self%taken(part, t) + 1
             place = self%taken(part, t)
@@ -125,7 +125,7 @@ contains
       chunk = 0
    end function take
 
-   !> Some chunk of the stretch of a thread, taken or not; 0 behind the last
+   !> A chunk of the range of a thread, taken or not; 0 behind the last
    pure integer function own(self, thread, k) result(chunk)
       class(work_queue_type), intent(in) :: self
       !> The thread, from 0
@@ -142,4 +142,4 @@ contains
       chunk = self%list(place)
    end function own
 
-end module plydyn_method_work_queue
+end module plydyn_parallel_work_queue

@@ -1,5 +1,5 @@
 !> How far the files of a job have been written: where a restart goes on with each of them.
-module plydyn_io_checkpoint_file_positions
+module plydyn_state_file_positions
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
    implicit none
@@ -70,4 +70,4 @@ contains
       self%list(size(self%list))%ending = path(len(self%job) + 1:)
    end subroutine add
 
-end module plydyn_io_checkpoint_file_positions
+end module plydyn_state_file_positions

@@ -1,0 +1,38 @@
+!> Coefficients of the motion over a step (the paper's eq. 15, with damping).
+module plydyn_method_leapfrog_coefficients
+   use plydyn_base_precision, only : wp
+   implicit none
+   private
+
+   public :: new_leapfrog_coefficients
+
+   !> A step takes velocity and displacement to v = decay v + mean_step a, u = u + step v
+   type, public :: leapfrog_coefficients_type
+      !> Damping over half of the mean step, and the share of the velocity that it leaves
+      real(wp) :: damping = 0.0_wp, decay = 1.0_wp
+      !> Time from the middle of the step before to the middle of this one, reduced by damping
+      real(wp) :: mean_step = 0.0_wp
+      !> The step
+      real(wp) :: step = 0.0_wp
+   end type leapfrog_coefficients_type
+
+contains
+
+   !> Coefficients of a step, with the damping force at the velocity of the full step
+   pure type(leapfrog_coefficients_type) function new_leapfrog_coefficients(damping, step_before, &
+      & step) result(self)
+      !> Damping force per mass and velocity, 1/time
+      real(wp), intent(in) :: damping
+      !> The step before, and this one
+      real(wp), intent(in) :: step_before, step
+
+      real(wp) :: mean_step
+
+      mean_step = 0.5_wp*(step_before + step)
+      self%damping = 0.5_wp*damping*mean_step
+      self%decay = (1.0_wp - self%damping)/(1.0_wp + self%damping)
+      self%mean_step = mean_step/(1.0_wp + self%damping)
+      self%step = step
+   end function new_leapfrog_coefficients
+
+end module plydyn_method_leapfrog_coefficients

@@ -1,0 +1,294 @@
+!> Observers of a run: histories, fields, listing, progress line, checkpoints, run control.
+!>
+!> The method knows this abstract type alone. The observers of a run are made in one place,
+!> `plydyn_run_observers`; each of them is notified of every step, in the order of the list.
+module plydyn_method_observer
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_state_file_positions, only : file_positions_type, new_file_positions
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> Requests of one observer to the others, in the step of a notification
+   type, public :: requests_type
+      !> Whether any rank asked for attention; the same on all ranks
+      logical :: attention = .false.
+      !> Fields, progress line, restart file, due or not; all files brought to the disk
+      logical :: fields = .false., progress = .false., checkpoint = .false., flush = .false.
+      !> What asks the run to stop with a restart file; not allocated for nothing
+      character(:), allocatable :: stopped_by
+   end type requests_type
+
+   !> Something that observes a run. All ranks call all procedures together, and get the same error
+   type, abstract, public :: observer_type
+      !> Whether it reads displacements or velocities of points: then the method completes the
+      !> motion at the end of each step at which the observer is due
+      logical :: reads_motion = .true.
+   contains
+      procedure(due_at), deferred :: due
+      procedure(notify_of), deferred :: notify
+      procedure :: begin
+      procedure :: look_for_requests
+      procedure :: mark
+      procedure :: save
+      procedure :: close => close_observer
+   end type observer_type
+
+   abstract interface
+      !> Whether it will observe the end of a step; the same on all ranks
+      pure logical function due_at(self, time, cycle, is_last)
+         import :: observer_type, wp
+         implicit none
+         class(observer_type), intent(in) :: self
+         !> Time at the end of the step, number of the step, and whether the run ends with it
+         real(wp), intent(in) :: time
+         integer, intent(in) :: cycle
+         logical, intent(in) :: is_last
+      end function due_at
+
+      !> A step is made
+      subroutine notify_of(self, domain, contacts, state, requests, error)
+         import :: contacts_type, domain_type, error_type, observer_type, requests_type, state_type
+         implicit none
+         class(observer_type), intent(inout) :: self
+         !> The domain of this rank
+         type(domain_type), intent(in) :: domain
+         !> The contacts, as the step left them
+         type(contacts_type), intent(in) :: contacts
+         !> The state of this rank; only run control changes it, and only the end of the run
+         type(state_type), intent(inout) :: state
+         !> Requests to and from other observers
+         type(requests_type), intent(inout) :: requests
+         !> Reason why the run must end
+         type(error_type), allocatable, intent(out) :: error
+      end subroutine notify_of
+   end interface
+
+   !> An element of the list
+   type :: item_type
+      class(observer_type), allocatable :: observer
+   end type item_type
+
+   !> All observers of a run
+   type, public :: observers_type
+      private
+      type(item_type), allocatable :: items(:)
+      !> Path of the results without endings
+      character(:), allocatable :: path
+   contains
+      procedure :: start
+      procedure :: add
+      procedure :: begin => begin_all
+      procedure :: read_motion
+      procedure :: look_for_requests => look_for_all_requests
+      procedure :: notify => notify_all
+      procedure :: close => close_all
+   end type observers_type
+
+contains
+
+   !> Observe the state that a run begins with
+   subroutine begin(self, domain, contacts, state, error)
+      class(observer_type), intent(inout) :: self
+      !> As in `notify`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine begin
+
+   !> Look for requests from outside of the run, on any rank, before the ranks meet in a step
+   subroutine look_for_requests(self, time, found)
+      class(observer_type), intent(inout) :: self
+      !> Time at the end of the step
+      real(wp), intent(in) :: time
+      !> Set where there is one
+      logical, intent(inout) :: found
+   end subroutine look_for_requests
+
+   !> Bring the files to the disk, and add how far they have been written
+   subroutine mark(self, positions, error)
+      class(observer_type), intent(inout) :: self
+      !> Positions in all files; complete on the root alone
+      type(file_positions_type), intent(inout) :: positions
+      !> Why something is not on the disk
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine mark
+
+   !> All files are on the disk after a request for it, or for a restart file
+   subroutine save(self, contacts, positions, state, requests, error)
+      class(observer_type), intent(inout) :: self
+      !> The contacts
+      type(contacts_type), intent(in) :: contacts
+      !> Positions in all files; complete on the root alone
+      type(file_positions_type), intent(inout) :: positions
+      !> The state, which gets the memory of the contacts
+      type(state_type), intent(inout) :: state
+      !> As in `notify`
+      type(requests_type), intent(in) :: requests
+      !> Reason why the run must end
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine save
+
+   !> The run is over: write the last results and close the files
+   subroutine close_observer(self, domain, state, outcome, error)
+      class(observer_type), intent(inout) :: self
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> Its last state
+      type(state_type), intent(in) :: state
+      !> Reason for the end; not allocated for a normal end
+      type(error_type), allocatable, intent(in) :: outcome
+      !> Why something could not be written
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine close_observer
+
+   !> An empty list
+   subroutine start(self, path)
+      class(observers_type), intent(out) :: self
+      !> Path of the results without endings
+      character(*), intent(in) :: path
+
+      allocate (self%items(0))
+      self%path = path
+   end subroutine start
+
+   !> Add an observer behind the others
+   subroutine add(self, observer)
+      class(observers_type), intent(inout) :: self
+      !> The observer, which the list takes over
+      class(observer_type), allocatable, intent(inout) :: observer
+
+      type(item_type), allocatable :: items(:)
+      integer :: i
+
+      allocate (items(size(self%items) + 1))
+      do i = 1, size(self%items)
+         call move_alloc(self%items(i)%observer, items(i)%observer)
+      end do
+      call move_alloc(observer, items(size(items))%observer)
+      call move_alloc(items, self%items)
+   end subroutine add
+
+   !> Let all observe the state that a run begins with
+   subroutine begin_all(self, domain, contacts, state, error)
+      class(observers_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+
+      do i = 1, size(self%items)
+         call self%items(i)%observer%begin(domain, contacts, state, error)
+         if (allocated(error)) return
+      end do
+   end subroutine begin_all
+
+   !> Whether some observer will read the motion at the end of the step under way
+   pure logical function read_motion(self, state)
+      class(observers_type), intent(in) :: self
+      !> Has the step
+      type(state_type), intent(in) :: state
+
+      integer :: i
+
+      read_motion = .true.
+      do i = 1, size(self%items)
+         associate (observer => self%items(i)%observer)
+            if (.not. observer%reads_motion) cycle
+            if (observer%due(state%time + state%step, state%cycle + 1, state%ends_after())) return
+         end associate
+      end do
+      read_motion = .false.
+   end function read_motion
+
+   !> Let all look for requests from outside of the run
+   subroutine look_for_all_requests(self, state, requests)
+      class(observers_type), intent(inout) :: self
+      !> Has the step under way
+      type(state_type), intent(in) :: state
+      !> Grows by one where this rank has found any
+      integer, intent(inout) :: requests
+
+      logical :: found
+      integer :: i
+
+      found = .false.
+      do i = 1, size(self%items)
+         call self%items(i)%observer%look_for_requests(state%time + state%step, found)
+      end do
+      if (found) requests = requests + 1
+   end subroutine look_for_all_requests
+
+   !> Notify all of a step, then bring all files to the disk where this is requested
+   subroutine notify_all(self, domain, contacts, state, attention, error)
+      class(observers_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      !> Whether any rank has found a request
+      logical, intent(in) :: attention
+      !> The first reason why the run must end
+      type(error_type), allocatable, intent(out) :: error
+
+      type(requests_type) :: requests
+      integer :: i
+
+      requests%attention = attention
+      do i = 1, size(self%items)
+         call self%items(i)%observer%notify(domain, contacts, state, requests, error)
+         if (allocated(error)) return
+      end do
+      if (requests%flush .or. requests%checkpoint) then
+         call save_all(self, contacts, state, requests, error)
+      end if
+   end subroutine notify_all
+
+   !> Bring all files to the disk, then let all know how far they have been written
+   subroutine save_all(self, contacts, state, requests, error)
+      class(observers_type), intent(inout) :: self
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(in) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      type(file_positions_type) :: positions
+      integer :: i
+
+      positions = new_file_positions(self%path)
+      do i = 1, size(self%items)
+         call self%items(i)%observer%mark(positions, error)
+         if (allocated(error)) return
+      end do
+      do i = 1, size(self%items)
+         call self%items(i)%observer%save(contacts, positions, state, requests, error)
+         if (allocated(error)) return
+      end do
+   end subroutine save_all
+
+   !> Close all, the last one first, whatever has happened
+   subroutine close_all(self, domain, state, error)
+      class(observers_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      !> Reason for the end of the run; becomes the first failure to close, if there was none
+      type(error_type), allocatable, intent(inout) :: error
+
+      type(error_type), allocatable :: failure
+      integer :: i
+
+      do i = size(self%items), 1, -1
+         call self%items(i)%observer%close(domain, state, error, failure)
+         if (.not. allocated(error)) call move_alloc(failure, error)
+      end do
+   end subroutine close_all
+
+end module plydyn_method_observer

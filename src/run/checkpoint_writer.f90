@@ -1,0 +1,149 @@
+!> Schedules and writes restart files.
+module plydyn_run_checkpoint_writer
+   use plydyn_base_error, only : error_type, exit_stopped, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_io_checkpoint_broadcast_job, only : broadcast_file_positions
+   use plydyn_io_checkpoint_dump, only : write_dump
+   use plydyn_io_checkpoint_state_layout, only : state_layout_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_model_control, only : request_type
+   use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: new_checkpoint_writer
+
+   !> Writes restart files
+   type, public, extends(observer_type) :: checkpoint_writer_type
+      private
+      !> The job; counts its restart files that are kept
+      type(job_type) :: job
+      !> Layout of the arrays of the whole model
+      type(state_layout_type) :: layout
+      !> Steps between two restart files that are kept, and between two that replace older ones, 0
+      !> for none; how many there are of the latter
+      integer :: kept_cycles = 0, running_cycles = 0, running_files = 1
+      !> Whether another observer asks for a restart file of this step
+      logical :: is_requested = .false.
+   contains
+      procedure :: due
+      procedure :: notify
+      procedure :: save
+   end type checkpoint_writer_type
+
+contains
+
+   !> Restart files of a job
+   function new_checkpoint_writer(job, layout, request) result(self)
+      !> The job, the same on all ranks
+      type(job_type), intent(in) :: job
+      !> Layout of the arrays of the whole model
+      type(state_layout_type), intent(in) :: layout
+      !> Output that the deck asks for
+      type(request_type), intent(in) :: request
+      type(checkpoint_writer_type) :: self
+
+      self%job = job
+      self%layout = layout
+      self%kept_cycles = request%kept_cycles
+      self%running_cycles = request%running_cycles
+      self%running_files = request%running_files
+   end function new_checkpoint_writer
+
+   !> Whether a restart file is due at the end of a step
+   pure logical function due(self, time, cycle, is_last)
+      class(checkpoint_writer_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = is_due(self%kept_cycles, cycle, is_last) &
+         & .or. is_due(self%running_cycles, cycle, is_last)
+   end function due
+
+   !> Ask for the positions of all files when a restart file is due
+   subroutine notify(self, domain, contacts, state, requests, error)
+      class(checkpoint_writer_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      self%is_requested = requests%checkpoint
+      if (self%due(state%time, state%cycle, state%is_finished())) requests%checkpoint = .true.
+   end subroutine notify
+
+   !> Write the restart file, and end the run if that is requested
+   subroutine save(self, contacts, positions, state, requests, error)
+      class(checkpoint_writer_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(contacts_type), intent(in) :: contacts
+      type(file_positions_type), intent(inout) :: positions
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(in) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: path, when
+      logical :: is_kept
+
+      if (.not. requests%checkpoint) return
+      is_kept = self%is_requested .or. is_due(self%kept_cycles, state%cycle, state%is_finished())
+      if (is_kept) then
+         self%job%dumps = self%job%dumps + 1
+         path = kept_path(self%job)
+      else
+         path = running_path(self, state)
+      end if
+      call contacts%save(state)
+      call broadcast_file_positions(self%layout%comm, self%job%path, positions)
+      call write_dump(path, self%job, positions, self%layout, state, error)
+      if (allocated(error)) return
+      when = " at cycle "//text(state%cycle)//", time "//text(state%time)
+      if (is_kept) call self%job%note("restart file "//path//when)
+      if (.not. allocated(requests%stopped_by)) return
+      call fail(error, exit_stopped, "stopped by "//requests%stopped_by//when &
+         & //"; to go on: plydyn restart "//path)
+   end subroutine save
+
+   !> Whether a restart file is due: at every so many steps, and at the end
+   pure logical function is_due(cycles, cycle, is_last)
+      !> Steps between two files, 0 for none
+      integer, intent(in) :: cycles
+      !> Steps made, and whether that is the end
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      is_due = .false.
+      if (cycles > 0) is_due = mod(cycle, cycles) == 0 .or. is_last
+   end function is_due
+
+   !> Path of a restart file that is kept
+   pure function kept_path(job) result(path)
+      type(job_type), intent(in) :: job
+      character(:), allocatable :: path
+
+      integer, parameter :: two_digits = 10
+
+      path = job%path//".dump"//repeat("0", merge(1, 0, job%dumps < two_digits))//text(job%dumps)
+   end function kept_path
+
+   !> Path of a restart file that replaces an older one
+   pure function running_path(self, state) result(path)
+      type(checkpoint_writer_type), intent(in) :: self
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: path
+
+      path = self%job%path//".runrsf"
+      if (self%running_files > 1) path = path &
+         & //text(modulo(state%cycle/self%running_cycles - 1, self%running_files) + 1)
+   end function running_path
+
+end module plydyn_run_checkpoint_writer
