@@ -39,6 +39,7 @@ COMMANDS = {
         ["numbers"],
         ["pvd"],
         ["animate", "--plain"],
+        ["dent"],
     ),
     "interfaces.vtkhdf": (
         ["cscan"],

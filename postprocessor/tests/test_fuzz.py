@@ -114,3 +114,14 @@ def test_parts_that_are_missing_are_named(damaged: Path, name: str) -> None:
     errors = refusal("picture", damaged, "--plain")
     assert "plate.vtkhdf" in errors
     assert name.rpartition("/")[2] in errors or "holds no state" in errors
+
+
+def test_energies_of_which_only_the_work_is_seen_are_stacked(damaged: Path) -> None:
+    path = damaged.with_name("plate.energy.csv")
+    rows = [line.split(",") for line in path.read_text().splitlines()]
+    column = rows[0].index("external [mJ]")
+    for row in rows[1:]:
+        row[column] = "1e40"
+    path.write_text("".join(",".join(row) + "\n" for row in rows))
+    code, _, errors, raised = fuzz_results.run(["energy", str(damaged), "--stacked"])
+    assert (code, errors, raised) == (0, "", None)

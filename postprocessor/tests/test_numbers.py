@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import synthetic
 
-from plydyn_post.curves import contact, mean_window, read_numbers, running_mean
+from plydyn_post.contact import contact
+from plydyn_post.curves import mean_window, read_numbers, running_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.numbers import compare, write_numbers
 from plydyn_post.results import open_results

@@ -26,6 +26,7 @@ from plydyn_post.commands import (
     progress,
     tells_errors,
 )
+from plydyn_post.dent import draw_dent
 from plydyn_post.export import write_pvd
 from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.grid import read_times
@@ -103,6 +104,15 @@ def _draw_history(
     name = columns[1] if columns[0] == "time" else f"{columns[1]}_{columns[0]}"
     path = output or beside(found[0], f"{name}.png")
     console.print(str(draw_history(curves, *columns, path, mean)), markup=False)
+
+
+@app.command()
+@tells_errors
+def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
+    """Depth of the dent in both faces, and the indentation by the impactor."""
+    found = open_results(job)
+    made = draw_dent(found, output or beside(found, "dent.png"), impactor)
+    console.print(str(made), markup=False)
 
 
 @app.command()

@@ -6,14 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from plydyn_post.contact import SILENT, contact, touching
+from plydyn_post.dent import read_dent
+from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
 from plydyn_post.symmetry import part_of
 from plydyn_post.table import Table
 from plydyn_post.units import factor
 from plydyn_post.units import size as known
 
-# Share of the peak force below which there is no contact
-SILENT = 1e-3
 # Time that the running mean of a force spans when no other is asked for, s
 MEAN_SPAN = 20e-6
 # Share of the peak that noise must have for the running mean to be worth drawing
@@ -25,7 +26,9 @@ class Numbers:
     """What an impact comes to, in the units of the job; nothing where it is not known yet.
 
     The displacement is the largest during the contact; energies are those the impactor gave.
-    Duration and impulse of a contact that has not ended are those so far.
+    The indentation is that of the impactor against the opposite face, the dent the depth of the
+    struck face below the plate around at a last state after the contact. Duration and impulse of
+    a contact that has not ended are those so far.
     """
 
     peak_force: float
@@ -40,6 +43,8 @@ class Numbers:
     absorbed_energy: float | None
     largest_absorbed_energy: float | None
     energy_error: float | None
+    largest_indentation: float | None = None
+    dent_depth: float | None = None
     has_ended: bool = True  # the contact
     notes: tuple[str, ...] = ()
 
@@ -54,6 +59,7 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
     during = (time >= start) & (time <= end)
     over = abs(force[-1]) <= SILENT * abs(force[peak]) and force[peak] != 0.0
     absorbed = table.get("absorbed")
+    indentation, depth, told = _dent(results, impactor, table, end if over else np.inf)
     return Numbers(
         peak_force=float(force[peak]),
         peak_time=float(time[peak]),
@@ -69,9 +75,29 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
         ),
         largest_absorbed_energy=None if absorbed is None else float(np.max(absorbed)),
         energy_error=_energy_error(results),
+        largest_indentation=indentation,
+        dent_depth=depth,
         has_ended=over or not np.any(force),
-        notes=_notes(force) + _part(results),
+        notes=_notes(force) + _part(results) + told,
     )
+
+
+def _dent(
+    results: Results, impactor: int | None, table: Table, end: float
+) -> tuple[float | None, float | None, tuple[str, ...]]:
+    """Largest indentation, dent at a last state after the contact, and what cannot be read."""
+    try:
+        dent = read_dent(results, impactor)
+    except ResultsError as error:
+        return None, None, (str(error),)
+    if dent is None:
+        return None, None, ()
+    unit = table.unit("displacement")
+    scale = factor(dent.length or unit, unit)
+    seen = dent.indentation[np.isfinite(dent.indentation)]
+    indentation = scale * float(np.max(seen)) if len(seen) else None
+    depth = scale * float(dent.struck[-1]) if dent.times[-1] >= end else None
+    return indentation, depth, ()
 
 
 def _part(results: Results) -> tuple[str, ...]:
@@ -88,28 +114,6 @@ def _notes(force: np.ndarray) -> tuple[str, ...]:
     begun = ("the impactor is in contact when the run begins",) if inside[0] == 0 else ()
     still = ("the impactor is still in contact at the end of the run",)
     return begun + (still if inside[-1] == len(force) - 1 else ())
-
-
-def touching(force: np.ndarray) -> np.ndarray:
-    """Samples in contact, (n,); between the first and the last it may be lost for a while."""
-    return np.flatnonzero(np.abs(force) > SILENT * float(np.max(np.abs(force))))
-
-
-def contact(time: np.ndarray, force: np.ndarray) -> tuple[float, float]:
-    """First and last time of contact, between the samples; later contacts are counted in."""
-    inside = touching(force)
-    if len(inside) == 0:
-        return float(time[0]), float(time[0])
-    size = np.abs(force)
-    level = SILENT * float(np.max(size))
-    ends = []
-    for within, outside in ((inside[0], inside[0] - 1), (inside[-1], inside[-1] + 1)):
-        if not 0 <= outside < len(time):
-            ends.append(float(time[within]))
-            continue
-        share = (level - size[outside]) / (size[within] - size[outside])
-        ends.append(float(time[outside] + share * (time[within] - time[outside])))
-    return ends[0], ends[1]
 
 
 def running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndarray:

@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from plydyn_post.curves import is_noisy, mean_window, running_mean, touching
+from plydyn_post.contact import touching
+from plydyn_post.curves import is_noisy, mean_window, running_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, labels
 from plydyn_post.style import (
@@ -214,13 +215,14 @@ def _lines(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
 def _stack(axes: Axes, x: np.ndarray, values: dict[str, np.ndarray]) -> None:
     """Parts on top of each other; the total as a line."""
     parts = [name for name in values if name not in ("dissipated", "total", "external")]
-    axes.stackplot(
-        x,
-        [values[name] for name in parts],
-        labels=[ENERGIES[name] for name in parts],
-        colors=COLOURS,
-        alpha=0.75,
-        linewidth=0,
-    )
+    if parts:
+        axes.stackplot(
+            x,
+            [values[name] for name in parts],
+            labels=[ENERGIES[name] for name in parts],
+            colors=COLOURS,
+            alpha=0.75,
+            linewidth=0,
+        )
     if "total" in values:
         axes.plot(x, values["total"], color="black", linewidth=0.9, label="total")

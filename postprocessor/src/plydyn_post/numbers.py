@@ -21,6 +21,8 @@ QUANTITIES = (
     ("contact duration", "contact_duration", ("time",)),
     ("impulse", "impulse", ("force", "time")),
     ("largest displacement", "largest_displacement", ("displacement",)),
+    ("largest indentation", "largest_indentation", ("displacement",)),
+    ("dent depth at the end", "dent_depth", ("displacement",)),
     ("impact velocity", "impact_velocity", ("velocity",)),
     ("rebound velocity", "rebound_velocity", ("velocity",)),
     ("absorbed energy", "absorbed_energy", ("absorbed",)),

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from plydyn_post.damage_report import damage_tasks
+from plydyn_post.dent import draw_dent
 from plydyn_post.errors import ResultsError
 from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.grid import has_point_field
@@ -35,6 +36,7 @@ def tasks_of(plan: Plan) -> list[Task]:
     """All images that the jobs have results for."""
     return [
         *_history_tasks(plan),
+        *_dent_tasks(plan),
         *_energy_tasks(plan),
         *damage_tasks(plan),
         *_profile_tasks(plan),
@@ -84,6 +86,20 @@ def _history_tasks(plan: Plan) -> list[Task]:
             draw = partial(_draw_history, plan, number, across, upwards)
             tasks.append(Task("Impact", name + of_number, caption, draw))
     return tasks
+
+
+def _dent_tasks(plan: Plan) -> list[Task]:
+    """Depth of the dent, for jobs with an impactor and displacements."""
+    return [
+        Task(
+            "Impact",
+            f"dent_{file_name(name)}",
+            f"Depth of both faces of {name} below the plate around, and the indentation.",
+            partial(draw_dent, job),
+        )
+        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        if job.impactors and has_point_field(job.fields, "displacement")
+    ]
 
 
 def _draw_history(plan: Plan, number: int, across: str, upwards: str, path: Path) -> Path:

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pyvista as pv
 
+from plydyn_post.errors import ResultsError
 from plydyn_post.grid import PLY_TENSOR, TENSOR, read_displacement, read_state
 from plydyn_post.header import read_header
 from plydyn_post.hexahedra import LINEAR, QUADRATIC, lattice
@@ -93,8 +94,15 @@ def copies(results: Results) -> int:
 
 
 def part_of(results: Results) -> str:
-    """What of the plate the model is, for print; empty for the whole."""
-    return {1: "", 2: "half of the plate", 4: "a quarter of the plate"}[copies(results)]
+    """What of the plate the model is, for print; empty for the whole.
+
+    Histories go without their fields: what is wrong with these is told where they are drawn.
+    """
+    try:
+        planes = planes_of(results)
+    except ResultsError:
+        return ""
+    return {1: "", 2: "half of the plate", 4: "a quarter of the plate"}[1 << len(planes)]
 
 
 def words_of(results: Results) -> str:

@@ -1,0 +1,171 @@
+"""The dent below an impactor: both faces against the plate around, and how deep the impactor sank.
+
+The plate around is the plane through the points of a face that are farther from the impact than
+half of the farthest: what the plate as a whole does, in bending or vibrating, is mostly in it once
+the contact has ended. While it lasts, the deflection of the plate is in the depths, and only the
+indentation, which is measured against the opposite face, tells what is local.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from plydyn_post.contact import touching
+from plydyn_post.errors import ResultsError
+from plydyn_post.grid import has_point_field, read_displacement, read_state, read_times
+from plydyn_post.header import Sphere, read_header
+from plydyn_post.results import Results
+from plydyn_post.sheets import find
+from plydyn_post.style import NARROW, figure, look_of, name_job, save
+from plydyn_post.surface import blocks_of, extent
+from plydyn_post.symmetry import Plane, planes_of
+from plydyn_post.units import factor, in_brackets, readable
+
+# Share of the distance to the farthest point from which on points are around the dent
+AROUND = 0.5
+
+
+@dataclass(frozen=True)
+class Dent:
+    """Depths at the states in the direction of the push, in the unit of the fields."""
+
+    times: np.ndarray  # (states,)
+    struck: np.ndarray  # (states,) of the face that is hit, below the plate around
+    opposite: np.ndarray  # (states,) of the other face
+    indentation: np.ndarray  # (states,) of the impactor against the other face, nan off contact
+    length: str
+    time: str
+
+
+@dataclass(frozen=True)
+class Face:
+    """A face of the plate with what is needed to measure it."""
+
+    nodes: np.ndarray  # (n, n) of the quad below the impactor
+    weights: np.ndarray  # (n, n) shape functions at the point of impact
+    around: np.ndarray  # (points,) far from it
+    plane: np.ndarray  # (points,) weights whose sum with displacements is their plane there
+
+    def depth(self, moved: np.ndarray) -> float:
+        """How far the point of impact lies below the plane around, from displacements."""
+        return self.at_impact(moved) - float(self.plane @ moved[self.around])
+
+    def at_impact(self, moved: np.ndarray) -> float:
+        """Displacement of the point of impact."""
+        return float(np.sum(self.weights * moved[self.nodes]))
+
+
+def read_dent(results: Results, number: int | None = None) -> Dent | None:
+    """Depths below an impactor; nothing where the fields do not tell them."""
+    path = results.fields
+    if not has_point_field(path, "displacement"):
+        return None
+    header = read_header(path)
+    chosen = number if number is not None else min(header.impactors, default=0)
+    if chosen not in header.impactors:
+        return None
+    sphere = header.impactors[chosen]
+    times = read_times(path)
+    points, above, faces = _faces(results, sphere)
+    heights = [above * float(points[face.nodes, 2].mean()) for face in faces]
+    rows = []
+    for step in range(len(times)):
+        moved = -above * read_displacement(path, step)[:, 2]
+        rows.append([faces[0].depth(moved), faces[1].depth(moved), faces[1].at_impact(moved)])
+    struck, opposite, back = np.array(rows).T
+    length, time = (header.units.get(kind, "") for kind in ("length", "time"))
+    gap = above * sphere.centre[2] - sphere.radius - heights[0]
+    sunk = _travel(results, chosen, times, above, length) - gap - back
+    return Dent(times, struck, opposite, sunk, length, time)
+
+
+def _faces(results: Results, sphere: Sphere) -> tuple[np.ndarray, float, list[Face]]:
+    """Points, the side from which the impactor comes (1 or -1), the struck and the other face."""
+    grid = read_state(results.fields, 0)
+    points = np.asarray(grid.points, dtype=float)
+    low, high = float(points[:, 2].min()), float(points[:, 2].max())
+    above = 1.0 if sphere.centre[2] > (low + high) / 2 else -1.0
+    planes = planes_of(results)
+    blocks = blocks_of(grid)
+    faces = []
+    for height, level in ((high, -1), (low, 0))[:: int(above)]:
+        quads = [block.nodes[:, :, :, level] for block in blocks]
+        faces.append(_face(results.fields, points, quads, height, sphere, planes))
+    return points, above, faces
+
+
+def _face(
+    path: Path,
+    points: np.ndarray,
+    quads: list[np.ndarray],
+    height: float,
+    sphere: Sphere,
+    planes: tuple[Plane, ...],
+) -> Face:
+    """The face at a height."""
+    near = 1e-6 * extent(points)
+    impact = np.array(sphere.centre[:2])
+    for nodes in quads:
+        own = nodes[np.all(np.abs(points[nodes, 2] - height) <= near, axis=(1, 2))]
+        found = find(points[own, :2], impact[None, :])
+        if found.quad[0] >= 0:
+            break
+    else:
+        raise ResultsError(f"{path}: the impactor is beside the plate")
+    on_face = np.flatnonzero(np.abs(points[:, 2] - height) <= near)
+    distance = np.hypot(*(points[on_face, :2] - impact).T)
+    around = on_face[distance > AROUND * distance.max()]
+    places = points[around, :2] - impact
+    columns = [np.ones(len(around)), *places.T]
+    # displacements are the same in the images: a plane through all is level across a symmetry
+    kept = [0, *(1 + axis for axis in (0, 1) if axis not in {plane.axis for plane in planes})]
+    plane = np.linalg.pinv(np.column_stack([columns[place] for place in kept]))[0]
+    return Face(own[found.quad[0]], found.weights[0], around, plane)
+
+
+def _travel(
+    results: Results, number: int, times: np.ndarray, above: float, length: str
+) -> np.ndarray:
+    """How far the impactor moved towards the plate at some times, nan while it does not touch."""
+    if number not in results.impactors:
+        return np.full(len(times), np.nan)
+    table = results.impactor(number)
+    inside = touching(table["force"])
+    if len(inside) == 0:
+        return np.full(len(times), np.nan)
+    scale = -above * factor(table.unit("displacement"), length or table.unit("displacement"))
+    moved = scale * np.interp(times, table["time"], table["displacement"])
+    start, end = table["time"][inside[[0, -1]]]
+    return np.where((times >= start) & (times <= end), moved, np.nan)
+
+
+def draw_dent(results: Results, path: Path, number: int | None = None) -> Path:
+    """Draw the depth of both faces and the indentation over time."""
+    dent = read_dent(results, number)
+    if dent is None:
+        raise ResultsError(f"{results.fields} tells no impactor, or no displacement to measure")
+    deep = {"struck face": dent.struck, "opposite face": dent.opposite}
+    local = {
+        "impactor, towards the opposite face": dent.indentation,
+        "faces, towards each other": dent.struck - dent.opposite,
+    }
+    largest = float(np.max(np.abs([dent.struck, dent.opposite])))
+    length, time = readable(dent.length, largest), readable(dent.time, float(dent.times[-1]))
+    shape = {"size": (NARROW, 4.4), "sharex": True, "height_ratios": [3, 2]}
+    with figure(2, **shape) as (made, panels):
+        looks = iter(look_of(place) for place in range(4))
+        for axes, curves in zip(panels, (deep, local), strict=True):
+            for name, values in curves.items():
+                x, y = dent.times * time.factor, values * length.factor
+                axes.plot(x, y, marker=".", label=name, **next(looks))
+        panels[0].set_ylabel(in_brackets("Below the plate around", length.unit))
+        panels[1].set_ylabel(in_brackets("Pressed in", length.unit))
+        panels[1].set_xlabel(in_brackets("Time", time.unit))
+        for axes in panels:
+            axes.legend(loc="best", fontsize=7.5)
+        made.align_ylabels(panels)
+        name_job(made, results.job)
+        return save(made, path)
