@@ -1,25 +1,24 @@
-!> Contact of a rigid sphere with a face of the plate, by forward increment Lagrange multipliers.
+!> Frictionless contact of a rigid sphere with a face of the plate by Lagrange multipliers.
 !>
-!> The paper's eqs 12 to 18: the solver moves plate and impactor without contact; where the trial
-!> positions penetrate, multipliers push both apart until the gaps are closed; none ever pulls.
-!> The gaps are linearised at the trial positions, once per step. There is no friction.
+!> Forward increment Lagrange multipliers (the paper's eqs 12 to 18; Carpenter, Taylor and Katona,
+!> 1991): plate and impactor are predicted without contact, and non-negative multipliers close the
+!> gaps that are negative at the trial positions. The gaps are linearised once per step.
 !>
-!> Two discretisations. Contact nodes on the impactor against the facets of the plate, as in the
-!> paper, and its border where the impactor hangs over it; or the points of the plate against the
-!> exact sphere. In both the plate is nothing but surface points with inverse masses: contact knows
-!> no layers.
+!> Two discretisations: contact nodes on the impactor against the facets of the plate and their free
+!> edges (METHOD 1, as in the paper); points of the plate against the exact sphere (METHOD 2).
+!> The plate is given by its surface points and their inverse masses only.
 module plydyn_contact_contact
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints, opening
+   use plydyn_contact_solve_constraint, only : constraints_type, gap_change, new_constraints
    use plydyn_contact_solve_correction, only : correction_type, new_correction
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
    use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type, point_distance
-   use plydyn_contact_search_free_edge, only : collect_rim, rim_gap
-   use plydyn_contact_solve_diagonal_multiplier, only : is_separate, solve_separate
+   use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
+   use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
    use plydyn_contact_bodies_sphere, only : sphere_gap
    use plydyn_contact_search_surface, only : new_surface, surface_type
    implicit none
@@ -27,53 +26,53 @@ module plydyn_contact_contact
 
    public :: new_contact
 
-   !> What touches what, and how
+   !> Properties of a contact pair
    type, public :: contact_setup_type
       !> Radius of the sphere, length
       real(wp) :: radius = 0.0_wp
       !> Mass of the impactor
       real(wp) :: mass = 0.0_wp
-      !> The impactor moves along z only
+      !> Whether the impactor moves along z only
       logical :: guided = .false.
       !> 1 for the top face of the plate, -1 for the bottom face
       integer :: side = 1
-      !> Points of the plate against the exact sphere, in place of contact nodes on the impactor
+      !> Whether points of the plate meet the exact sphere, else contact nodes of it the facets
       logical :: exact_sphere = .false.
-      !> Distance between contact nodes, length; 0 for one made from the mesh
+      !> Distance between contact nodes, length; 0 for one derived from the mesh
       real(wp) :: spacing = 0.0_wp
    end type contact_setup_type
 
-   !> What contact did in a step
+   !> Contact force and penetration of a step
    type, public :: contact_result_type
-      !> Force on the impactor; the guide takes what acts across it
+      !> Force on the impactor, including the part that a guide carries
       real(wp) :: force(3) = 0.0_wp
-      !> Contact nodes, or points of the plate, that press
+      !> Number of rows with a positive multiplier
       integer :: active = 0
-      !> Largest penetration left by the linearised gaps, length
+      !> Largest penetration that remains of the linearised gaps, length
       real(wp) :: penetration = 0.0_wp
    end type contact_result_type
 
-   !> An impactor against a face
+   !> An impactor and a face of the plate
    type, public :: contact_pair_type
-      !> What of the surface is near the impactor: nothing else is pushed
-      type(candidate_list_type) :: near
-      !> Facets that can be pushed in the coming step, as long as the former are not listed anew
-      type(active_facets_type) :: ground
-      !> What the last step added to the surface points
+      !> Facets and points of the surface near the impactor: all others are out of contact
+      type(candidate_list_type) :: candidates
+      !> Facets that can be loaded in the coming step, unless the candidates are listed anew
+      type(active_facets_type) :: active_facets
+      !> Displacement correction of the surface points in the last step
       type(correction_type) :: correction
       type(contact_setup_type), private :: setup
       !> Inverse mass of the impactor along x, y, z, zero where held
       real(wp), private :: impactor_inverse(3) = 0.0_wp
       type(surface_type), private :: surface
-      !> None for the exact sphere
+      !> Contact nodes, unused for the exact sphere
       type(node_set_type), private :: nodes
       type(constraints_type), private :: rows
       type(active_set_type), private :: active_set
    contains
       procedure :: enforce
       procedure :: initial_gap
-      procedure :: remember
-      procedure :: recall
+      procedure :: save
+      procedure :: restore
    end type contact_pair_type
 
 contains
@@ -82,7 +81,7 @@ contains
    subroutine new_contact(self, setup, facet, position, centre, error)
       !> The pair
       type(contact_pair_type), intent(out) :: self
-      !> What touches what
+      !> Properties of the pair
       type(contact_setup_type), intent(in) :: setup
       !> Surface points of each facet, (4 or 9, facets), counter-clockwise from above
       integer, intent(in) :: facet(:, :)
@@ -90,15 +89,15 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
-      !> Set when the spacing makes too many nodes, or when a small sphere would pass the points
+      !> Input error: too many contact nodes, or a sphere that fits between points of the plate
       type(error_type), allocatable, intent(out) :: error
 
       self%setup = setup
       self%impactor_inverse(:) = 1.0_wp/setup%mass
       if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
       call new_surface(self%surface, facet, size(position, 2), setup%side)
-      call new_candidate_list(self%near, self%surface, setup%radius)
-      call new_active_facets(self%ground, size(facet, 2))
+      call new_candidate_list(self%candidates, self%surface, setup%radius)
+      call new_active_facets(self%active_facets, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
@@ -111,7 +110,7 @@ contains
       end if
    end subroutine new_contact
 
-   !> Refuse a sphere that fits between four points of the plate: it would pass them unseen
+   !> Refuse a sphere that fits between four points of the plate: its contact would be missed
    subroutine refuse_passage(radius, distance, error)
       !> Radius of the sphere; distance between points of the plate under it, length
       real(wp), intent(in) :: radius, distance
@@ -123,7 +122,7 @@ contains
          & //"use METHOD 1")
    end subroutine refuse_passage
 
-   !> Gap between impactor and plate, negative when they penetrate, huge when nothing is under it
+   !> Gap between impactor and plate, negative when they penetrate, huge where there is no facet
    pure real(wp) function initial_gap(self, position, centre)
       !> The pair
       class(contact_pair_type), intent(in) :: self
@@ -143,140 +142,142 @@ contains
          end do
       else
          initial_gap = min(self%nodes%least_gap(self%surface, position, centre), &
-            & rim_gap(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, centre, &
+            & edge_gap(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, centre, &
             & self%setup%radius, 0.0_wp))
       end if
    end function initial_gap
 
-   !> What the pair knows from the last step: with it, the next one gives the same bits elsewhere
-   pure subroutine remember(self, places, numbers)
+   !> Search data of the last step for the restart file: with them a restart gives the same bits
+   pure subroutine save(self, integers, reals)
       !> The pair
       class(contact_pair_type), intent(in) :: self
-      !> Facets; travel, positions, pushes
-      integer, allocatable, intent(out) :: places(:)
-      real(wp), allocatable, intent(out) :: numbers(:)
+      !> Facets of the candidates and of the nodes
+      integer, allocatable, intent(out) :: integers(:)
+      !> Approach bound, positions, multipliers, due times and local coordinates
+      real(wp), allocatable, intent(out) :: reals(:)
 
-      allocate (places(0), numbers(0))
-      call self%near%remember(places, numbers)
-      if (.not. self%setup%exact_sphere) call self%nodes%remember(places, numbers)
-   end subroutine remember
+      allocate (integers(0), reals(0))
+      call self%candidates%save(integers, reals)
+      if (.not. self%setup%exact_sphere) call self%nodes%save(integers, reals)
+   end subroutine save
 
-   !> Take back what `remember` gave
-   pure subroutine recall(self, places, numbers, good)
+   !> Restore the search data of a restart file
+   pure subroutine restore(self, integers, reals, good)
       !> The pair, new
       class(contact_pair_type), intent(inout) :: self
-      !> As from `remember`
-      integer, intent(in) :: places(:)
-      real(wp), intent(in) :: numbers(:)
-      !> False when they are those of another pair
+      !> As from `save`
+      integer, intent(in) :: integers(:)
+      real(wp), intent(in) :: reals(:)
+      !> Whether they fit this pair
       logical, intent(out) :: good
 
       integer :: used(2)
 
-      call self%near%recall(self%surface, places, numbers, used)
+      call self%candidates%restore(self%surface, integers, reals, used)
       good = used(1) >= 0
       if (.not. good) return
       if (self%setup%exact_sphere) then
-         good = used(1) == size(places) .and. used(2) == size(numbers)
-         call self%ground%take(self%near%facet)
+         good = used(1) == size(integers) .and. used(2) == size(reals)
+         call self%active_facets%set(self%candidates%facet)
       else
-         call self%nodes%recall(places(used(1) + 1:), numbers(used(2) + 1:), good)
+         call self%nodes%restore(integers(used(1) + 1:), reals(used(2) + 1:), good)
       end if
-   end subroutine recall
+   end subroutine restore
 
-   !> Push impactor and plate apart where their trial positions penetrate
+   !> Displacement corrections that close the gaps of the trial positions
    pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result)
       !> The pair
       class(contact_pair_type), intent(inout) :: self
-      !> Trial positions of the surface points, of all if `near%needs_all`, else of those in
-      !> `near%point`, (3, points), length
+      !> Trial positions of the surface points, of all if `candidates%needs_all`, else of those in
+      !> `candidates%point`, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Of the surface points along x, y, z, (3, points), zero where held
+      !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       !> Time step
       real(wp), intent(in) :: dt
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> To add to the centre, length
+      !> Displacement correction of the centre, length
       real(wp), intent(out) :: centre_correction(3)
-      !> Force and more
+      !> Contact force and penetration
       type(contact_result_type), intent(out) :: result
 
-      integer :: of_nodes
+      integer :: node_rows
       logical :: rebuilt
 
       centre_correction(:) = 0.0_wp
-      of_nodes = 0
+      node_rows = 0
       self%rows%count = 0
-      call self%near%update(self%surface, position, centre, rebuilt)
+      call self%candidates%update(self%surface, position, centre, rebuilt)
       call self%correction%clear()
       if (self%setup%exact_sphere) then
-         if (rebuilt) call self%ground%take(self%near%facet)
+         if (rebuilt) call self%active_facets%set(self%candidates%facet)
          call collect_points(self, position, centre)
       else
-         if (rebuilt) call self%nodes%forget()
-         call collect_nodes(self, position, centre, rebuilt, of_nodes)
+         if (rebuilt) call self%nodes%reset()
+         call collect_nodes(self, position, centre, rebuilt, node_rows)
       end if
       if (self%rows%count == 0) return
 
-      call self%correction%list(self%rows)
-      if (is_separate(self%rows, inverse_mass, self%impactor_inverse)) then
-         call solve_separate(self%rows, inverse_mass, self%impactor_inverse, &
-            & self%correction%move, centre_correction)
+      call self%correction%list_points(self%rows)
+      if (is_diagonal(self%rows, inverse_mass, self%impactor_inverse)) then
+         call solve_diagonal(self%rows, inverse_mass, self%impactor_inverse, &
+            & self%correction%displacement, centre_correction)
       else
          call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
-            & self%correction%move, centre_correction)
+            & self%correction%displacement, centre_correction)
       end if
-      call self%near%shift(self%correction%farthest())
-      if (of_nodes > 0) then
-         self%nodes%push(self%rows%source(:of_nodes)) = self%rows%push(:of_nodes)
+      call self%candidates%add_correction(self%correction%largest_displacement())
+      if (node_rows > 0) then
+         self%nodes%multiplier(self%rows%source(:node_rows)) = self%rows%multiplier(:node_rows)
       end if
-      call report(self%rows, dt, self%correction%move, centre_correction, result)
+      call summarise(self%rows, dt, self%correction%displacement, centre_correction, result)
    end subroutine enforce
 
-   !> Make rows of contact nodes, then of the border; it presses where the whole plate may be
-   !> pushed, which it sees to as soon as the impactor comes near it
-   pure subroutine collect_nodes(self, position, centre, rebuilt, of_nodes)
-      !> The pair
+   !> Rows of contact nodes, then of free edges
+   !>
+   !> Edge rows are made in steps in which every facet is active. Every facet is active from the
+   !> step after the one in which the sphere comes within the search distance of a free edge.
+   pure subroutine collect_nodes(self, position, centre, rebuilt, node_rows)
       class(contact_pair_type), intent(inout) :: self
-      !> Trial positions of the surface points, length
+      !> Trial positions of surface points and centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> Whether the facets near the impactor have been listed anew
+      !> Whether the candidates have been listed anew
       logical, intent(in) :: rebuilt
-      !> Rows of contact nodes: the first ones
-      integer, intent(out) :: of_nodes
+      !> Number of rows of contact nodes: they come first
+      integer, intent(out) :: node_rows
 
-      logical :: pushes_all
+      logical :: is_everywhere
 
-      pushes_all = self%ground%is_all .or. rebuilt
-      self%ground%is_all = pushes_all
-      call self%nodes%collect(self%near%patch, self%near, position, centre, self%rows)
-      call self%ground%follow(self%surface, self%near%travel, self%nodes, self%rows)
-      of_nodes = self%rows%count
-      if (pushes_all) then
-         call collect_rim(self%surface, self%near%facet, position, centre, self%setup%radius, &
-            & self%rows)
+      is_everywhere = self%active_facets%is_all .or. rebuilt
+      self%active_facets%is_all = is_everywhere
+      call self%nodes%collect(self%candidates%patch, self%candidates, position, centre, self%rows)
+      call self%active_facets%update(self%surface, self%candidates%approach_bound, self%nodes, &
+         & self%rows)
+      node_rows = self%rows%count
+      if (is_everywhere) then
+         call collect_edges(self%surface, self%candidates%facet, position, centre, &
+            & self%setup%radius, self%rows)
       end if
-      if (rim_gap(self%surface, self%near%facet, position, centre, self%setup%radius, &
-         & self%near%reach) < self%near%reach) self%ground%is_all = .true.
+      associate (distance => self%candidates%search_distance)
+         if (edge_gap(self%surface, self%candidates%facet, position, centre, self%setup%radius, &
+            & distance) < distance) self%active_facets%is_all = .true.
+      end associate
    end subroutine collect_nodes
 
-   !> Make a row of every point of the plate inside the sphere
+   !> Rows of the points of the plate inside the sphere
    pure subroutine collect_points(self, position, centre)
-      !> The pair
       class(contact_pair_type), intent(inout) :: self
-      !> Trial positions of the surface points, length
+      !> Trial positions of surface points and centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
 
       integer :: i, k
       real(wp) :: arm(3), distance
 
-      do i = 1, size(self%near%point)
-         k = self%near%point(i)
+      do i = 1, size(self%candidates%point)
+         k = self%candidates%point(i)
          arm(:) = centre - position(:, k)
          if (arm(1)**2 + arm(2)**2 + arm(3)**2 >= self%setup%radius**2) cycle
          distance = norm2(arm)
@@ -290,27 +291,25 @@ contains
       end do
    end subroutine collect_points
 
-   !> What contact did
-   pure subroutine report(rows, dt, correction, centre_correction, result)
-      !> The constraints with their pushes
+   !> Contact force, active rows and remaining penetration
+   pure subroutine summarise(rows, dt, correction, centre_correction, result)
+      !> The constraints with their multipliers
       type(constraints_type), intent(in) :: rows
       !> Time step
       real(wp), intent(in) :: dt
-      !> Of the surface points, length
+      !> Corrections of surface points and centre, length
       real(wp), contiguous, intent(in) :: correction(:, :)
-      !> Of the centre, length
       real(wp), intent(in) :: centre_correction(3)
-      !> Force and more
       type(contact_result_type), intent(out) :: result
 
       integer :: row
 
       do row = 1, rows%count
-         if (rows%push(row) > 0.0_wp) result%active = result%active + 1
-         result%force(:) = result%force + rows%push(row)/dt**2*rows%normal(:, row)
+         if (rows%multiplier(row) > 0.0_wp) result%active = result%active + 1
+         result%force(:) = result%force + rows%multiplier(row)/dt**2*rows%normal(:, row)
          result%penetration = max(result%penetration, -rows%gap(row) &
-            & - opening(rows, row, correction, centre_correction))
+            & - gap_change(rows, row, correction, centre_correction))
       end do
-   end subroutine report
+   end subroutine summarise
 
 end module plydyn_contact_contact

@@ -113,7 +113,7 @@ contains
       integer :: i
 
       do i = 1, size(self%pairs)
-         call self%pairs(i)%pair%remember(state%contacts(i)%places, state%contacts(i)%numbers)
+         call self%pairs(i)%pair%save(state%contacts(i)%places, state%contacts(i)%numbers)
       end do
    end subroutine save
 
@@ -129,7 +129,7 @@ contains
       integer :: i
 
       do i = 1, size(self%pairs)
-         call self%pairs(i)%pair%recall(state%contacts(i)%places, state%contacts(i)%numbers, good)
+         call self%pairs(i)%pair%restore(state%contacts(i)%places, state%contacts(i)%numbers, good)
          if (good) cycle
          call fail(error, exit_input, "the contact in the restart file is not that of the deck " &
             & //"in it: it must have been written by the same version of plydyn")
@@ -155,10 +155,11 @@ contains
       self%reaches_all = size(domain%supports%motions) > 0
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
-            call pair%near%approach(largest_move(domain, state%step, speed_bound), &
+            call pair%candidates%update_slack(largest_move(domain, state%step, speed_bound), &
                & state%impactors(impactor)%centre)
             ! a second pair of an impactor depends on the correction of the first
-            self%reaches_all = self%reaches_all .or. pair%near%needs_all .or. pair%ground%is_all &
+            self%reaches_all = self%reaches_all .or. pair%candidates%needs_all &
+               & .or. pair%active_facets%is_all &
                & .or. any(domain%contact%contacts(:i - 1)%impactor == impactor)
          end associate
       end do
@@ -171,8 +172,8 @@ contains
 
       integer :: f, i, k
 
-      do i = 1, self%pair%ground%count
-         f = self%pair%ground%facet(i)
+      do i = 1, self%pair%active_facets%count
+         f = self%pair%active_facets%facet(i)
          do k = self%last_chunk(f - 1) + 1, self%last_chunk(f)
             reached(self%chunk(k)) = .true.
          end do
@@ -234,12 +235,12 @@ contains
       associate (surface => domain%contact%surfaces(i), &
          & own => state%impactors(domain%contact%contacts(i)%impactor))
          ! another pair may have pushed the impactor
-         call self%pair%near%approach(0.0_wp, own%centre)
-         if (self%pair%near%needs_all) then
+         call self%pair%candidates%update_slack(0.0_wp, own%centre)
+         if (self%pair%candidates%needs_all) then
             call find_positions(domain, surface, surface%of_ranks, surface%counts, &
                & state%displacement, self)
          else
-            if (self%rebuilds /= self%pair%near%rebuilds) call list_by_rank(surface, self)
+            if (self%rebuilds /= self%pair%candidates%rebuilds) call list_by_rank(surface, self)
             call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
          end if
          if (size(domain%supports%motions) > 0) then
@@ -297,9 +298,9 @@ contains
       logical :: is_listed(size(surface%position, 2))
       integer :: first, r
 
-      self%rebuilds = self%pair%near%rebuilds
+      self%rebuilds = self%pair%candidates%rebuilds
       is_listed(:) = .false.
-      is_listed(self%pair%near%point) = .true.
+      is_listed(self%pair%candidates%point) = .true.
       self%listed = pack(surface%of_ranks, is_listed(surface%of_ranks))
       self%counts = surface%counts
       first = 0
@@ -358,7 +359,7 @@ contains
          power = 0.0_wp
          work = 0.0_wp
          do c = 1, 3
-            move = correction%move(c, k)
+            move = correction%displacement(c, k)
             if (inverse_mass(c, k) <= 0.0_wp .or. abs(move) <= 0.0_wp) cycle
             associate (v => state%velocity(surface%freedom(c, k)), &
                & u => state%displacement(surface%freedom(c, k)), &

@@ -1,4 +1,4 @@
-!> A ball over a flat plate, and all that finds its contact.
+!> A ball over a flat plate, with the data of its contact search.
 module ball
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -14,7 +14,7 @@ module ball
 
    !> Squares along an edge of the plate, and its points
    integer, parameter, public :: squares = 12, points = (2*squares + 1)**2
-   !> Radius of the ball, and distance of its contact nodes; squares have sides of one
+   !> Radius of the ball, and spacing of its contact nodes; squares have sides of one
    real(wp), parameter, public :: radius = 5.0_wp, spacing = 0.4_wp
    !> Centre of the ball that touches the middle of the plate
    real(wp), parameter, public :: touching(3) = [0.0_wp, 0.0_wp, radius]
@@ -23,7 +23,7 @@ contains
 
    !> The plate: its points, and its face
    subroutine new_plate(flat, facet, surface)
-      !> Places of the points
+      !> Positions of the points
       real(wp), intent(out) :: flat(3, points)
       !> Points of each facet
       integer, intent(out) :: facet(9, squares**2)
@@ -34,14 +34,14 @@ contains
       call new_surface(surface, facet, size(flat, 2), 1)
    end subroutine new_plate
 
-   !> Contact nodes of the ball, what of the plate is near, and room for rows
-   subroutine set_ball(surface, flat, near, nodes, rows)
+   !> Contact nodes of the ball, an empty candidate list and an empty set of rows
+   subroutine set_ball(surface, flat, candidates, nodes, rows)
       !> The face of the plate
       type(surface_type), intent(in) :: surface
-      !> Places of its points
+      !> Positions of its points
       real(wp), intent(in) :: flat(3, points)
-      !> The part of it near the ball
-      type(candidate_list_type), intent(out) :: near
+      !> Facets near the ball
+      type(candidate_list_type), intent(out) :: candidates
       !> Contact nodes
       type(node_set_type), intent(out) :: nodes
       !> Constraints, none yet
@@ -49,7 +49,7 @@ contains
 
       type(error_type), allocatable :: error
 
-      call new_candidate_list(near, surface, radius)
+      call new_candidate_list(candidates, surface, radius)
       call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
       call new_constraints(rows, 9)
    end subroutine set_ball

@@ -1,4 +1,4 @@
-!> A sphere against a face, a step at a time.
+!> Contact of a sphere with a face, step by step.
 program test_contact_contact
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -34,7 +34,7 @@ program test_contact_contact
 
 contains
 
-   !> Sphere and point move on together: momentum stays, and the loss is that of a plastic blow
+   !> Sphere and point move on together: momentum is conserved, the loss is that of plastic impact
    subroutine check_collision(method)
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
@@ -53,13 +53,14 @@ contains
       both = -mass*speed/(mass + small)
       after = -speed + lift(3)/dt
       call check(after, both, 1.0e-11_wp, "velocity of the impactor")
-      call check(pair%correction%move(3, middle)/dt, both, 1.0e-11_wp, "velocity of the point")
+      call check(pair%correction%displacement(3, middle)/dt, both, 1.0e-11_wp, &
+         & "velocity of the point")
       loss = 0.5_wp*mass*speed**2 - 0.5_wp*mass*after**2 &
-         & - 0.5_wp*small*(pair%correction%move(3, middle)/dt)**2
+         & - 0.5_wp*small*(pair%correction%displacement(3, middle)/dt)**2
       call check(loss, 0.5_wp*small*mass/(mass + small)*speed**2, 1.0e-11_wp, "loss")
       call check(result%force(3), mass*lift(3)/dt**2, 1.0e-9_wp, "force")
-      call check(result%active, 1, "one node presses")
-      call check(result%penetration, 0.0_wp, round_off, "nothing is left")
+      call check(result%active, 1, "one active row")
+      call check(result%penetration, 0.0_wp, round_off, "no penetration remains")
    end subroutine check_collision
 
    !> A sphere that touches and does not move stays, and so does the plate
@@ -76,9 +77,10 @@ contains
       call build(method, pair, position, inverse, centre)
       do step = 1, 10
          call pair%enforce(position, inverse, dt, centre, lift, result)
-         position(:, :) = position + pair%correction%move
+         position(:, :) = position + pair%correction%displacement
          centre(:) = centre + lift
-         call check(maxval(abs(pair%correction%move)), 0.0_wp, 1.0e-15_wp, "the plate stays")
+         call check(maxval(abs(pair%correction%displacement)), 0.0_wp, 1.0e-15_wp, &
+            & "the plate stays")
          call check(lift, spread(0.0_wp, 1, 3), 1.0e-15_wp, "the impactor stays")
       end do
    end subroutine check_rest
@@ -106,11 +108,11 @@ contains
          velocity = velocity + lift(3)/dt
          centre(:) = centre + lift
          call check(result%force(3), mass*gravity, 1.0e-7_wp, "the force is the weight")
-         call check(maxval(abs(pair%correction%move)), 0.0_wp, 0.0_wp, "held points stay")
+         call check(maxval(abs(pair%correction%displacement)), 0.0_wp, 0.0_wp, "held points stay")
       end do
    end subroutine check_weight
 
-   !> A sphere that leaves is let go
+   !> A sphere that separates exerts no force
    subroutine check_separation(method)
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
@@ -123,13 +125,13 @@ contains
       call build(method, pair, position, inverse, centre)
       centre(3) = centre(3) - 1.0e-2_wp
       call pair%enforce(position, inverse, dt, centre, lift, result)
-      call check(result%force(3) > 0.0_wp, "it pushes while pressed")
+      call check(result%force(3) > 0.0_wp, "a force while in contact")
       centre(:) = centre + lift + [0.0_wp, 0.0_wp, 1.0e-6_wp]
-      position(:, :) = position + pair%correction%move
+      position(:, :) = position + pair%correction%displacement
       call pair%enforce(position, inverse, dt, centre, lift, result)
       call check(result%force, spread(0.0_wp, 1, 3), 0.0_wp, "no force when it leaves")
-      call check(result%active, 0, "no node presses")
-      call check(maxval(abs(pair%correction%move)), 0.0_wp, 0.0_wp, "no motion")
+      call check(result%active, 0, "no active row")
+      call check(maxval(abs(pair%correction%displacement)), 0.0_wp, 0.0_wp, "no motion")
    end subroutine check_separation
 
    !> Over a corner of four facets all that contact does has the symmetry of the square
@@ -148,16 +150,16 @@ contains
       position(3, :) = 0.02_wp*(abs(position(1, :)) + abs(position(2, :)))
       centre(3) = centre(3) - 0.03_wp
       call pair%enforce(position, inverse, dt, centre, lift, result)
-      down(:, :) = reshape(pair%correction%move(3, :), [line, line])
+      down(:, :) = reshape(pair%correction%displacement(3, :), [line, line])
       scale = maxval(abs(down))
-      call check(result%active > 4, "more than the pole presses")
+      call check(result%active > 4, "more rows than the pole")
       call check(lift(:2), spread(0.0_wp, 1, 2), round_off*lift(3), "nothing aside")
       call check(maxval(abs(down - transpose(down))), 0.0_wp, 1.0e-9_wp*scale, &
          & "across the diagonal")
       call check(maxval(abs(down - down(line:1:-1, :))), 0.0_wp, 1.0e-9_wp*scale, "left and right")
    end subroutine check_symmetry
 
-   !> What the plate loses the impactor wins, in all directions, however warped the plate
+   !> Momentum is conserved in all directions, on a warped plate
    subroutine check_momentum(method)
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
@@ -172,14 +174,14 @@ contains
       position(3, :) = 0.05_wp*sin(3.0_wp*position(1, :)) + 0.1_wp*position(2, :)
       centre(:) = centre + [0.3_wp, -0.2_wp, -0.2_wp]
       call pair%enforce(position, inverse, dt, centre, lift, result)
-      given(:) = sum(pair%correction%move/inverse, dim=2)
-      call check(result%active > 3, "several nodes press")
+      given(:) = sum(pair%correction%displacement/inverse, dim=2)
+      call check(result%active > 3, "several active rows")
       call check(given, -mass*lift, round_off*mass*norm2(lift), "momentum")
       call check(result%force, mass*lift/dt**2, round_off*mass*norm2(lift)/dt**2, "force")
-      call check(result%penetration, 0.0_wp, 1.0e-9_wp, "nothing is left")
+      call check(result%penetration, 0.0_wp, 1.0e-9_wp, "no penetration remains")
    end subroutine check_momentum
 
-   !> A guide takes what acts across it
+   !> A guide carries the lateral force
    subroutine check_guide(method)
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
@@ -194,10 +196,10 @@ contains
       centre(3) = centre(3) - 0.01_wp
       call pair%enforce(position, inverse, dt, centre, lift, result)
       call check(lift(:2), spread(0.0_wp, 1, 2), 0.0_wp, "moves along the guide only")
-      call check(result%force(1) < 0.0_wp, "the slope pushes down its way")
+      call check(result%force(1) < 0.0_wp, "lateral force down the slope")
       call check(result%force(3), mass*lift(3)/dt**2, 1.0e-6_wp*result%force(3), &
-         & "the rest moves it")
-      call check(sum(pair%correction%move(1, :)/inverse(1, :)), -result%force(1)*dt**2, &
+         & "the axial force moves it")
+      call check(sum(pair%correction%displacement(1, :)/inverse(1, :)), -result%force(1)*dt**2, &
          & round_off*abs(result%force(1))*dt**2, "the plate feels the guide")
    end subroutine check_guide
 
@@ -238,11 +240,12 @@ contains
       call above%enforce(position, inverse, dt, centre, lift, result)
       call below%enforce(position, inverse, dt, centre_below, lift_below, result_below)
       call check(lift_below, [lift(1), lift(2), -lift(3)], round_off, "the impactor")
-      call check(below%correction%move(3, :), -above%correction%move(3, :), round_off, "the points")
-      call check(result_below%active, result%active, "nodes that press")
+      call check(below%correction%displacement(3, :), -above%correction%displacement(3, :), &
+         & round_off, "the points")
+      call check(result_below%active, result%active, "active rows")
    end subroutine check_bottom
 
-   !> A pair that remembers does what a new one does, all along an oblique blow on a moving plate
+   !> A pair with search data does what a new one does, during oblique impact on a moving plate
    subroutine check_memory(method)
       !> 1 for contact nodes, 2 for the exact sphere
       integer, intent(in) :: method
@@ -265,8 +268,8 @@ contains
          call build(method, fresh, flat, inverse, lift_fresh)
          call fresh%enforce(position, inverse, dt, centre, lift_fresh, result_fresh)
          call check(lift, lift_fresh, 1.0e-9_wp, "the impactor")
-         call check(maxval(abs(pair%correction%move - fresh%correction%move)), 0.0_wp, 1.0e-9_wp, &
-            & "the points")
+         call check(maxval(abs(pair%correction%displacement - fresh%correction%displacement)), &
+            & 0.0_wp, 1.0e-9_wp, "the points")
          if (result%active > 0) pressing = pressing + 1
       end do
       call check(pressing > 30 .and. pressing < 120, "contact comes and goes")

@@ -1,4 +1,4 @@
-!> The ground of contact: no node presses beside it, and it is a small part of the face.
+!> Active facets: every contact row lies on one of them, and they are a small part of the face.
 program test_contact_search_active_facets
    use ball, only : new_plate, points, radius, set_ball, squares
    use plydyn_base_precision, only : wp
@@ -22,95 +22,98 @@ program test_contact_search_active_facets
 
 contains
 
-   !> A sphere that rolls and bounces over waves presses where it was said before the step
+   !> A sphere that rolls and bounces over waves loads only facets that were active before the step
    subroutine check_rolling()
-      type(active_facets_type) :: ground
-      type(candidate_list_type) :: near
+      type(active_facets_type) :: active_facets
+      type(candidate_list_type) :: candidates
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
-      logical :: is_ground(squares**2), rebuilt
+      logical :: is_active(squares**2), rebuilt
       real(wp) :: centre(3), position(3, points)
-      integer :: found, presses, row, step, steps_with_ground
+      integer :: contact_rows, found, row, step, steps_with_list
 
-      call begin("follow")
-      call set_ball(surface, flat, near, nodes, rows)
-      call new_active_facets(ground, squares**2)
-      presses = 0
-      steps_with_ground = 0
+      call begin("update")
+      call set_ball(surface, flat, candidates, nodes, rows)
+      call new_active_facets(active_facets, squares**2)
+      contact_rows = 0
+      steps_with_list = 0
       found = 0
       do step = 1, 2000
          position(:, :) = flat
          position(3, :) = 0.002_wp*sin(0.01_wp*step - flat(1, :))*cos(flat(2, :))
          centre(:) = [0.001_wp*step - 1.0_wp, 0.0_wp, radius + 0.03_wp*cos(0.004_wp*step)]
-         is_ground(:) = ground%is_all
-         is_ground(ground%facet(:ground%count)) = .true.
-         call near%approach(0.001_wp, centre)
-         call near%update(surface, position, centre, rebuilt)
-         if (rebuilt) call nodes%forget()
-         is_ground(:) = is_ground .or. rebuilt
-         ground%is_all = ground%is_all .or. rebuilt
+         is_active(:) = active_facets%is_all
+         is_active(active_facets%facet(:active_facets%count)) = .true.
+         call candidates%update_slack(0.001_wp, centre)
+         call candidates%update(surface, position, centre, rebuilt)
+         if (rebuilt) call nodes%reset()
+         is_active(:) = is_active .or. rebuilt
+         active_facets%is_all = active_facets%is_all .or. rebuilt
          rows%count = 0
-         call nodes%collect(near%patch, near, position, centre, rows)
+         call nodes%collect(candidates%patch, candidates, position, centre, rows)
          do row = 1, rows%count
-            call check(is_ground(nodes%facet(rows%source(row))), "nodes press on the ground")
+            call check(is_active(nodes%facet(rows%source(row))), "rows lie on active facets")
          end do
          row = rows%count
-         call ground%follow(surface, near%travel, nodes, rows)
-         call check(rows%count, row, "no row is left out")
-         presses = presses + rows%count
-         if (ground%is_all) cycle
-         steps_with_ground = steps_with_ground + 1
-         found = found + ground%count
+         call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+         call check(rows%count, row, "no row is removed")
+         contact_rows = contact_rows + rows%count
+         if (active_facets%is_all) cycle
+         steps_with_list = steps_with_list + 1
+         found = found + active_facets%count
       end do
-      call check(presses > 0, "nodes press")
-      call check(steps_with_ground > 1900, "the ground is known in nearly all steps")
-      call check(found < steps_with_ground*squares**2/2, "and small")
+      call check(contact_rows > 0, "there are rows")
+      call check(steps_with_list > 1900, "the facets are known in nearly all steps")
+      call check(found < steps_with_list*squares**2/2, "and few")
    end subroutine check_rolling
 
-   !> A node that jumps presses one step later
+   !> A node that jumps to another facet makes a row one step later
    subroutine check_jump()
-      type(active_facets_type) :: ground
-      type(candidate_list_type) :: near
+      type(active_facets_type) :: active_facets
+      type(candidate_list_type) :: candidates
       type(node_set_type) :: nodes
       type(constraints_type) :: rows
       logical :: rebuilt
       real(wp) :: centre(3)
       integer :: step
 
-      call begin("drop")
-      call set_ball(surface, flat, near, nodes, rows)
-      call new_active_facets(ground, squares**2)
+      call begin("update, jump")
+      call set_ball(surface, flat, candidates, nodes, rows)
+      call new_active_facets(active_facets, squares**2)
       do step = 0, 3
          centre(:) = [0.0_wp, 0.0_wp, radius - 1.0e-4_wp*step]
-         call near%approach(0.0_wp, centre)
-         call near%update(surface, flat, centre, rebuilt)
-         if (rebuilt) call nodes%forget()
+         call candidates%update_slack(0.0_wp, centre)
+         call candidates%update(surface, flat, centre, rebuilt)
+         if (rebuilt) call nodes%reset()
          rows%count = 0
-         call nodes%collect(near%patch, near, flat, centre, rows)
-         call ground%follow(surface, near%travel, nodes, rows)
+         call nodes%collect(candidates%patch, candidates, flat, centre, rows)
+         call active_facets%update(surface, candidates%approach_bound, nodes, rows)
       end do
-      call check(rows%count, 1, "the pole presses")
-      call check(.not. any(ground%facet(:ground%count) == 1), "far from the first facet")
+      call check(rows%count, 1, "the pole makes a row")
+      call check(.not. any(active_facets%facet(:active_facets%count) == 1), &
+         & "the first facet is not active")
       nodes%facet(rows%source(1)) = 1
-      call ground%follow(surface, near%travel, nodes, rows)
-      call check(rows%count, 0, "a node that is there all of a sudden does not press")
-      call check(any(ground%facet(:ground%count) == 1), "but in the next step it may")
-      call check(any(ground%facet(:ground%count) == 2 + squares), "and around there")
+      call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+      call check(rows%count, 0, "its row on an inactive facet is removed")
+      call check(any(active_facets%facet(:active_facets%count) == 1), &
+         & "the facet is active in the next step")
+      call check(any(active_facets%facet(:active_facets%count) == 2 + squares), &
+         & "and its neighbours")
       call rows%add(1, 0.0_wp)
-      call ground%follow(surface, near%travel, nodes, rows)
-      call check(rows%count, 1, "and does")
+      call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+      call check(rows%count, 1, "the row is kept")
    end subroutine check_jump
 
-   !> Other contacts say themselves what their ground is
+   !> Contact with the exact sphere sets its active facets itself
    subroutine check_taken()
-      type(active_facets_type) :: ground
+      type(active_facets_type) :: active_facets
 
-      call begin("take")
-      call new_active_facets(ground, squares**2)
-      call check(ground%is_all, "nothing is known at first")
-      call ground%take([7, 5])
-      call check(.not. ground%is_all, "then it is")
-      call check(all(ground%facet(:ground%count) == [7, 5]), "what was given")
+      call begin("set")
+      call new_active_facets(active_facets, squares**2)
+      call check(active_facets%is_all, "all are active at first")
+      call active_facets%set([7, 5])
+      call check(.not. active_facets%is_all, "then only some")
+      call check(all(active_facets%facet(:active_facets%count) == [7, 5]), "those that were set")
    end subroutine check_taken
 
 end program test_contact_search_active_facets

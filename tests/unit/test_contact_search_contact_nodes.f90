@@ -1,4 +1,4 @@
-!> Contact nodes on the impactor: their spacing, and how long they may sleep.
+!> Contact nodes on the impactor: spacing, approach bound, folded facets and kinks.
 program test_contact_search_contact_nodes
    use ball, only : new_plate, points, radius, set_ball, spacing, squares, touching
    use plydyn_base_error, only : error_type
@@ -16,10 +16,10 @@ program test_contact_search_contact_nodes
 
    call new_plate(flat, facet, surface)
    call check_spacing()
-   call check_travel()
+   call check_approach_bound()
    call check_patch()
    call check_folded()
-   call check_fold()
+   call check_kink()
    call finish()
 
 contains
@@ -55,135 +55,136 @@ contains
       call check(apart <= spacing .and. apart > 0.9_wp*spacing, "distance from the pole")
    end subroutine check_first_ring
 
-   !> No gap within reach shrinks by more than the travel grows, unless the list is new; outside is
-   !> beyond reach
-   subroutine check_travel()
+   !> No gap shrinks by more than the approach bound grows, unless the list is new; unlisted points
+   !> are farther than the search distance
+   subroutine check_approach_bound()
       type(constraints_type) :: rows
-      type(candidate_list_type) :: near
+      type(candidate_list_type) :: candidates
       type(node_set_type) :: nodes
-      real(wp) :: after, before, centre(3), position(3, points), travel
+      real(wp) :: after, before, centre(3), position(3, points), approach_bound
       integer :: f, rebuilds, step
       logical :: rebuilt
 
       call begin("update")
-      call set_ball(surface, flat, near, nodes, rows)
-      before = near%reach
+      call set_ball(surface, flat, candidates, nodes, rows)
+      before = candidates%search_distance
       rebuilds = 0
       do step = 1, 200
          position(:, :) = flat
          position(3, :) = 0.1_wp*sin(0.3_wp*step - flat(1, :))*cos(flat(2, :) + 0.1_wp*step)
          centre(:) = [0.01_wp*step - 1.0_wp, 0.0_wp, radius + 0.3_wp + 0.3_wp*cos(0.05_wp*step)]
-         travel = near%travel
-         call near%update(surface, position, centre, rebuilt)
-         after = min(nodes%least_gap(surface, position, centre), near%reach)
+         approach_bound = candidates%approach_bound
+         call candidates%update(surface, position, centre, rebuilt)
+         after = min(nodes%least_gap(surface, position, centre), candidates%search_distance)
          if (rebuilt) then
             rebuilds = rebuilds + 1
          else
-            call check(before - after <= near%travel - travel + 1.0e-12_wp, "travel bounds the gap")
+            call check(before - after <= candidates%approach_bound - approach_bound + 1.0e-12_wp, &
+               & "the bound holds")
          end if
          before = after
          do f = 1, squares**2
-            if (any(near%facet == f)) cycle
+            if (any(candidates%facet == f)) cycle
             call check(minval(norm2(position(:, facet(:, f)) - spread(centre, 2, 9), dim=1)) &
-               & - radius > near%reach, "no point outside the list is within reach")
+               & - radius > candidates%search_distance, &
+               & "no unlisted point is within the search distance")
          end do
       end do
       call check(rebuilds > 0 .and. rebuilds < 100, "the list is new now and then")
-   end subroutine check_travel
+   end subroutine check_approach_bound
 
-   !> With listed points only, most of the time, the rows are those of all points; outside of the
-   !> patch a foot is beside it
+   !> With listed points only, most of the time, the rows are those of all points
    subroutine check_patch()
-      type(candidate_list_type) :: lazy, near
+      type(candidate_list_type) :: lazy, candidates
       type(node_set_type) :: nodes, others
       type(constraints_type) :: all_rows, rows
       real(wp) :: before(3, points), centre(3), given(3, points), position(3, points)
-      integer :: looks, presses, step
+      integer :: full_updates, contact_rows, step
       logical :: rebuilt, rebuilt_lazily
 
       call begin("approach")
-      call set_ball(surface, flat, near, nodes, all_rows)
+      call set_ball(surface, flat, candidates, nodes, all_rows)
       call set_ball(surface, flat, lazy, others, rows)
-      looks = 0
-      presses = 0
+      full_updates = 0
+      contact_rows = 0
       before(:, :) = flat
       do step = 1, 400
          position(:, :) = flat
          position(3, :) = 0.002_wp*sin(0.01_wp*step - flat(1, :))*cos(flat(2, :))
          centre(:) = [0.003_wp*step - 1.0_wp, 0.0_wp, radius + 0.03_wp*cos(0.02_wp*step)]
-         call near%update(surface, position, centre, rebuilt)
-         call lazy%approach(maxval(norm2(position - before, dim=1)), centre)
+         call candidates%update(surface, position, centre, rebuilt)
+         call lazy%update_slack(maxval(norm2(position - before, dim=1)), centre)
          given(:, :) = position
          if (lazy%needs_all) then
-            looks = looks + 1
+            full_updates = full_updates + 1
          else
             given(:, :) = -1.0e3_wp
             given(:, lazy%point) = position(:, lazy%point)
          end if
          call lazy%update(surface, given, centre, rebuilt_lazily)
          call check(rebuilt_lazily .eqv. rebuilt, "the list is new in the same step")
-         if (rebuilt) call nodes%forget()
-         if (rebuilt) call others%forget()
+         if (rebuilt) call nodes%reset()
+         if (rebuilt) call others%reset()
          all_rows%count = 0
          rows%count = 0
-         call nodes%collect(near%patch, near, position, centre, all_rows)
+         call nodes%collect(candidates%patch, candidates, position, centre, all_rows)
          call others%collect(lazy%patch, lazy, given, centre, rows)
          call check(rows%count, all_rows%count, "as many nodes are below the surface")
          call check(all(abs(rows%gap(:rows%count) - all_rows%gap(:rows%count)) <= 0.0_wp), &
             & "as deep")
-         presses = presses + rows%count
+         contact_rows = contact_rows + rows%count
          before(:, :) = position
       end do
-      call check(looks < 100, "all points are needed now and then only")
-      call check(presses > 0, "nodes press")
+      call check(full_updates < 100, "all points are needed now and then only")
+      call check(contact_rows > 0, "there are rows")
    end subroutine check_patch
 
-   !> A node presses a facet that faces it, and none that has folded over
+   !> A node makes a row on a facet that faces it, and none on one that has folded over
    subroutine check_folded()
       real(wp), parameter :: depth = 0.1_wp
       type(constraints_type) :: rows
-      type(candidate_list_type) :: near
+      type(candidate_list_type) :: candidates
       type(node_set_type) :: nodes
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
 
       call begin("collect")
-      call set_ball(surface, flat, near, nodes, rows)
+      call set_ball(surface, flat, candidates, nodes, rows)
       centre(:) = [0.1_wp, 0.2_wp, radius - depth]
-      call near%update(surface, flat, centre, rebuilt)
-      call nodes%collect(surface, near, flat, centre, rows)
-      call check(rows%count > 0, "a plate that faces the sphere is pressed")
+      call candidates%update(surface, flat, centre, rebuilt)
+      call nodes%collect(surface, candidates, flat, centre, rows)
+      call check(rows%count > 0, "rows on a plate that faces the sphere")
       call check(minval(rows%gap(:rows%count)), -depth, 1.0e-12_wp, "as deep as it was moved")
       position(:, :) = flat
       position(1, :) = -flat(1, :)
       centre(3) = radius + depth
       rows%count = 0
-      call nodes%forget()
-      call near%update(surface, position, centre, rebuilt)
-      call nodes%collect(surface, near, position, centre, rows)
-      call check(rows%count, 0, "a plate turned over is not")
+      call nodes%reset()
+      call candidates%update(surface, position, centre, rebuilt)
+      call nodes%collect(surface, candidates, position, centre, rows)
+      call check(rows%count, 0, "none on a plate turned over")
    end subroutine check_folded
 
-   !> Close to a fold the normal is that of the sphere, and the gap still ends at the closest point
-   subroutine check_fold()
-      real(wp), parameter :: slope = 0.01_wp, beside = 1.0e-5_wp, depth = 1.0e-3_wp
+   !> At a kink the normal is that of the sphere, and the gap is that to the closest point
+   subroutine check_kink()
+      real(wp), parameter :: slope = 0.01_wp, aside = 1.0e-5_wp, depth = 1.0e-3_wp
       real(wp), parameter :: along = sqrt(1.0_wp + slope**2)
       type(constraints_type) :: rows
-      type(candidate_list_type) :: near
+      type(candidate_list_type) :: candidates
       type(node_set_type) :: nodes
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
 
-      call begin("collect, fold")
-      call set_ball(surface, flat, near, nodes, rows)
+      call begin("collect, kink")
+      call set_ball(surface, flat, candidates, nodes, rows)
       position(:, :) = flat
       position(3, :) = slope*abs(flat(1, :))
-      centre(:) = [beside + depth*slope/along, 0.3_wp, slope*beside - depth/along + radius]
-      call near%update(surface, position, centre, rebuilt)
-      call nodes%collect(surface, near, position, centre, rows)
+      centre(:) = [aside + depth*slope/along, 0.3_wp, slope*aside - depth/along + radius]
+      call candidates%update(surface, position, centre, rebuilt)
+      call nodes%collect(surface, candidates, position, centre, rows)
       call check(rows%count, 1, "the pole is in the valley")
       call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "normal of the sphere")
       call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")
-   end subroutine check_fold
+   end subroutine check_kink
 
 end program test_contact_search_contact_nodes

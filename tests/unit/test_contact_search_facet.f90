@@ -24,15 +24,15 @@ contains
       !> Points of the facet
       integer, intent(in) :: nodes
 
-      real(wp) :: frame(3, frame_size), height(nodes), place(2, nodes)
+      real(wp) :: frame(3, frame_size), height(nodes), local(2, nodes)
       integer :: a, b, degree
 
       call begin("frames_at, monomials")
       degree = merge(1, 2, nodes == bilinear_nodes)
-      place(:, :) = local_nodes(nodes)
+      local(:, :) = local_nodes(nodes)
       do b = 0, degree
          do a = 0, degree
-            height(:) = place(1, :)**a*place(2, :)**b
+            height(:) = local(1, :)**a*local(2, :)**b
             call find_frame(nodes, spread(height, 1, 3), frame)
             call check(frame(3, frame_value), xi**a*eta**b, round_off, "value")
             call check(frame(3, frame_xi), slope(xi, a)*eta**b, round_off, "along xi")
@@ -71,15 +71,15 @@ contains
       !> The frame
       real(wp), intent(out) :: frame(3, frame_size)
 
-      real(wp) :: frames(lanes, 3, frame_size), place(lanes, 2), polynomial(lanes, 3, 0:2, 0:2)
+      real(wp) :: frames(lanes, 3, frame_size), local(lanes, 2), polynomial(lanes, 3, 0:2, 0:2)
       real(wp) :: points(lanes, 3, nodes)
 
       points(:, :, :) = 1.0_wp
-      place(:, :) = 0.0_wp
+      local(:, :) = 0.0_wp
       points(lanes, :, :) = x
-      place(lanes, :) = [xi, eta]
+      local(lanes, :) = [xi, eta]
       call facet_polynomials(nodes, points, polynomial)
-      call frames_at(polynomial, place, frames)
+      call frames_at(polynomial, local, frames)
       call check(maxval(abs(frames(:lanes - 1, :, frame_value) - 1.0_wp)), 0.0_wp, round_off, &
          & "the other lanes do not mind")
       frame(:, :) = frames(lanes, :, :)

@@ -1,8 +1,8 @@
-!> The border of a face stays outside of the sphere, but where it may be a plane of symmetry.
+!> Free edges of a face stay outside of the sphere, except where they may be planes of symmetry.
 program test_contact_search_free_edge
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_search_free_edge, only : collect_rim, rim_gap
+   use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
    use plydyn_contact_search_surface, only : new_surface, surface_type
    use sample, only : flat_surface
    use testing, only : begin, check, finish
@@ -23,43 +23,43 @@ program test_contact_search_free_edge
    call check_inside()
    call check_corner()
    call check_curved()
-   call check_reach()
+   call check_search_distance()
    call finish()
 
 contains
 
-   !> The closest point of a straight side: distance, normal, and weights that give its place
+   !> The closest point of a straight side: distance, normal, and weights that give its position
    subroutine check_straight()
       real(wp), parameter :: arm(3) = [0.3_wp, 0.0_wp, 0.4_wp]
       type(constraints_type) :: rows
-      real(wp) :: foot(3)
+      real(wp) :: closest(3)
       integer :: side
 
-      call begin("collect_rim, straight")
+      call begin("collect_edges, straight")
       do side = 1, 4
-         foot(:) = turned([1.0_wp, 0.5_wp, 0.0_wp], side)
+         closest(:) = turned([1.0_wp, 0.5_wp, 0.0_wp], side)
          call new_constraints(rows, 9)
-         call collect_rim(surface, facets, flat, foot + turned(arm, side), 0.6_wp, rows)
+         call collect_edges(surface, facets, flat, closest + turned(arm, side), 0.6_wp, rows)
          call check(rows%count, 1, "one side holds the sphere")
          call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
          call check(rows%normal(:, 1), turned(arm, side)/0.5_wp, round_off, "towards the centre")
-         call check(matmul(flat(:, rows%point(:, 1)), rows%weight(:, 1)), foot, round_off, &
+         call check(matmul(flat(:, rows%point(:, 1)), rows%weight(:, 1)), closest, round_off, &
             & "weights at the closest point")
          call check(sum(rows%weight(:, 1)), 1.0_wp, round_off, "the force is whole")
       end do
    end subroutine check_straight
 
-   !> Also where the centre is over the face, but not where it is over the side itself
+   !> A row where the centre is above the face, none where it is above the side itself
    subroutine check_inside()
       type(constraints_type) :: rows
 
-      call begin("collect_rim, inside")
+      call begin("collect_edges, inside")
       call new_constraints(rows, 9)
-      call collect_rim(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], 0.45_wp, rows)
+      call collect_edges(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], 0.45_wp, rows)
       call check(rows%count, 0, "nothing on a plane of symmetry")
-      call collect_rim(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_edges(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
       call check(rows%count, 0, "nothing where the edge is outside")
-      call collect_rim(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_edges(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
       call check(rows%count, 1, "a row where the centre is over the face")
       call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
    end subroutine check_inside
@@ -69,9 +69,9 @@ contains
       type(constraints_type) :: rows
       integer :: row
 
-      call begin("collect_rim, corner")
+      call begin("collect_edges, corner")
       call new_constraints(rows, 9)
-      call collect_rim(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], 0.8_wp, rows)
+      call collect_edges(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], 0.8_wp, rows)
       call check(rows%count, 2, "two sides")
       do row = 1, 2
          call check(rows%gap(row), -0.1_wp, round_off, "depth of the corner")
@@ -81,38 +81,39 @@ contains
 
    !> On a side x = 1.2 - 0.8 (y - 0.5)^2 from y = 0 to 1: along its normal at y = 0.75
    subroutine check_curved()
-      real(wp), parameter :: foot(3) = [1.15_wp, 0.75_wp, 0.0_wp]
+      real(wp), parameter :: closest(3) = [1.15_wp, 0.75_wp, 0.0_wp]
       real(wp), parameter :: out(3) = [1.0_wp, 0.4_wp, 0.0_wp]
       type(constraints_type) :: rows
       real(wp) :: position(3, points), centre(3)
       integer :: i
 
-      call begin("collect_rim, curved")
+      call begin("collect_edges, curved")
       position(:, :) = flat
       i = minloc(abs(flat(1, :) - 1.0_wp) + abs(flat(2, :) - 0.5_wp), dim=1)
       position(1, i) = 1.2_wp
-      centre(:) = foot + 0.3_wp*out/norm2(out) + [0.0_wp, 0.0_wp, 0.4_wp]
+      centre(:) = closest + 0.3_wp*out/norm2(out) + [0.0_wp, 0.0_wp, 0.4_wp]
       call new_constraints(rows, 9)
-      call collect_rim(surface, facets, position, centre, 0.6_wp, rows)
+      call collect_edges(surface, facets, position, centre, 0.6_wp, rows)
       call check(rows%count, 1, "one side holds the sphere")
       call check(rows%gap(1), -0.1_wp, round_off, "depth")
-      call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), foot, 1.0e-9_wp, "foot")
+      call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), closest, 1.0e-9_wp, &
+         & "closest point")
    end subroutine check_curved
 
-   !> The gap is that of the nearest side within reach
-   subroutine check_reach()
-      real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, reach = 0.2_wp
+   !> The gap is that of the nearest side within the search distance
+   subroutine check_search_distance()
+      real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, search_distance = 0.2_wp
 
-      call begin("rim_gap")
-      call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.4_wp, reach), 0.1_wp, &
-         & round_off, "gap to the edge")
-      call check(rim_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, reach), -0.1_wp, &
-         & round_off, "depth of the edge")
-      call check(rim_gap(surface, facets, flat, [1.0_wp, y, height], 0.6_wp, reach) > 1.0_wp, &
-         & "the centre is over the side")
-      call check(rim_gap(surface, facets, flat, [1.3_wp, y, height], 0.2_wp, reach) > 1.0_wp, &
-         & "the edge is out of reach")
-   end subroutine check_reach
+      call begin("edge_gap")
+      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], 0.4_wp, &
+         & search_distance), 0.1_wp, round_off, "gap to the edge")
+      call check(edge_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, &
+         & search_distance), -0.1_wp, round_off, "depth of the edge")
+      call check(edge_gap(surface, facets, flat, [1.0_wp, y, height], 0.6_wp, &
+         & search_distance) > 1.0_wp, "the centre is above the side")
+      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], 0.2_wp, &
+         & search_distance) > 1.0_wp, "the edge is beyond the search distance")
+   end subroutine check_search_distance
 
    !> A vector turned by quarter turns about z: that of side 2 to another side
    pure function turned(vector, side) result(other)

@@ -1,4 +1,4 @@
-!> Contact nodes that sleep.
+!> Search timers of contact nodes.
 program test_contact_search_search_timers
    use plydyn_base_precision, only : wp
    use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
@@ -8,47 +8,47 @@ program test_contact_search_search_timers
    !> More than fill some groups
    integer, parameter :: nodes = 205
 
-   call check_waking()
+   call check_due()
    call check_new_times()
    call finish()
 
 contains
 
-   !> Those awake are those whose time has come, in the order of their numbers, at any travel
-   subroutine check_waking()
-      type(search_timers_type) :: sleepers
+   !> Nodes are due from their own approach bound on, in ascending order
+   subroutine check_due()
+      type(search_timers_type) :: timers
       integer, allocatable :: expected(:)
       integer :: i, step
 
-      call begin("find_awake")
-      call new_search_timers(sleepers, nodes)
-      call sleepers%find_awake(0.0_wp)
-      call check(sleepers%count, nodes, "all are awake at first")
+      call begin("find_due")
+      call new_search_timers(timers, nodes)
+      call timers%find_due(0.0_wp)
+      call check(timers%count, nodes, "all are due at first")
       do i = 1, nodes
-         sleepers%wake(i) = modulo(37*i, 101)
+         timers%due_at(i) = modulo(37*i, 101)
       end do
       do step = 0, 110
          expected = pack([(i, i=1, nodes)], [(modulo(37*i, 101) <= step, i=1, nodes)])
-         call sleepers%find_awake(real(step, wp))
-         call check(sleepers%count, size(expected), "as many as must be")
-         call check(all(sleepers%awake(:sleepers%count) == expected), "and the same ones")
+         call timers%find_due(real(step, wp))
+         call check(timers%count, size(expected), "number")
+         call check(all(timers%due(:timers%count) == expected), "nodes")
       end do
-   end subroutine check_waking
+   end subroutine check_due
 
-   !> A group that was left alone is looked at when its nodes are to wake earlier
+   !> A restart of the groups finds nodes that are due earlier than before
    subroutine check_new_times()
-      type(search_timers_type) :: sleepers
+      type(search_timers_type) :: timers
 
-      call begin("renew")
-      call new_search_timers(sleepers, nodes)
-      sleepers%wake(:nodes) = 5.0_wp
-      call sleepers%find_awake(1.0_wp)
-      call check(sleepers%count, 0, "all sleep")
-      sleepers%wake(nodes) = 2.0_wp
-      call sleepers%renew()
-      call sleepers%find_awake(2.0_wp)
-      call check(sleepers%count, 1, "one wakes")
-      call check(sleepers%awake(1), nodes, "the last one")
+      call begin("restart_groups")
+      call new_search_timers(timers, nodes)
+      timers%due_at(:nodes) = 5.0_wp
+      call timers%find_due(1.0_wp)
+      call check(timers%count, 0, "none is due")
+      timers%due_at(nodes) = 2.0_wp
+      call timers%restart_groups()
+      call timers%find_due(2.0_wp)
+      call check(timers%count, 1, "one is due")
+      call check(timers%due(1), nodes, "the last one")
    end subroutine check_new_times
 
 end program test_contact_search_search_timers

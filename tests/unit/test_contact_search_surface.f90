@@ -12,7 +12,7 @@ program test_contact_search_surface
    call check_flat_grid(4)
    call check_flat_grid(9)
    call check_sides_of_plate()
-   call check_border()
+   call check_free_edge()
    call check_fold()
    call check_line()
    call finish()
@@ -44,14 +44,14 @@ contains
       real(wp) :: position(3, 9), n(9), dn(2, 9), least, tangential
       integer :: facet(9, 1), i, j, p
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       call begin("project, one warped facet")
       call warped_facet(position, facet)
       call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
-         foot = surface%start_candidate_list(position, point(:, p), [1])
-         call surface%project(position, point(:, p), foot)
+         closest = surface%start_point(position, point(:, p), [1])
+         call surface%project(position, point(:, p), closest)
          least = huge(1.0_wp)
          do j = 0, scan
             do i = 0, scan
@@ -60,22 +60,22 @@ contains
             end do
          end do
          ! a scan misses the minimum by half its mesh at most, and that by a second-order amount
-         associate (found => norm2(foot%gap_vector))
+         associate (found => norm2(closest%gap_vector))
             call check(found <= least + round_off, "not farther than the scan")
             call check(found >= least - 1.0e-3_wp, "not nearer than a point of the facet")
          end associate
-         call shape_functions(9, foot%place(1), foot%place(2), n, dn)
-         call check(foot%gap_vector, point(:, p) - matmul(position, n), round_off, &
-            & "the gap vector starts at the foot")
-         if (foot%beside) cycle
-         tangential = norm2(matmul(foot%gap_vector, transpose(matmul(dn, transpose(position)))))
+         call shape_functions(9, closest%local(1), closest%local(2), n, dn)
+         call check(closest%gap_vector, point(:, p) - matmul(position, n), round_off, &
+            & "the gap vector starts at the closest point")
+         if (closest%is_outside) cycle
+         tangential = norm2(matmul(closest%gap_vector, transpose(matmul(dn, transpose(position)))))
          ! the last step, of 1e-4 in local coordinates, leaves its square
          call check(tangential, 0.0_wp, 1.0e-8_wp, "the gap vector is normal to the facet")
-         call check(abs(foot%gap), norm2(foot%gap_vector), round_off, "the gap is its length")
+         call check(abs(closest%gap), norm2(closest%gap_vector), round_off, "the gap is its length")
       end do
    end subroutine check_brute_force
 
-   !> On a flat grid the foot is under the point, whichever facet one starts from
+   !> On a flat grid the closest point is under the point, whichever facet one starts from
    subroutine check_flat_grid(nodes)
       !> Points of a facet
       integer, intent(in) :: nodes
@@ -88,20 +88,20 @@ contains
       real(wp) :: n(nodes), dn(2, nodes)
       integer :: start, p
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       call begin("project, flat grid")
       call make_grid(along, nodes, position, facet)
       call new_surface(surface, facet, size(position, 2), 1)
       do p = 1, points
          do start = 1, along**2
-            foot = surface%start_candidate_list(position, point(:, p), [start])
-            call surface%project(position, point(:, p), foot)
-            call shape_functions(nodes, foot%place(1), foot%place(2), n, dn)
-            call check(matmul(position(:2, facet(:, foot%facet)), n), point(:2, p), round_off, &
-               & "the foot is under the point")
-            call check(foot%gap, point(3, p), round_off, "the gap is the height")
-            call check(.not. foot%beside, "the surface is under the point")
+            closest = surface%start_point(position, point(:, p), [start])
+            call surface%project(position, point(:, p), closest)
+            call shape_functions(nodes, closest%local(1), closest%local(2), n, dn)
+            call check(matmul(position(:2, facet(:, closest%facet)), n), point(:2, p), round_off, &
+               & "the closest point is under the point")
+            call check(closest%gap, point(3, p), round_off, "the gap is the height")
+            call check(.not. closest%is_outside, "the surface is under the point")
          end do
       end do
    end subroutine check_flat_grid
@@ -112,86 +112,87 @@ contains
       integer, allocatable :: facet(:, :)
       integer :: side
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       call begin("project, faces")
       call make_grid(2, 4, position, facet)
       do side = -1, 1, 2
          call new_surface(surface, facet, size(position, 2), side)
-         foot = surface%start_candidate_list(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
-         call surface%project(position, [0.6_wp, 0.7_wp, 0.25_wp], foot)
-         call check(foot%normal, [0.0_wp, 0.0_wp, real(side, wp)], round_off, "outward normal")
-         call check(foot%gap, side*0.25_wp, round_off, "positive outside")
+         closest = surface%start_point(position, [0.6_wp, 0.7_wp, 0.25_wp], [1, 2, 3, 4])
+         call surface%project(position, [0.6_wp, 0.7_wp, 0.25_wp], closest)
+         call check(closest%normal, [0.0_wp, 0.0_wp, real(side, wp)], round_off, "outward normal")
+         call check(closest%gap, side*0.25_wp, round_off, "positive outside")
       end do
    end subroutine check_sides_of_plate
 
-   !> Over the border counts as over the surface, beyond it does not; the foot stays on it
-   subroutine check_border()
+   !> Above a free edge counts as above the surface, beyond it as outside
+   subroutine check_free_edge()
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
-      call begin("project, border")
+      call begin("project, free edge")
       call make_grid(3, 9, position, facet)
       call new_surface(surface, facet, size(position, 2), 1)
-      foot%facet = 5
-      call surface%project(position, [3.0_wp, 1.2_wp, 0.1_wp], foot)
-      call check(.not. foot%beside, "a point over the border has the surface under it")
-      call check(foot%gap, 0.1_wp, round_off, "gap over the border")
-      call surface%project(position, [3.0_wp, 3.0_wp, -0.1_wp], foot)
-      call check(.not. foot%beside, "a point under the corner has the surface over it")
-      call check(foot%gap, -0.1_wp, round_off, "gap at the corner")
-      call surface%project(position, [3.5_wp, 1.2_wp, -0.1_wp], foot)
-      call check(foot%beside, "a point beyond the border is beside")
-      call check(foot%gap_vector, [0.5_wp, 0.0_wp, -0.1_wp], round_off, "from the border")
-      call surface%project(position, [-0.3_wp, -0.4_wp, 0.0_wp], foot)
-      call check(foot%beside, "a point beyond the corner is beside")
-      call check(norm2(foot%gap_vector), 0.5_wp, round_off, "distance from the corner")
-   end subroutine check_border
+      closest%facet = 5
+      call surface%project(position, [3.0_wp, 1.2_wp, 0.1_wp], closest)
+      call check(.not. closest%is_outside, "a point above the free edge has the surface below it")
+      call check(closest%gap, 0.1_wp, round_off, "gap above the free edge")
+      call surface%project(position, [3.0_wp, 3.0_wp, -0.1_wp], closest)
+      call check(.not. closest%is_outside, "a point under the corner has the surface over it")
+      call check(closest%gap, -0.1_wp, round_off, "gap at the corner")
+      call surface%project(position, [3.5_wp, 1.2_wp, -0.1_wp], closest)
+      call check(closest%is_outside, "a point beyond the free edge is outside")
+      call check(closest%gap_vector, [0.5_wp, 0.0_wp, -0.1_wp], round_off, "from the free edge")
+      call surface%project(position, [-0.3_wp, -0.4_wp, 0.0_wp], closest)
+      call check(closest%is_outside, "a point beyond the corner is outside")
+      call check(norm2(closest%gap_vector), 0.5_wp, round_off, "distance from the corner")
+   end subroutine check_free_edge
 
-   !> Below a valley between two facets the fold is nearest, and it is not beside the surface
+   !> Below a valley between two facets the kink is closest, and the point is not outside
    subroutine check_fold()
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       call begin("project, fold")
       call make_grid(2, 9, position, facet)
       position(3, :) = 0.2_wp*abs(position(1, :) - 1.0_wp)
       call new_surface(surface, facet, size(position, 2), 1)
-      foot%facet = 4
-      call surface%project(position, [1.01_wp, 0.5_wp, -0.1_wp], foot)
-      call check(foot%gap_vector, [0.01_wp, 0.0_wp, -0.1_wp], round_off, "from the fold")
-      call check(.not. foot%beside, "the surface is there")
+      closest%facet = 4
+      call surface%project(position, [1.01_wp, 0.5_wp, -0.1_wp], closest)
+      call check(closest%gap_vector, [0.01_wp, 0.0_wp, -0.1_wp], round_off, "from the kink")
+      call check(.not. closest%is_outside, "the surface is there")
    end subroutine check_fold
 
-   !> Where the border leans out over a point, as in half a dent, a line across finds the surface
+   !> Where the facet at a free edge is inclined outwards, a line in the plane of the edge hits it
    subroutine check_line()
       real(wp), parameter :: across(3) = [0.0_wp, 0.0_wp, -2.0_wp]
       real(wp), allocatable :: position(:, :)
       integer, allocatable :: facet(:, :)
       type(surface_type) :: surface
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       call begin("is_missed")
       call make_grid(2, 9, position, facet)
       position(3, :) = 0.2_wp*position(1, :)
       call new_surface(surface, facet, size(position, 2), 1)
-      foot%facet = 1
-      call surface%project(position, [0.0_wp, 0.5_wp, -0.1_wp], foot)
-      call check(foot%beside, "beside along the normal")
-      call check(.not. surface%is_missed(foot, across), "not along the border's own plane")
-      call check(surface%is_missed(foot, [0.1_wp, 0.0_wp, -1.0_wp]), "but on a line from outside")
-      call surface%project(position, [-1.0e-3_wp, 0.5_wp, -0.1_wp], foot)
-      call check(surface%is_missed(foot, across), "a point outside of that plane is missed")
-      call surface%project(position, [1.0e-3_wp, 0.5_wp, -0.1_wp], foot)
-      call check(.not. surface%is_missed(foot, across), "one inside is not")
-      call surface%project(position, [0.0_wp, 2.0_wp, -0.1_wp], foot)
-      call check(.not. surface%is_missed(foot, across), "nor one under the corner")
-      call surface%project(position, [0.0_wp, 2.1_wp, -0.1_wp], foot)
-      call check(surface%is_missed(foot, across), "but beyond the corner")
+      closest%facet = 1
+      call surface%project(position, [0.0_wp, 0.5_wp, -0.1_wp], closest)
+      call check(closest%is_outside, "outside along the normal")
+      call check(.not. surface%line_misses(closest, across), "not along the plane of the free edge")
+      call check(surface%line_misses(closest, [0.1_wp, 0.0_wp, -1.0_wp]), &
+         & "but on a line from outside")
+      call surface%project(position, [-1.0e-3_wp, 0.5_wp, -0.1_wp], closest)
+      call check(surface%line_misses(closest, across), "a point outside of that plane is missed")
+      call surface%project(position, [1.0e-3_wp, 0.5_wp, -0.1_wp], closest)
+      call check(.not. surface%line_misses(closest, across), "one inside is not")
+      call surface%project(position, [0.0_wp, 2.0_wp, -0.1_wp], closest)
+      call check(.not. surface%line_misses(closest, across), "nor one under the corner")
+      call surface%project(position, [0.0_wp, 2.1_wp, -0.1_wp], closest)
+      call check(surface%line_misses(closest, across), "but beyond the corner")
    end subroutine check_line
 
    !> A flat grid of squares of side one
@@ -206,7 +207,7 @@ contains
       integer, allocatable, intent(out) :: facet(:, :)
 
       integer :: degree, f, i, j, line
-      real(wp) :: place(2, nodes)
+      real(wp) :: local(2, nodes)
 
       degree = merge(1, 2, nodes == 4)
       line = degree*along + 1
@@ -216,11 +217,11 @@ contains
             position(:, i + (j - 1)*line) = [i - 1.0_wp, j - 1.0_wp, 0.0_wp]/degree
          end do
       end do
-      place(:, :) = local_nodes(nodes)
+      local(:, :) = local_nodes(nodes)
       do f = 1, along**2
          do i = 1, nodes
-            facet(i, f) = 1 + degree*modulo(f - 1, along) + nint(0.5_wp*degree*(place(1, i) + 1)) &
-               & + line*(degree*((f - 1)/along) + nint(0.5_wp*degree*(place(2, i) + 1)))
+            facet(i, f) = 1 + degree*modulo(f - 1, along) + nint(0.5_wp*degree*(local(1, i) + 1)) &
+               & + line*(degree*((f - 1)/along) + nint(0.5_wp*degree*(local(2, i) + 1)))
          end do
       end do
    end subroutine make_grid

@@ -1,4 +1,4 @@
-!> What a push at one contact row opens at all: the columns of G M^-1 G^T.
+!> Gap changes by a unit multiplier: the columns of G M^-1 G^T.
 program test_contact_solve_coupling
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
@@ -60,7 +60,7 @@ contains
          & transpose(gradient))
       full(:, :) = full + matmul(transpose(rows%normal(:, :count)) &
          & *spread(impactor_inverse, 1, count), rows%normal(:, :count))
-      call coupling%take(rows, inverse_mass)
+      call coupling%set_rows(rows, inverse_mass)
       call check(modulo(coupling%rows, lanes) == 0 .and. coupling%rows >= count, "whole vectors")
       allocate (column(coupling%rows))
       do row = 1, count

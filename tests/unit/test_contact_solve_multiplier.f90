@@ -1,11 +1,11 @@
-!> Multipliers that push and never pull.
+!> Multipliers are never negative.
 program test_contact_solve_multiplier
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_constraint, only : add_motion, constraints_type, new_constraints, &
-      & opening
+   use plydyn_contact_solve_constraint, only : add_correction, constraints_type, new_constraints, &
+      & gap_change
    use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
-   use plydyn_contact_solve_diagonal_multiplier, only : is_separate, solve_separate
+   use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
    use plydyn_fem_shape, only : biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -44,7 +44,7 @@ contains
          end do
          expected(:) = subset_solution(rows)
          call solve(rows, motion, impactor)
-         call check(rows%push(:count), expected, 1.0e-9_wp*maxval(expected), "pushes")
+         call check(rows%multiplier(:count), expected, 1.0e-9_wp*maxval(expected), "multipliers")
       end do
    end subroutine check_against_all_subsets
 
@@ -102,7 +102,7 @@ contains
       call solve(many, motion, impactor)
       call check_complementarity(many, motion, impactor)
       do row = 1, many%count
-         if (many%push(row) <= 0.0_wp) cycle
+         if (many%multiplier(row) <= 0.0_wp) cycle
          call few%add(row, 0.0_wp)
          few%point(:, few%count) = many%point(:, row)
          few%weight(:, few%count) = many%weight(:, row)
@@ -132,7 +132,7 @@ contains
          & [0.0_wp, 0.0_wp, 0.5_wp], motion, impactor)
       call check(impactor, [0.0_wp, 0.0_wp, 0.01_wp], 1.0e-12_wp, "a guided impactor rises")
       call check(maxval(abs(motion)), 0.0_wp, 0.0_wp, "held points stay")
-      call check(rows%push(:2), [0.02_wp, 0.0_wp], 1.0e-12_wp, "only along the guide")
+      call check(rows%multiplier(:2), [0.02_wp, 0.0_wp], 1.0e-12_wp, "only along the guide")
    end subroutine check_held
 
    !> Points against the exact sphere: the method for separate rows agrees with the active set
@@ -159,17 +159,19 @@ contains
          end do
          motion(:, :) = 0.0_wp
          motion_same(:, :) = 0.0_wp
-         call check(is_separate(rows, inverse_mass, free), "every row has its point")
-         call solve_separate(rows, inverse_mass, free, motion, impactor)
+         call check(is_diagonal(rows, inverse_mass, free), "every row has its point")
+         call solve_diagonal(rows, inverse_mass, free, motion, impactor)
          call active_set%solve_unilateral(same, inverse_mass, free, motion_same, impactor_same)
          call check(count_pressing(rows) < count, "some points come free")
          call check(impactor, impactor_same, 1.0e-9_wp*maxval(abs(impactor)), "the impactor")
          call check(maxval(abs(motion - motion_same)), 0.0_wp, 1.0e-9_wp*maxval(abs(motion)), &
             & "the points")
-         call check(rows%push(:count), same%push(:count), 1.0e-9_wp*maxval(rows%push), "pushes")
+         call check(rows%multiplier(:count), same%multiplier(:count), &
+            & 1.0e-9_wp*maxval(rows%multiplier), &
+            & "multipliers")
       end do
       inverse_mass(:, 3) = 0.0_wp
-      call check(.not. is_separate(rows, inverse_mass, free), "a held point is another matter")
+      call check(.not. is_diagonal(rows, inverse_mass, free), "a held point is another matter")
    end subroutine check_separate
 
    !> Number of rows that press
@@ -177,7 +179,7 @@ contains
       !> The constraints
       type(constraints_type), intent(in) :: rows
 
-      count_pressing = count(rows%push(:rows%count) > 0.0_wp)
+      count_pressing = count(rows%multiplier(:rows%count) > 0.0_wp)
    end function count_pressing
 
    !> A point in a sphere, row by row around it
@@ -242,19 +244,19 @@ contains
       real(wp) :: gap(rows%count), small
       integer :: row
 
-      gap(:) = [(rows%gap(row) + opening(rows, row, motion, impactor), row=1, rows%count)]
+      gap(:) = [(rows%gap(row) + gap_change(rows, row, motion, impactor), row=1, rows%count)]
       small = 1.0e-9_wp*maxval(-rows%gap(:rows%count))
-      call check(minval(rows%push(:rows%count)) >= 0.0_wp, "nothing pulls")
+      call check(minval(rows%multiplier(:rows%count)) >= 0.0_wp, "nothing pulls")
       call check(minval(gap) >= -small, "nothing penetrates")
-      call check(maxval(gap, mask=rows%push(:rows%count) > 0.0_wp), 0.0_wp, small, &
+      call check(maxval(gap, mask=rows%multiplier(:rows%count) > 0.0_wp), 0.0_wp, small, &
          & "what presses is closed")
    end subroutine check_complementarity
 
    !> Pushes of the one subset that neither pulls nor leaves a penetration
-   function subset_solution(rows) result(push)
+   function subset_solution(rows) result(multiplier)
       !> The constraints
       type(constraints_type), intent(in) :: rows
-      real(wp) :: push(rows%count)
+      real(wp) :: multiplier(rows%count)
 
       real(wp) :: matrix(rows%count, rows%count), motion(3, 9), impactor(3), part(rows%count)
       integer :: i, j, n, set, member(rows%count)
@@ -263,8 +265,9 @@ contains
       do j = 1, rows%count
          motion(:, :) = 0.0_wp
          impactor(:) = 0.0_wp
-         call add_motion(rows, j, 1.0_wp, spread(inverse, 1, 3), impactor_inverse, motion, impactor)
-         matrix(:, j) = [(opening(rows, i, motion, impactor), i=1, rows%count)]
+         call add_correction(rows, j, 1.0_wp, spread(inverse, 1, 3), impactor_inverse, &
+            & motion, impactor)
+         matrix(:, j) = [(gap_change(rows, i, motion, impactor), i=1, rows%count)]
       end do
       do set = 0, 2**rows%count - 1
          n = 0
@@ -277,10 +280,10 @@ contains
          end do
          part(:n) = -rows%gap(member(:n))
          call factor%solve(part(:n))
-         push(:) = 0.0_wp
-         push(member(:n)) = part(:n)
-         if (all(push >= 0.0_wp) .and. all(rows%gap(:rows%count) + matmul(matrix, push) &
-            & >= -1.0e-12_wp)) return
+         multiplier(:) = 0.0_wp
+         multiplier(member(:n)) = part(:n)
+         if (all(multiplier >= 0.0_wp) .and. &
+            & all(rows%gap(:rows%count) + matmul(matrix, multiplier) >= -1.0e-12_wp)) return
       end do
    end function subset_solution
 

@@ -1,6 +1,6 @@
-!> The rigid sphere: contact nodes that it carries, and its exact distance from a point.
+!> Rigid sphere: its contact nodes, and its exact distance from a point.
 !>
-!> Only the half that faces the plate can touch it, so a sphere and a hemisphere are the same here.
+!> Only the half that faces the plate can touch it: a sphere and a hemisphere are the same here.
 module plydyn_contact_bodies_sphere
    use plydyn_base_precision, only : wp
    implicit none
@@ -8,6 +8,7 @@ module plydyn_contact_bodies_sphere
 
    public :: sphere_nodes, sphere_gap
 
+   !> Radians
    real(wp), parameter :: right_angle = acos(0.0_wp)
 
    !> Quarters of a ring
@@ -17,17 +18,17 @@ contains
 
    !> Contact nodes on the half sphere that faces the plate, relative to the centre
    !>
-   !> Rings around the node at the pole, with nodes a spacing apart or a little less along the
-   !> meridian and about a spacing apart along the ring, none on the x or y axis where sides of
-   !> facets like to be. A quarter turn leaves the pattern as it is, to the last bit, and so does
-   !> a mirror to round-off. Rings wider than the reach are left out.
-   pure subroutine sphere_nodes(radius, spacing, reach, side, node)
+   !> Rings around the node at the pole: at most a spacing apart along the meridian, about a spacing
+   !> between nodes of a ring. No node lies on the x or y axis, where sides of facets often are. The
+   !> pattern is symmetric under quarter turns to the last bit, and under reflection to round-off.
+   !> Rings farther from the axis than `axis_distance` are left out.
+   pure subroutine sphere_nodes(radius, spacing, axis_distance, side, node)
       !> Length
       real(wp), intent(in) :: radius
       !> Distance between nodes, length
       real(wp), intent(in) :: spacing
-      !> Farthest that a node may lie from the axis, length
-      real(wp), intent(in) :: reach
+      !> Largest distance of a node from the axis, length
+      real(wp), intent(in) :: axis_distance
       !> 1 when the plate lies below the sphere, -1 when above
       integer, intent(in) :: side
       !> Positions relative to the centre, (3, nodes), ring after ring from the pole
@@ -39,7 +40,7 @@ contains
 
       rings = max(1, ceiling(right_angle*radius/spacing))
       step = right_angle/rings
-      rings = max(1, count([(radius*sin(r*step) <= reach, r=1, rings)]))
+      rings = max(1, count([(radius*sin(r*step) <= axis_distance, r=1, rings)]))
       ! first node of each ring, and one more at the end
       allocate (first(rings + 2), source=1)
       first(2) = 2
@@ -78,8 +79,8 @@ contains
 
    !> Gap of a point of the plate to the exact sphere
    !>
-   !> A point behind the sphere, farther than the centre and within its width, counts as inside:
-   !> so an impactor on the wrong side of the plate shows as penetration.
+   !> A point behind the centre and within the radius of the axis counts as inside: an impactor on
+   !> the wrong side of the plate is reported as penetration.
    pure subroutine sphere_gap(point, centre, radius, side, gap, normal)
       !> Point of the plate, length
       real(wp), intent(in) :: point(3)

@@ -1,9 +1,9 @@
-!> The ground of contact: facets whose points it may push in a step, known before the step is made.
+!> Active facets: the facets that contact may load in the coming step, known before the step.
 !>
-!> They are the facets under those contact nodes that may touch, or beside them, were sphere and
-!> surface to come nearer by twice as much as in the step before, and those around them. A node
-!> that finds itself on another one all the same, where crushed matter lets it jump, enters in the
-!> next step. So forces on the rest of the plate need not wait for contact.
+!> Contact nodes that could close their gap if sphere and surface approached twice as fast as in the
+!> last step make the facets below them active, with two rings of neighbours. A node that is found
+!> over another facet, as crushed material allows, exerts no force until the next step. Internal
+!> forces of all other facets can therefore be computed before contact has been solved.
 module plydyn_contact_search_active_facets
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
@@ -15,41 +15,41 @@ module plydyn_contact_search_active_facets
 
    public :: new_active_facets
 
-   !> How much faster than in the step before sphere and surface may come nearer
-   real(wp), parameter :: ahead = 2.0_wp
+   !> Ratio of the assumed approach of the coming step to that of the last step
+   real(wp), parameter :: growth_factor = 2.0_wp
 
-   !> Facets that may be pushed
+   !> Facets that contact may load
    type, public :: active_facets_type
-      !> Whether any facet may be
+      !> Whether every facet is active
       logical :: is_all = .true.
-      !> Those that may be, each once, in the first `count` places
+      !> Active facets, each once, in the first `count` entries
       integer, allocatable :: facet(:)
-      !> How many these are
+      !> Number of active facets
       integer :: count = 0
-      !> Travel at the last step, and how much of it was made then, length
-      real(wp), private :: travel = 0.0_wp, growth = 0.0_wp
-      !> Whether each facet is one of these, and whether a node is over it
-      logical, allocatable, private :: is_part(:), is_under(:)
+      !> Approach bound of the last step and its increment in that step, length
+      real(wp), private :: approach_bound = 0.0_wp, increment = 0.0_wp
+      !> Whether each facet is active, and whether it lies below a node that may touch
+      logical, allocatable, private :: is_active(:), is_below_node(:)
    contains
-      procedure :: take
-      procedure :: follow
+      procedure :: set
+      procedure :: update
    end type active_facets_type
 
 contains
 
    !> Start with all facets
    pure subroutine new_active_facets(self, facets)
-      !> The ground
+      !> The active facets
       type(active_facets_type), intent(out) :: self
-      !> How many facets there are
+      !> Number of facets of the surface
       integer, intent(in) :: facets
 
       allocate (self%facet(facets), source=0)
-      allocate (self%is_part(facets), self%is_under(facets), source=.false.)
+      allocate (self%is_active(facets), self%is_below_node(facets), source=.false.)
    end subroutine new_active_facets
 
-   !> These facets and no others
-   pure subroutine take(self, facet)
+   !> Make some facets active, and no others
+   pure subroutine set(self, facet)
       class(active_facets_type), intent(inout) :: self
       !> The facets
       integer, intent(in) :: facet(:)
@@ -57,16 +57,16 @@ contains
       self%is_all = .false.
       self%count = size(facet)
       self%facet(:self%count) = facet
-   end subroutine take
+   end subroutine set
 
-   !> Leave out the rows of nodes that have left the ground, and find that of the next step
-   pure subroutine follow(self, surface, travel, nodes, rows)
+   !> Remove rows on inactive facets, then find the active facets of the next step
+   pure subroutine update(self, surface, approach_bound, nodes, rows)
       class(active_facets_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Bound on the approach of sphere and facets since the start, length
-      real(wp), intent(in) :: travel
-      !> Contact nodes, which have looked where they are; those that wake soon are found
+      real(wp), intent(in) :: approach_bound
+      !> Contact nodes, projected in this step
       type(node_set_type), intent(inout) :: nodes
       !> The constraints of this step
       type(constraints_type), intent(inout) :: rows
@@ -75,41 +75,44 @@ contains
 
       if (.not. self%is_all) then
          do row = rows%count, 1, -1
-            if (.not. self%is_part(nodes%facet(rows%source(row)))) call rows%drop(row)
+            if (.not. self%is_active(nodes%facet(rows%source(row)))) call rows%remove(row)
          end do
       end if
-      if (travel > self%travel) self%growth = travel - self%travel
-      self%travel = travel
-      self%is_part(self%facet(:self%count)) = .false.
-      self%is_under(self%facet(:self%count)) = .false.
+      if (approach_bound > self%approach_bound) then
+         self%increment = approach_bound - self%approach_bound
+      end if
+      self%approach_bound = approach_bound
+      self%is_active(self%facet(:self%count)) = .false.
+      self%is_below_node(self%facet(:self%count)) = .false.
       self%count = 0
-      self%is_all = self%growth <= 0.0_wp
-      if (.not. self%is_all) call find(self, surface, travel + ahead*self%growth, nodes)
-   end subroutine follow
+      self%is_all = self%increment <= 0.0_wp
+      if (self%is_all) return
+      call find_facets(self, surface, approach_bound + growth_factor*self%increment, nodes)
+   end subroutine update
 
-   !> Facets under nodes that wake up to some travel, and around these
-   pure subroutine find(self, surface, travel, nodes)
+   !> Facets below nodes that are due up to an approach bound, and their neighbours
+   pure subroutine find_facets(self, surface, approach_bound, nodes)
       type(active_facets_type), intent(inout) :: self
       type(surface_type), intent(in) :: surface
-      real(wp), intent(in) :: travel
+      real(wp), intent(in) :: approach_bound
       type(node_set_type), intent(inout) :: nodes
 
       integer :: f, i
 
-      call nodes%sleepers%find_awake(travel)
-      do i = 1, nodes%sleepers%count
-         f = abs(nodes%facet(nodes%sleepers%awake(i)))
-         ! it may come from anywhere
+      call nodes%timers%find_due(approach_bound)
+      do i = 1, nodes%timers%count
+         f = abs(nodes%facet(nodes%timers%due(i)))
+         ! the facet of the node is unknown
          self%is_all = f == 0
          if (self%is_all) return
-         if (self%is_under(f)) cycle
-         self%is_under(f) = .true.
-         call add_around(self, surface, f)
+         if (self%is_below_node(f)) cycle
+         self%is_below_node(f) = .true.
+         call add_neighbours(self, surface, f)
       end do
-   end subroutine find
+   end subroutine find_facets
 
-   !> Add a facet, those beyond its sides, and those beyond theirs
-   pure subroutine add_around(self, surface, facet)
+   !> Add a facet and two rings of neighbours
+   pure subroutine add_neighbours(self, surface, facet)
       type(active_facets_type), intent(inout) :: self
       type(surface_type), intent(in) :: surface
       integer, intent(in) :: facet
@@ -118,24 +121,24 @@ contains
 
       call add(self, facet)
       do i = 1, sides
-         associate (beside => surface%neighbour(i, facet))
-            call add(self, beside)
-            if (beside == 0) cycle
+         associate (next => surface%neighbour(i, facet))
+            call add(self, next)
+            if (next == 0) cycle
             do k = 1, sides
-               call add(self, surface%neighbour(k, beside))
+               call add(self, surface%neighbour(k, next))
             end do
          end associate
       end do
-   end subroutine add_around
+   end subroutine add_neighbours
 
-   !> Add a facet, if there is one
+   !> Add a facet; 0 stands for none
    pure subroutine add(self, facet)
       type(active_facets_type), intent(inout) :: self
       integer, intent(in) :: facet
 
       if (facet == 0) return
-      if (self%is_part(facet)) return
-      self%is_part(facet) = .true.
+      if (self%is_active(facet)) return
+      self%is_active(facet) = .true.
       self%count = self%count + 1
       self%facet(self%count) = facet
    end subroutine add

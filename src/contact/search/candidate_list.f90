@@ -1,11 +1,10 @@
-!> The part of the surface near the sphere, and how far both have moved towards each other.
+!> Candidate list of the contact search (a Verlet list), and a bound on the approach of the bodies.
 !>
-!> Detection is exact and cheap. A list holds every facet within `reach` of the sphere; it is
-!> rebuilt, with twice that reach, only when a facet outside comes within. All facets are looked at
-!> only when one of those outside can have come so far, as the fastest point tells (`approach`);
-!> in other steps the positions of listed points are enough. `travel` grows at every step by more
-!> than the gap of any contact node to the listed facets can have changed. So a node whose gap is g
-!> need not be looked at again before the travel has grown by g.
+!> The list holds every facet within the search distance of the sphere. It is rebuilt, with twice
+!> that distance, when another facet comes within. A bound from the largest nodal displacement says
+!> when all facets must be tested; in other steps the positions of listed points are enough. No gap
+!> to a listed facet shrinks by more than the approach bound grows: a node with the gap g is due
+!> again when the bound has grown by g.
 module plydyn_contact_search_candidate_list
    use plydyn_base_precision, only : wp
    use plydyn_contact_search_hull, only : distance_bound
@@ -15,49 +14,49 @@ module plydyn_contact_search_candidate_list
 
    public :: new_candidate_list
 
-   !> Reach as a share of the sphere's radius
-   real(wp), parameter :: reach_share = 0.03125_wp
+   !> Search distance over the radius of the sphere
+   real(wp), parameter :: relative_search_distance = 0.03125_wp
 
-   !> A point of a facet moves at most this much more than the farthest moving of its nodes: sum of
-   !> the magnitudes of the biquadratic shape functions, 1.25 along either direction
-   real(wp), parameter :: largest_share = 1.5625_wp
+   !> Largest displacement within a facet over the largest of its nodes: the Lebesgue constant of
+   !> biquadratic interpolation, 1.25 along either direction
+   real(wp), parameter :: interpolation_bound = 1.5625_wp
 
-   !> Share of the sphere's radius that is room for round-off in distances
+   !> Round-off of distances over the radius of the sphere
    real(wp), parameter :: round_off = 1.0e-9_wp
 
    !> Facets near the sphere
    type, public :: candidate_list_type
-      !> Every facet at most this far from the sphere is listed, length
-      real(wp) :: reach = 0.0_wp
+      !> Every facet within this distance of the sphere is listed, length
+      real(wp) :: search_distance = 0.0_wp
       !> Listed facets
       integer, allocatable :: facet(:)
       !> Points of the listed facets, each once
       integer, allocatable :: point(:)
-      !> The surface with no neighbours beyond the listed facets: the sphere is out of reach there
+      !> The surface without neighbours beyond the listed facets: the sphere cannot touch those
       type(surface_type) :: patch
-      !> How often the list has been renewed
+      !> How often the list has been rebuilt
       integer :: rebuilds = 0
       !> Whether the next update needs the positions of all points, or of those listed only
       logical :: needs_all = .true.
       !> Bound on the approach of sphere and listed facets since the start, length
-      real(wp) :: travel = 0.0_wp
+      real(wp) :: approach_bound = 0.0_wp
       !> Radius of the sphere, length
       real(wp), private :: radius = 0.0_wp
       !> Which facets are listed
       logical, allocatable, private :: listed(:)
-      !> What facets that are not listed, and the sphere, can approach each other before one of them
-      !> must be: less than nothing where that is not known, length
+      !> Approach of sphere and unlisted facets after which one may come within the search distance;
+      !> negative when unknown, length
       real(wp), private :: slack = -1.0_wp
       !> Centre at the last step, length
       real(wp), private :: centre(3) = 0.0_wp
       !> Listed points relative to the centre at the last step, (3, points), length
-      real(wp), allocatable, private :: seen(:, :)
+      real(wp), allocatable, private :: previous(:, :)
    contains
-      procedure :: approach
+      procedure :: update_slack
       procedure :: update
-      procedure :: shift
-      procedure :: remember
-      procedure :: recall
+      procedure :: add_correction
+      procedure :: save
+      procedure :: restore
    end type candidate_list_type
 
 contains
@@ -75,27 +74,27 @@ contains
 
       facets = size(surface%facet, 2)
       self%radius = radius
-      self%reach = reach_share*radius
-      allocate (self%facet(0), self%point(0), self%seen(3, 0))
+      self%search_distance = relative_search_distance*radius
+      allocate (self%facet(0), self%point(0), self%previous(3, 0))
       allocate (self%listed(facets), source=.false.)
       self%patch = surface
    end subroutine new_candidate_list
 
-   !> Sphere and surface move without contact: can a facet that is not listed come within reach?
-   pure subroutine approach(self, move, centre)
+   !> Reduce the slack by the motion of a step without contact; decide if all points are needed
+   pure subroutine update_slack(self, displacement, centre)
       !> The list
       class(candidate_list_type), intent(inout) :: self
-      !> Most that a point of the surface has moved in the step, length
-      real(wp), intent(in) :: move
+      !> Bound on the displacement of surface points in the step, length
+      real(wp), intent(in) :: displacement
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
-      self%slack = self%slack - (largest_share*move + norm2(centre - self%centre))
+      self%slack = self%slack - (interpolation_bound*displacement + norm2(centre - self%centre))
       self%centre(:) = centre
       self%needs_all = self%slack < round_off*self%radius
-   end subroutine approach
+   end subroutine update_slack
 
-   !> Follow the motion by a step
+   !> Update list and approach bound after a step
    pure subroutine update(self, surface, position, centre, rebuilt)
       !> The list
       class(candidate_list_type), intent(inout) :: self
@@ -105,41 +104,37 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
-      !> The list is new: what was known of gaps is void
+      !> Whether the list is new: gaps of earlier steps are void
       logical, intent(out) :: rebuilt
 
       rebuilt = .false.
       if (self%needs_all) then
-         call find_slack(self, surface, position, centre)
+         call reset_slack(self, surface, position, centre)
          rebuilt = self%slack < 0.0_wp
       end if
       if (rebuilt) then
          call rebuild(self, surface, position, centre)
-         call find_slack(self, surface, position, centre)
+         call reset_slack(self, surface, position, centre)
       else
-         call add_travel(self, position, centre)
+         call add_approach(self, position, centre)
       end if
    end subroutine update
 
-   !> Listed points have been pushed besides
-   pure subroutine shift(self, farthest)
+   !> Reduce the slack by the contact correction of listed points
+   pure subroutine add_correction(self, largest)
       !> The list
       class(candidate_list_type), intent(inout) :: self
-      !> At most so far, length
-      real(wp), intent(in) :: farthest
+      !> Largest correction, length
+      real(wp), intent(in) :: largest
 
-      self%slack = self%slack - largest_share*farthest
-   end subroutine shift
+      self%slack = self%slack - interpolation_bound*largest
+   end subroutine add_correction
 
-   !> How far the nearest facet that is not listed is from having to be
-   pure subroutine find_slack(self, surface, position, centre)
-      !> The list
+   !> Distance of the nearest unlisted facet, less the search distance
+   pure subroutine reset_slack(self, surface, position, centre)
       type(candidate_list_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
-      !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
       integer :: f
@@ -148,30 +143,27 @@ contains
       do f = 1, size(self%listed)
          if (self%listed(f)) cycle
          self%slack = min(self%slack, distance_bound(position(:, surface%facet(:, f)), centre) &
-            & - self%radius - self%reach)
+            & - self%radius - self%search_distance)
       end do
-   end subroutine find_slack
+   end subroutine reset_slack
 
-   !> List every facet within twice the reach
+   !> List every facet within twice the search distance
    pure subroutine rebuild(self, surface, position, centre)
-      !> The list
       type(candidate_list_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
-      !> Surface points, length
+      !> All surface points and the centre of the sphere, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
       integer :: f, i
 
       do f = 1, size(self%listed)
          self%listed(f) = distance_bound(position(:, surface%facet(:, f)), centre) &
-            & < self%radius + 2.0_wp*self%reach
+            & < self%radius + 2.0_wp*self%search_distance
       end do
       call list_points(self, surface)
       do i = 1, size(self%point)
-         self%seen(:, i) = position(:, self%point(i)) - centre
+         self%previous(:, i) = position(:, self%point(i)) - centre
       end do
    end subroutine rebuild
 
@@ -192,8 +184,8 @@ contains
          used(surface%facet(:, self%facet(f))) = .true.
       end do
       self%point = pack([(i, i=1, size(used))], used)
-      deallocate (self%seen)
-      allocate (self%seen(3, size(self%point)))
+      deallocate (self%previous)
+      allocate (self%previous(3, size(self%point)))
       self%patch%neighbour(:, :) = surface%neighbour
       do f = 1, size(self%listed)
          do i = 1, size(surface%neighbour, 1)
@@ -203,72 +195,69 @@ contains
       end do
    end subroutine list_points
 
-   !> Append what is remembered from step to step
-   pure subroutine remember(self, places, numbers)
+   !> Append the list, the approach bound and the positions for a restart
+   pure subroutine save(self, integers, reals)
       !> The list
       class(candidate_list_type), intent(in) :: self
-      !> How many facets are listed, and which
-      integer, allocatable, intent(inout) :: places(:)
-      !> Travel and positions seen
-      real(wp), allocatable, intent(inout) :: numbers(:)
+      !> Number of listed facets, and the facets
+      integer, allocatable, intent(inout) :: integers(:)
+      !> Approach bound, and positions of the last step
+      real(wp), allocatable, intent(inout) :: reals(:)
 
-      places = [places, size(self%facet), self%facet]
-      numbers = [numbers, self%travel, reshape(self%seen, [size(self%seen)])]
-   end subroutine remember
+      integers = [integers, size(self%facet), self%facet]
+      reals = [reals, self%approach_bound, reshape(self%previous, [size(self%previous)])]
+   end subroutine save
 
-   !> Take back what `remember` gave
-   pure subroutine recall(self, surface, places, numbers, used)
+   !> Restore what `save` appended
+   pure subroutine restore(self, surface, integers, reals, used)
       !> The list
       class(candidate_list_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
-      !> As from `remember`, with more behind it
-      integer, intent(in) :: places(:)
-      real(wp), intent(in) :: numbers(:)
-      !> How many places and numbers were for this list; negative when they do not fit it
+      !> As from `save`, followed by data of others
+      integer, intent(in) :: integers(:)
+      real(wp), intent(in) :: reals(:)
+      !> Number of integers and reals that belong to this list; negative when they do not fit
       integer, intent(out) :: used(2)
 
       integer :: count
 
       used(:) = -1
-      if (size(places) == 0) return
-      count = places(1)
-      if (count < 0 .or. count > size(places) - 1) return
-      if (any(places(2:count + 1) < 1 .or. places(2:count + 1) > size(self%listed))) return
+      if (size(integers) == 0) return
+      count = integers(1)
+      if (count < 0 .or. count > size(integers) - 1) return
+      if (any(integers(2:count + 1) < 1 .or. integers(2:count + 1) > size(self%listed))) return
       self%listed(:) = .false.
-      self%listed(places(2:count + 1)) = .true.
+      self%listed(integers(2:count + 1)) = .true.
       call list_points(self, surface)
-      if (size(numbers) < 1 + size(self%seen)) return
-      self%travel = numbers(1)
-      self%seen(:, :) = reshape(numbers(2:size(self%seen) + 1), shape(self%seen))
-      used(:) = [count, size(self%seen)] + 1
-   end subroutine recall
+      if (size(reals) < 1 + size(self%previous)) return
+      self%approach_bound = reals(1)
+      self%previous(:, :) = reshape(reals(2:size(self%previous) + 1), shape(self%previous))
+      used(:) = [count, size(self%previous)] + 1
+   end subroutine restore
 
-   !> Add the largest move of a listed point relative to the sphere since the last step
-   pure subroutine add_travel(self, position, centre)
-      !> The list
+   !> Add the largest displacement of a listed point relative to the sphere in the step
+   pure subroutine add_approach(self, position, centre)
       type(candidate_list_type), intent(inout) :: self
-      !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the sphere, length
       real(wp), intent(in) :: centre(3)
 
       integer :: i
-      real(wp) :: farthest, x, y, z
+      real(wp) :: largest, x, y, z
 
-      farthest = 0.0_wp
-      !$omp simd private(x, y, z) reduction(max:farthest)
+      largest = 0.0_wp
+      !$omp simd private(x, y, z) reduction(max:largest)
       do i = 1, size(self%point)
          x = position(1, self%point(i)) - centre(1)
          y = position(2, self%point(i)) - centre(2)
          z = position(3, self%point(i)) - centre(3)
-         farthest = max(farthest, (x - self%seen(1, i))**2 + (y - self%seen(2, i))**2 &
-            & + (z - self%seen(3, i))**2)
-         self%seen(1, i) = x
-         self%seen(2, i) = y
-         self%seen(3, i) = z
+         largest = max(largest, (x - self%previous(1, i))**2 + (y - self%previous(2, i))**2 &
+            & + (z - self%previous(3, i))**2)
+         self%previous(1, i) = x
+         self%previous(2, i) = y
+         self%previous(3, i) = z
       end do
-      self%travel = self%travel + largest_share*sqrt(farthest)
-   end subroutine add_travel
+      self%approach_bound = self%approach_bound + interpolation_bound*sqrt(largest)
+   end subroutine add_approach
 
 end module plydyn_contact_search_candidate_list

@@ -1,4 +1,7 @@
-!> Contact nodes on the impactor: where they are, which facet is under each, and when to look again.
+!> Contact nodes on the impactor: positions, closest points on the facets, and search timers.
+!>
+!> A node above the surface by g is projected again when the approach bound of the candidate list
+!> has grown by g. A node below the surface makes a row in every step.
 module plydyn_contact_search_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
@@ -15,45 +18,45 @@ module plydyn_contact_search_contact_nodes
 
    public :: new_nodes, point_distance
 
-   !> Spacing made from the mesh, as a share of the distance between points of the plate
-   real(wp), parameter :: spacing_share = 0.5_wp
+   !> Default spacing over the distance between points of the plate
+   real(wp), parameter :: relative_spacing = 0.5_wp
 
-   !> Facets within this share of the radius from the axis give the distance between points
-   real(wp), parameter :: zone_share = 0.5_wp
+   !> Distance from the axis, over the radius, of facets that give the distance between points
+   real(wp), parameter :: relative_zone = 0.5_wp
 
-   !> A facet turned farther than 60 degrees from the sphere over it has folded
-   real(wp), parameter :: faced_cosine = 0.5_wp
+   !> Cosine of the largest angle, 60 degrees, between facet and sphere: larger ones are folded over
+   real(wp), parameter :: least_facing_cosine = 0.5_wp
 
-   !> Distance from a side, in local coordinates, that counts as on the fold
-   real(wp), parameter :: fold_width = 1.0e-4_wp
+   !> Distance from a side, in local coordinates, within which a point is at the kink
+   real(wp), parameter :: kink_width = 1.0e-4_wp
 
-   !> Nodes farther from the axis than this many times the farthest point of the plate are left
-   !> out: the impactor would have to travel sideways by as much again to bring them to the plate
-   real(wp), parameter :: travel_share = 2.0_wp
+   !> Largest distance of nodes from the axis over that of points of the plate: nodes farther out
+   !> touch only after the impactor has moved sideways by half of that
+   real(wp), parameter :: axis_distance_factor = 2.0_wp
 
    real(wp), parameter :: two_pi = 4.0_wp*acos(0.0_wp)
 
    !> Most contact nodes on an impactor
    integer, parameter :: most_nodes = 1000000
 
-   !> Contact nodes, and what is remembered of them from step to step
+   !> Contact nodes with their search data and multipliers of the last step
    type, public :: node_set_type
       !> Positions relative to the centre, (3, nodes), ring after ring from the pole, length
       real(wp), allocatable :: position(:, :)
       !> Multiplier times the step squared, mass times length
-      real(wp), allocatable :: push(:)
-      !> Facet under each node; less than 0 where the node is beside it, beyond the border or what
-      !> is listed; 0 when unknown
+      real(wp), allocatable :: multiplier(:)
+      !> Facet below each node; negative where the node is outside the free edge or the candidates;
+      !> 0 when unknown
       integer, allocatable :: facet(:)
-      !> Place in that facet, (2, nodes)
-      real(wp), allocatable, private :: place(:, :)
-      !> Until when they sleep: nodes far above the surface need not be looked at
-      type(search_timers_type) :: sleepers
+      !> Local coordinates in that facet, (2, nodes)
+      real(wp), allocatable, private :: local(:, :)
+      !> When each node must be projected again
+      type(search_timers_type) :: timers
    contains
       procedure :: collect
-      procedure :: forget
-      procedure :: remember
-      procedure :: recall
+      procedure :: reset
+      procedure :: save
+      procedure :: restore
       procedure :: least_gap
    end type node_set_type
 
@@ -71,53 +74,54 @@ contains
       real(wp), intent(in) :: centre(3)
       !> Radius of the sphere, length
       real(wp), intent(in) :: radius
-      !> Distance between nodes, length; 0 for one made from the mesh
+      !> Distance between nodes, length; 0 for one derived from the mesh
       real(wp), intent(in) :: spacing
-      !> Set when there would be too many nodes
+      !> Input error: more than `most_nodes` nodes
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: cap, reach, used
+      real(wp) :: cap_height, axis_distance, node_spacing
       integer :: nodes
 
-      used = spacing
-      if (used <= 0.0_wp) used = spacing_share*point_distance(surface, position, centre, radius)
-      reach = travel_share*farthest(surface, position, centre)
-      ! a cap of the sphere has 2 pi r h of surface, each node takes a square of the spacing
-      cap = radius - sqrt(max(0.0_wp, radius**2 - reach**2))
-      if (two_pi*radius*cap/used**2 > most_nodes) then
-         call fail(error, exit_input, "contact nodes "//text(used)//" apart are too many for a " &
-            & //"sphere of radius "//text(radius)//": give a spacing (SPACING) of " &
-            & //text(1.01_wp*sqrt(two_pi*radius*cap/most_nodes), 3)//" or more, or use METHOD 2")
+      node_spacing = spacing
+      if (node_spacing <= 0.0_wp) then
+         node_spacing = relative_spacing*point_distance(surface, position, centre, radius)
+      end if
+      axis_distance = axis_distance_factor*largest_axis_distance(surface, position, centre)
+      ! area 2 pi r h of a spherical cap; a square of the spacing for each node
+      cap_height = radius - sqrt(max(0.0_wp, radius**2 - axis_distance**2))
+      if (two_pi*radius*cap_height/node_spacing**2 > most_nodes) then
+         call fail(error, exit_input, "a spacing of "//text(node_spacing)//" gives more than " &
+            & //text(most_nodes)//" contact nodes on a sphere of radius "//text(radius) &
+            & //": set SPACING to at least " &
+            & //text(1.01_wp*sqrt(two_pi*radius*cap_height/most_nodes), 3)//", or use METHOD 2")
          return
       end if
-      call sphere_nodes(radius, used, reach, nint(surface%side), self%position)
+      call sphere_nodes(radius, node_spacing, axis_distance, nint(surface%side), self%position)
       nodes = size(self%position, 2)
       allocate (self%facet(nodes), source=0)
-      allocate (self%place(2, nodes), source=0.0_wp)
-      allocate (self%push(nodes), source=0.0_wp)
-      call new_search_timers(self%sleepers, nodes)
+      allocate (self%local(2, nodes), source=0.0_wp)
+      allocate (self%multiplier(nodes), source=0.0_wp)
+      call new_search_timers(self%timers, nodes)
    end subroutine new_nodes
 
    !> Distance from the axis of the impactor to the farthest point of the surface, length
-   pure real(wp) function farthest(surface, position, centre)
-      !> The surface
+   pure real(wp) function largest_axis_distance(surface, position, centre)
       type(surface_type), intent(in) :: surface
-      !> Surface points at the start, length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
 
       integer :: f, s
 
-      farthest = 0.0_wp
+      largest_axis_distance = 0.0_wp
       do f = 1, size(surface%facet, 2)
          do s = 1, surface%nodes
-            farthest = max(farthest, norm2(position(:2, surface%facet(s, f)) - centre(:2)))
+            largest_axis_distance = max(largest_axis_distance, &
+               & norm2(position(:2, surface%facet(s, f)) - centre(:2)))
          end do
       end do
-   end function farthest
+   end function largest_axis_distance
 
-   !> Least distance between points along the sides of the facets under the impactor, length
+   !> Smallest distance between points along the sides of facets below the impactor, length
    pure real(wp) function point_distance(surface, position, centre, radius)
       !> The surface
       type(surface_type), intent(in) :: surface
@@ -137,7 +141,7 @@ contains
       end do
       point_distance = huge(1.0_wp)
       do f = 1, size(away)
-         if (away(f) > max(zone_share*radius, minval(away))) cycle
+         if (away(f) > max(relative_zone*radius, minval(away))) cycle
          do s = 1, sides
             point_distance = min(point_distance, norm2(position(:, surface%facet(s, f)) &
                & - position(:, surface%facet(modulo(s, sides) + 1, f))))
@@ -146,7 +150,7 @@ contains
       if (surface%nodes > bilinear_nodes) point_distance = 0.5_wp*point_distance
    end function point_distance
 
-   !> Least gap of any contact node over the surface, negative when one penetrates
+   !> Smallest gap of any contact node, negative when one penetrates, length
    pure real(wp) function least_gap(self, surface, position, centre)
       !> The nodes
       class(node_set_type), intent(in) :: self
@@ -160,76 +164,76 @@ contains
       integer :: f, s
       integer, allocatable :: facets(:)
       real(wp) :: point(3)
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       allocate (facets(size(surface%facet, 2)))
       facets(:) = [(f, f=1, size(facets))]
       least_gap = huge(1.0_wp)
-      foot%beside = .true.
+      closest%is_outside = .true.
       do s = 1, size(self%position, 2)
          point(:) = centre + self%position(:, s)
-         if (foot%beside) then
-            foot = surface%start_candidate_list(position, point, facets)
+         if (closest%is_outside) then
+            closest = surface%start_point(position, point, facets)
          end if
-         call surface%project(position, point, foot)
-         if (.not. foot%beside) least_gap = min(least_gap, foot%gap)
+         call surface%project(position, point, closest)
+         if (.not. closest%is_outside) least_gap = min(least_gap, closest%gap)
       end do
    end function least_gap
 
-   !> Forget where the nodes were
-   pure subroutine forget(self)
+   !> Void the search data: every node is due and its facet unknown
+   pure subroutine reset(self)
       !> The nodes
       class(node_set_type), intent(inout) :: self
 
       self%facet(:) = 0
-      self%sleepers%wake(:size(self%facet)) = 0.0_wp
-      call self%sleepers%renew()
-   end subroutine forget
+      self%timers%due_at(:size(self%facet)) = 0.0_wp
+      call self%timers%restart_groups()
+   end subroutine reset
 
-   !> Append what is remembered from step to step
-   pure subroutine remember(self, places, numbers)
+   !> Append search data and multipliers for a restart
+   pure subroutine save(self, integers, reals)
       !> The nodes
       class(node_set_type), intent(in) :: self
-      !> Facet under each node
-      integer, allocatable, intent(inout) :: places(:)
-      !> Push, travel at which to look again, and place in the facet of each node
-      real(wp), allocatable, intent(inout) :: numbers(:)
+      !> Facet of each node
+      integer, allocatable, intent(inout) :: integers(:)
+      !> Multiplier, approach bound at which it is due, and local coordinates of each node
+      real(wp), allocatable, intent(inout) :: reals(:)
 
-      places = [places, self%facet]
-      numbers = [numbers, self%push, self%sleepers%wake(:size(self%facet)), &
-         & reshape(self%place, [size(self%place)])]
-   end subroutine remember
+      integers = [integers, self%facet]
+      reals = [reals, self%multiplier, self%timers%due_at(:size(self%facet)), &
+         & reshape(self%local, [size(self%local)])]
+   end subroutine save
 
-   !> Take back what `remember` gave
-   pure subroutine recall(self, places, numbers, good)
+   !> Restore what `save` appended
+   pure subroutine restore(self, integers, reals, good)
       !> The nodes
       class(node_set_type), intent(inout) :: self
-      !> As from `remember`
-      integer, intent(in) :: places(:)
-      real(wp), intent(in) :: numbers(:)
-      !> False when they are not for as many nodes
+      !> As from `save`
+      integer, intent(in) :: integers(:)
+      real(wp), intent(in) :: reals(:)
+      !> Whether they are for as many nodes
       logical, intent(out) :: good
 
       associate (nodes => size(self%facet))
-         good = size(places) == nodes .and. size(numbers) == 4*nodes
+         good = size(integers) == nodes .and. size(reals) == 4*nodes
          if (.not. good) return
-         self%facet(:) = places
-         self%push(:) = numbers(:nodes)
-         self%sleepers%wake(:nodes) = numbers(nodes + 1:2*nodes)
-         self%place(:, :) = reshape(numbers(2*nodes + 1:), shape(self%place))
+         self%facet(:) = integers
+         self%multiplier(:) = reals(:nodes)
+         self%timers%due_at(:nodes) = reals(nodes + 1:2*nodes)
+         self%local(:, :) = reshape(reals(2*nodes + 1:), shape(self%local))
       end associate
-      call self%sleepers%renew()
-   end subroutine recall
+      call self%timers%restart_groups()
+   end subroutine restore
 
-   !> Make a row of every node below the surface, looking only at those that can be
-   pure subroutine collect(self, surface, near, position, centre, rows)
+   !> Make a row of every node below the surface; only nodes that are due are projected
+   pure subroutine collect(self, surface, candidates, position, centre, rows)
       !> The nodes
       class(node_set_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets near the sphere
-      type(candidate_list_type), intent(in) :: near
-      !> Trial positions of the surface points, length
+      type(candidate_list_type), intent(in) :: candidates
+      !> Trial positions of the surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
@@ -238,142 +242,129 @@ contains
 
       integer :: first
 
-      if (size(near%facet) == 0) return
-      call self%sleepers%find_awake(near%travel)
-      do first = 1, self%sleepers%count, lanes
-         call look(self, surface, near, position, centre, self%sleepers%awake( &
-            & first:min(first + lanes - 1, self%sleepers%count)), rows)
+      if (size(candidates%facet) == 0) return
+      call self%timers%find_due(candidates%approach_bound)
+      do first = 1, self%timers%count, lanes
+         call project_nodes(self, surface, candidates, position, centre, self%timers%due( &
+            & first:min(first + lanes - 1, self%timers%count)), rows)
       end do
    end subroutine collect
 
-   !> Look where some nodes are, no more than lanes, and make rows of those below the surface
-   pure subroutine look(self, surface, near, position, centre, node, rows)
-      !> The nodes
+   !> Project some nodes, no more than lanes, and make rows of those below the surface
+   pure subroutine project_nodes(self, surface, candidates, position, centre, node, rows)
       class(node_set_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
-      !> Facets near the sphere
-      type(candidate_list_type), intent(in) :: near
-      !> Trial positions of the surface points, length
+      type(candidate_list_type), intent(in) :: candidates
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> Their numbers
+      !> Numbers of the nodes
       integer, intent(in) :: node(:)
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      type(closest_point_type) :: foot(size(node))
+      type(closest_point_type) :: closest(size(node))
       real(wp) :: point(3, size(node))
       integer :: i
 
       do i = 1, size(node)
          point(:, i) = centre + self%position(:, node(i))
          if (self%facet(node(i)) <= 0) then
-            foot(i) = surface%start_candidate_list(position, point(:, i), near%facet)
+            closest(i) = surface%start_point(position, point(:, i), candidates%facet)
          else
-            foot(i)%facet = self%facet(node(i))
-            foot(i)%place(:) = self%place(:, node(i))
+            closest(i)%facet = self%facet(node(i))
+            closest(i)%local(:) = self%local(:, node(i))
          end if
       end do
-      call surface%project_some(position, point, foot)
+      call surface%project_some(position, point, closest)
       do i = 1, size(node)
-         call see_border(self, surface, node(i), foot(i))
-         call note(self, near%travel, node(i), foot(i))
-         if (foot(i)%beside .or. foot(i)%gap >= 0.0_wp) cycle
-         if (.not. is_faced(self, foot(i), node(i))) cycle
-         call add_row(self, surface, foot(i), node(i), rows)
+         call check_free_edge(self, surface, node(i), closest(i))
+         call store_projection(self, candidates%approach_bound, node(i), closest(i))
+         if (closest(i)%is_outside .or. closest(i)%gap >= 0.0_wp) cycle
+         if (.not. faces_sphere(self, closest(i), node(i))) cycle
+         call add_row(self, surface, closest(i), node(i), rows)
       end do
-   end subroutine look
+   end subroutine project_nodes
 
-   !> A node below the surface is beside it only where the radius of the sphere through it is, too
-   pure subroutine see_border(self, surface, node, foot)
-      !> The nodes
+   !> Treat a node below the surface as outside only if the sphere's radius through it misses, too
+   pure subroutine check_free_edge(self, surface, node, closest)
       type(node_set_type), intent(in) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
-      !> Its number
       integer, intent(in) :: node
-      !> Its foot on the surface
-      type(closest_point_type), intent(inout) :: foot
+      !> Its closest point on the surface
+      type(closest_point_type), intent(inout) :: closest
 
-      if (.not. foot%beside .or. foot%gap >= 0.0_wp) return
-      if (is_faced(self, foot, node)) foot%beside = surface%is_missed(foot, self%position(:, node))
-   end subroutine see_border
+      if (.not. closest%is_outside .or. closest%gap >= 0.0_wp) return
+      if (.not. faces_sphere(self, closest, node)) return
+      closest%is_outside = surface%line_misses(closest, self%position(:, node))
+   end subroutine check_free_edge
 
-   !> Note where a node is; above the surface it then sleeps
-   pure subroutine note(self, travel, node, foot)
-      !> The nodes
+   !> Store facet and local coordinates of a node, and when it is due again
+   pure subroutine store_projection(self, approach_bound, node, closest)
       class(node_set_type), intent(inout) :: self
       !> Bound on the approach of sphere and listed facets since the start, length
-      real(wp), intent(in) :: travel
-      !> Its number
+      real(wp), intent(in) :: approach_bound
       integer, intent(in) :: node
-      !> Its foot on the surface
-      type(closest_point_type), intent(in) :: foot
+      !> Its closest point on the surface
+      type(closest_point_type), intent(in) :: closest
 
-      self%facet(node) = merge(-foot%facet, foot%facet, foot%beside)
-      self%place(:, node) = foot%place
-      if (foot%gap >= 0.0_wp) then
-         self%sleepers%wake(node) = travel + sqrt(dot_product(foot%gap_vector, foot%gap_vector))
-      else if (foot%beside) then
-         ! below the border: how far beyond it
-         self%sleepers%wake(node) = travel + norm2(foot%gap_vector - foot%gap*foot%normal)
+      self%facet(node) = merge(-closest%facet, closest%facet, closest%is_outside)
+      self%local(:, node) = closest%local
+      if (closest%gap >= 0.0_wp) then
+         self%timers%due_at(node) = approach_bound &
+            & + sqrt(dot_product(closest%gap_vector, closest%gap_vector))
+      else if (closest%is_outside) then
+         ! below the free edge: distance beyond it
+         self%timers%due_at(node) = approach_bound &
+            & + norm2(closest%gap_vector - closest%gap*closest%normal)
       end if
-      if (foot%gap >= 0.0_wp .or. foot%beside) self%push(node) = 0.0_wp
-   end subroutine note
+      if (closest%gap >= 0.0_wp .or. closest%is_outside) self%multiplier(node) = 0.0_wp
+   end subroutine store_projection
 
-   !> Whether the plate faces the sphere there, with the centre on its outside. Where crushed matter
-   !> has folded over it does not, and its normal would pull the sphere in; where the sphere has
-   !> slipped down beside the border the centre is not, and its nodes come in under the face
-   pure logical function is_faced(self, foot, node)
-      !> The nodes
+   !> Whether the facet faces the sphere, and the centre lies on its outer side
+   !>
+   !> A facet of crushed material that has folded over would pull the sphere in. A sphere that has
+   !> slipped down past a free edge has its centre on the inner side.
+   pure logical function faces_sphere(self, closest, node)
       type(node_set_type), intent(in) :: self
-      !> Foot of the node
-      type(closest_point_type), intent(in) :: foot
-      !> Its number
+      !> Closest point of the node
+      type(closest_point_type), intent(in) :: closest
       integer, intent(in) :: node
 
       real(wp) :: height
 
       associate (arm => self%position(:, node))
-         height = -dot_product(foot%normal, arm)
-         is_faced = height >= faced_cosine*norm2(arm) .and. height + foot%gap > 0.0_wp
+         height = -dot_product(closest%normal, arm)
+         faces_sphere = height >= least_facing_cosine*norm2(arm) .and. height + closest%gap > 0.0_wp
       end associate
-   end function is_faced
+   end function faces_sphere
 
    !> Make a row of a node below the surface
    !>
-   !> Where facets meet they fold, and the closest point has no normal, or more than one: there
-   !> the point on the fold is taken with the normal of the sphere, which keeps what is symmetric.
-   !> The gap is that to the closest point itself: beside the fold it must not jump.
-   pure subroutine add_row(self, surface, foot, node, rows)
-      !> The nodes
+   !> At the kink between facets the normal of the surface is not unique. The row then acts on the
+   !> point of the kink along the normal of the sphere, which preserves symmetry. The gap is that to
+   !> the closest point, so that it is continuous across the kink.
+   pure subroutine add_row(self, surface, closest, node, rows)
       type(node_set_type), intent(in) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
-      !> Foot of the node
-      type(closest_point_type), intent(in) :: foot
-      !> Its number
+      !> Closest point of the node
+      type(closest_point_type), intent(in) :: closest
       integer, intent(in) :: node
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
 
-      real(wp) :: slope(2, surface%nodes), place(2)
-      logical :: folded(2)
+      real(wp) :: slope(2, surface%nodes), local(2)
+      logical :: at_kink(2)
       integer :: row
 
-      folded(:) = abs(foot%place) > 1.0_wp - fold_width
-      place(:) = merge(sign(1.0_wp, foot%place), foot%place, folded)
-      call rows%add(node, self%push(node))
+      at_kink(:) = abs(closest%local) > 1.0_wp - kink_width
+      local(:) = merge(sign(1.0_wp, closest%local), closest%local, at_kink)
+      call rows%add(node, self%multiplier(node))
       row = rows%count
-      rows%point(:, row) = surface%facet(:, foot%facet)
-      rows%normal(:, row) = foot%normal
-      rows%gap(row) = foot%gap
-      call shape_functions(surface%nodes, place(1), place(2), rows%weight(:, row), slope)
-      if (any(folded)) then
+      rows%point(:, row) = surface%facet(:, closest%facet)
+      rows%normal(:, row) = closest%normal
+      rows%gap(row) = closest%gap
+      call shape_functions(surface%nodes, local(1), local(2), rows%weight(:, row), slope)
+      if (any(at_kink)) then
          rows%normal(:, row) = -self%position(:, node)/norm2(self%position(:, node))
-         rows%gap(row) = dot_product(rows%normal(:, row), foot%gap_vector)
+         rows%gap(row) = dot_product(rows%normal(:, row), closest%gap_vector)
       end if
    end subroutine add_row
 

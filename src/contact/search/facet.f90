@@ -1,5 +1,6 @@
-!> Facets as polynomials of their local coordinates, up to xi**2 eta**2, one facet in each lane:
-!> made once, they are evaluated at one place after the other for little.
+!> Facets as polynomials of their local coordinates, up to xi**2 eta**2, one facet in each lane.
+!>
+!> The coefficients are computed once per projection and evaluated in every Newton iteration.
 module plydyn_contact_search_facet
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_shape, only : bilinear_nodes
@@ -8,7 +9,7 @@ module plydyn_contact_search_facet
 
    public :: facet_polynomials, frames_at
 
-   !> What a frame has: position, tangents along xi and eta, and second derivatives
+   !> Entries of a frame: position, tangents along xi and eta, and second derivatives
    integer, parameter, public :: frame_value = 1, frame_xi = 2, frame_eta = 3, frame_xi_xi = 4, &
       & frame_eta_eta = 5, frame_xi_eta = 6, frame_size = 6
 
@@ -18,7 +19,7 @@ contains
    pure subroutine facet_polynomials(nodes, x, polynomial)
       !> Points of a facet, 4 or 9
       integer, intent(in) :: nodes
-      !> Where they are, length
+      !> Their positions, length
       real(wp), intent(in) :: x(lanes, 3, nodes)
       !> The coefficients, length
       real(wp), intent(out) :: polynomial(lanes, 3, 0:2, 0:2)
@@ -58,32 +59,32 @@ contains
       square(:, :) = 0.5_wp*((last - middle) + (first - middle))
    end subroutine line_polynomials
 
-   !> Positions, tangents and second derivatives at places of the facets
-   pure subroutine frames_at(polynomial, place, frame)
+   !> Positions, tangents and second derivatives of the facets at local coordinates
+   pure subroutine frames_at(polynomial, local, frame)
       !> From `facet_polynomials`
       real(wp), intent(in) :: polynomial(lanes, 3, 0:2, 0:2)
       !> Local coordinates
-      real(wp), intent(in) :: place(lanes, 2)
+      real(wp), intent(in) :: local(lanes, 2)
       !> The frames, length
       real(wp), intent(out) :: frame(lanes, 3, frame_size)
 
-      real(wp) :: bend(0:2), eta, slope(0:2), value(0:2), xi
+      real(wp) :: curvature(0:2), eta, slope(0:2), value(0:2), xi
       integer :: c, l
 
       do c = 1, 3
-         !$omp simd private(bend, eta, slope, value, xi)
+         !$omp simd private(curvature, eta, slope, value, xi)
          do l = 1, lanes
-            xi = place(l, 1)
-            eta = place(l, 2)
+            xi = local(l, 1)
+            eta = local(l, 2)
             value(:) = polynomial(l, c, :, 0) + eta*(polynomial(l, c, :, 1) &
                & + eta*polynomial(l, c, :, 2))
             slope(:) = polynomial(l, c, :, 1) + 2.0_wp*eta*polynomial(l, c, :, 2)
-            bend(:) = 2.0_wp*polynomial(l, c, :, 2)
+            curvature(:) = 2.0_wp*polynomial(l, c, :, 2)
             frame(l, c, frame_value) = value(0) + xi*(value(1) + xi*value(2))
             frame(l, c, frame_xi) = value(1) + 2.0_wp*xi*value(2)
             frame(l, c, frame_eta) = slope(0) + xi*(slope(1) + xi*slope(2))
             frame(l, c, frame_xi_xi) = 2.0_wp*value(2)
-            frame(l, c, frame_eta_eta) = bend(0) + xi*(bend(1) + xi*bend(2))
+            frame(l, c, frame_eta_eta) = curvature(0) + xi*(curvature(1) + xi*curvature(2))
             frame(l, c, frame_xi_eta) = slope(1) + 2.0_wp*xi*slope(2)
          end do
       end do

@@ -1,8 +1,7 @@
-!> How near a facet can come to a point, from what surrounds it: its control points.
+!> Lower bound on the distance of a facet from a point, by the convex hull of its control points.
 !>
-!> Parabolas lie within the hull of their control points (Bernstein's form), and so does a facet
-!> within that of its own. The box around these and the ball around them both bound the distance
-!> from below; the better of the two is told.
+!> A facet lies within the convex hull of its control points in Bernstein's form. The bounding box
+!> and the bounding sphere of these points both bound the distance from below.
 module plydyn_contact_search_hull
    use plydyn_base_precision, only : wp
    use plydyn_fem_shape, only : bilinear_nodes
@@ -13,28 +12,28 @@ module plydyn_contact_search_hull
 
 contains
 
-   !> What the distance from a point to a facet is at least, length
+   !> Lower bound on the distance from a point to a facet, length: the larger of both bounds
    pure real(wp) function distance_bound(node, point) result(distance)
       !> Points of the facet, (3, 4 or 9), length
       real(wp), intent(in) :: node(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
 
-      real(wp) :: control(3, size(node, 2)), from_middle, middle(3), outside(3), reach
+      real(wp) :: control(3, size(node, 2)), from_middle, middle(3), outside(3), hull_radius
       integer :: i
 
       control(:, :) = control_points(node)
       outside(:) = max(minval(control, 2) - point, point - maxval(control, 2), 0.0_wp)
       middle(:) = node(:, size(node, 2))
-      reach = 0.0_wp
+      hull_radius = 0.0_wp
       do i = 1, size(node, 2)
-         reach = max(reach, norm2(control(:, i) - middle))
+         hull_radius = max(hull_radius, norm2(control(:, i) - middle))
       end do
       from_middle = norm2(point - middle)
-      distance = max(norm2(outside), from_middle - reach)
+      distance = max(norm2(outside), from_middle - hull_radius)
    end function distance_bound
 
-   !> Control points of a facet: its corners, and what draws the sides and the middle
+   !> Bernstein control points of a facet
    pure function control_points(node) result(control)
       real(wp), intent(in) :: node(:, :)
       real(wp) :: control(3, size(node, 2))
@@ -49,7 +48,7 @@ contains
          & control_point(node(:, 8), node(:, 9), node(:, 6)), control(:, 7))
    end function control_points
 
-   !> What draws a parabola through three points at equal steps of its coordinate
+   !> Middle control point of the parabola through points at -1, 0 and 1
    pure function control_point(first, middle, last) result(control)
       real(wp), intent(in), dimension(3) :: first, middle, last
       real(wp) :: control(3)

@@ -1,4 +1,4 @@
-!> Which facet lies beyond each side of a facet.
+!> Neighbours of facets: the facet across each side.
 module plydyn_contact_search_neighbours
    implicit none
    private
@@ -10,35 +10,35 @@ module plydyn_contact_search_neighbours
 
 contains
 
-   !> Find the facet beyond each side
+   !> Find the facet across each side
    subroutine find_neighbours(facet, points, neighbour)
       !> Points of each facet
       integer, intent(in) :: facet(:, :)
       !> Number of surface points
       integer, intent(in) :: points
-      !> Facet beyond each side, 0 at the border
+      !> Facet across each side, 0 at a free edge
       integer, allocatable, intent(out) :: neighbour(:, :)
 
       integer, allocatable :: first(:), around(:)
       integer :: f, s
 
-      call gather_facets(facet, points, first, around)
+      call list_facets(facet, points, first, around)
       allocate (neighbour(sides, size(facet, 2)), source=0)
       do f = 1, size(facet, 2)
          do s = 1, sides
-            neighbour(s, f) = beyond(facet, around(first(facet(s, f)):first(facet(s, f) + 1) - 1), &
-               & facet(s, f), facet(modulo(s, sides) + 1, f))
+            neighbour(s, f) = facet_across(facet, around(first(facet(s, f)): &
+               & first(facet(s, f) + 1) - 1), facet(s, f), facet(modulo(s, sides) + 1, f))
          end do
       end do
    end subroutine find_neighbours
 
-   !> List the facets around each point that is a corner
-   subroutine gather_facets(facet, points, first, around)
+   !> List the facets around each corner point
+   subroutine list_facets(facet, points, first, around)
       !> Points of each facet
       integer, intent(in) :: facet(:, :)
       !> Number of surface points
       integer, intent(in) :: points
-      !> Where the list of each point starts in `around`; one more at the end
+      !> First entry of each point in `around`; one more at the end
       integer, allocatable, intent(out) :: first(:)
       !> Facets, point after point
       integer, allocatable, intent(out) :: around(:)
@@ -63,27 +63,27 @@ contains
             filled(p) = filled(p) + 1
          end do
       end do
-   end subroutine gather_facets
+   end subroutine list_facets
 
-   !> Facet beyond the side between two corners: it runs through them the other way round
-   pure integer function beyond(facet, around, from, to)
+   !> Facet across the side between two corners: the one that has them in the opposite order
+   pure integer function facet_across(facet, around, from, to)
       !> Points of each facet
       integer, intent(in) :: facet(:, :)
-      !> Facets to look at
+      !> Facets to search
       integer, intent(in) :: around(:)
       !> Corners of the side
       integer, intent(in) :: from, to
 
       integer :: i, s
 
-      beyond = 0
+      facet_across = 0
       do i = 1, size(around)
          do s = 1, sides
             if (facet(s, around(i)) == to .and. facet(modulo(s, sides) + 1, around(i)) == from) then
-               beyond = around(i)
+               facet_across = around(i)
             end if
          end do
       end do
-   end function beyond
+   end function facet_across
 
 end module plydyn_contact_search_neighbours

@@ -1,4 +1,6 @@
-!> Which of many contact nodes sleep, and until when: most of them do, and whole groups at once.
+!> Search timers: the approach bound at which each contact node must be projected again.
+!>
+!> Nodes are grouped, so that a group without a due node costs one comparison.
 module plydyn_contact_search_search_timers
    use plydyn_base_precision, only : wp
    implicit none
@@ -7,73 +9,73 @@ module plydyn_contact_search_search_timers
    public :: new_search_timers
 
    !> Nodes of a group
-   integer, parameter :: members = 32
+   integer, parameter :: group_size = 32
 
-   !> Nodes that sleep until the travel of sphere and surface has come to a value of their own
+   !> Nodes that are due when the approach bound has reached a value of their own
    type, public :: search_timers_type
-      !> Travel at which each node wakes, length; never for what fills the last group
-      real(wp), allocatable :: wake(:)
-      !> Nodes that were found awake, by number, in the first places
-      integer, allocatable :: awake(:)
-      !> How many these are
+      !> Approach bound at which each node is due, length; huge for padding of the last group
+      real(wp), allocatable :: due_at(:)
+      !> Nodes that are due, in ascending order, in the first `count` entries
+      integer, allocatable :: due(:)
+      !> Number of due nodes
       integer :: count = 0
-      !> The least travel at which a node of each group wakes, or less, length
-      real(wp), allocatable, private :: first(:)
+      !> Lower bound of `due_at` in each group, length
+      real(wp), allocatable, private :: group_due_at(:)
    contains
-      procedure :: find_awake
-      procedure :: renew
+      procedure :: find_due
+      procedure :: restart_groups
    end type search_timers_type
 
 contains
 
-   !> All are awake
+   !> Timers of nodes that are all due
    pure subroutine new_search_timers(self, nodes)
-      !> The sleepers
+      !> The timers
       type(search_timers_type), intent(out) :: self
-      !> How many
+      !> Number of nodes
       integer, intent(in) :: nodes
 
-      allocate (self%first((nodes + members - 1)/members), source=0.0_wp)
-      allocate (self%wake(members*size(self%first)), source=huge(1.0_wp))
-      allocate (self%awake(size(self%wake) + 1), source=0)
-      self%wake(:nodes) = 0.0_wp
+      allocate (self%group_due_at((nodes + group_size - 1)/group_size), source=0.0_wp)
+      allocate (self%due_at(group_size*size(self%group_due_at)), source=huge(1.0_wp))
+      allocate (self%due(size(self%due_at) + 1), source=0)
+      self%due_at(:nodes) = 0.0_wp
    end subroutine new_search_timers
 
-   !> Let groups be looked through anew: nodes may wake earlier than before
-   pure subroutine renew(self)
-      !> The sleepers
+   !> Void the bounds of the groups: nodes may be due earlier than before
+   pure subroutine restart_groups(self)
+      !> The timers
       class(search_timers_type), intent(inout) :: self
 
-      self%first(:) = 0.0_wp
-   end subroutine renew
+      self%group_due_at(:) = 0.0_wp
+   end subroutine restart_groups
 
-   !> Find the nodes that are awake
-   pure subroutine find_awake(self, travel)
-      !> The sleepers
+   !> Find the nodes that are due
+   pure subroutine find_due(self, approach_bound)
+      !> The timers
       class(search_timers_type), intent(inout) :: self
-      !> Travel of sphere and surface, length
-      real(wp), intent(in) :: travel
+      !> Approach bound of sphere and surface, length
+      real(wp), intent(in) :: approach_bound
 
       integer :: before, count, g, i
       real(wp) :: least
 
       count = 0
-      do g = 1, size(self%first)
-         if (self%first(g) > travel) cycle
-         before = members*(g - 1)
+      do g = 1, size(self%group_due_at)
+         if (self%group_due_at(g) > approach_bound) cycle
+         before = group_size*(g - 1)
          least = huge(1.0_wp)
          !$omp simd reduction(min:least)
-         do i = 1, members
-            least = merge(self%wake(before + i), least, self%wake(before + i) < least)
+         do i = 1, group_size
+            least = merge(self%due_at(before + i), least, self%due_at(before + i) < least)
          end do
-         self%first(g) = least
-         if (least > travel) cycle
-         do i = 1, members
-            self%awake(count + 1) = before + i
-            count = count + merge(1, 0, self%wake(before + i) <= travel)
+         self%group_due_at(g) = least
+         if (least > approach_bound) cycle
+         do i = 1, group_size
+            self%due(count + 1) = before + i
+            count = count + merge(1, 0, self%due_at(before + i) <= approach_bound)
          end do
       end do
       self%count = count
-   end subroutine find_awake
+   end subroutine find_due
 
 end module plydyn_contact_search_search_timers

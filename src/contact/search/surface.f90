@@ -1,9 +1,9 @@
-!> A face of the plate as facets, and the closest point on it.
+!> A face of the plate as facets, and closest-point projection on it.
 !>
-!> A facet is a quad of surface points, counter-clockwise from above on both faces. The closest
-!> point is found by Newton's method with second derivatives inside one facet and by walking to
-!> the neighbour when the point lies beyond a side. The surface is taken to be locally a graph:
-!> the walk ends in the facet under the point, as it does for anything but a folded plate.
+!> A facet is a quad of surface points, counter-clockwise from above on both faces. Newton's method
+!> with second derivatives finds the closest point of one facet; where the point lies beyond a side
+!> the projection walks to the neighbour. The walk ends in the facet below the point as long as the
+!> surface is locally a graph, which holds unless the plate is folded.
 module plydyn_contact_search_surface
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_search_closest_point, only : closest_points
@@ -14,17 +14,17 @@ module plydyn_contact_search_surface
 
    public :: new_surface
 
-   !> Facets walked through before giving up
-   integer, parameter :: most_walks = 100
+   !> Most facets of a walk
+   integer, parameter :: max_walks = 100
 
-   !> Local coordinate from which a place is on a side
+   !> Local coordinate above which a point is on a side
    real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
 
-   !> Distance beyond a side that counts as beyond, relative to the size of the facet
+   !> Distance beyond a side that counts as zero, relative to the size of the facet
    real(wp), parameter :: side_tolerance = 1.0e-10_wp
 
-   !> Share of the distance that a walk must gain to go on
-   real(wp), parameter :: least_gain = 1.0e-12_wp
+   !> Relative decrease of the distance that a walk needs to go on
+   real(wp), parameter :: relative_gain = 1.0e-12_wp
 
    !> Facets of one face of the plate
    type, public :: surface_type
@@ -32,23 +32,23 @@ module plydyn_contact_search_surface
       integer :: nodes = 0
       !> Points of each facet, (nodes, facets), indices into the surface points
       integer, allocatable :: facet(:, :)
-      !> Facet beyond each side, (4, facets), 0 at the border
+      !> Facet across each side, (4, facets), 0 at a free edge
       integer, allocatable :: neighbour(:, :)
       !> 1 when the outward normal of the plate is that of the facets (top), -1 when opposite
       real(wp) :: side = 1.0_wp
    contains
-      procedure :: start_candidate_list
+      procedure :: start_point
       procedure :: project
       procedure :: project_some
-      procedure :: is_missed
+      procedure :: line_misses
    end type surface_type
 
-   !> Foot of the perpendicular from a point to the surface
+   !> Closest point of the surface to a point
    type, public :: closest_point_type
       !> Facet on which it lies
       integer :: facet = 0
-      !> Place in the facet, each from -1 to 1
-      real(wp) :: place(2) = 0.0_wp
+      !> Local coordinates in the facet, each from -1 to 1
+      real(wp) :: local(2) = 0.0_wp
       !> Tangents of the facet there, along xi and eta, length
       real(wp) :: tangent(3, 2) = 0.0_wp
       !> From the surface to the point, length
@@ -57,8 +57,8 @@ module plydyn_contact_search_surface
       real(wp) :: normal(3) = 0.0_wp
       !> Distance along the normal, negative when the point penetrates
       real(wp) :: gap = huge(1.0_wp)
-      !> The point lies beyond the border of the surface: nothing is under it along the normal
-      logical :: beside = .false.
+      !> Whether the point lies beyond a free edge: there is no surface below it along the normal
+      logical :: is_outside = .false.
    end type closest_point_type
 
 contains
@@ -80,17 +80,17 @@ contains
       call find_neighbours(facet, points, self%neighbour)
    end subroutine new_surface
 
-   !> Start of a projection: the facet whose last point is nearest
-   pure function start_candidate_list(self, position, point, facets) result(foot)
+   !> Start of a projection: the facet whose last point is closest
+   pure function start_point(self, position, point, facets) result(closest)
       !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
-      !> Facets to look at
+      !> Facets to choose from
       integer, intent(in) :: facets(:)
-      type(closest_point_type) :: foot
+      type(closest_point_type) :: closest
 
       integer :: i
       real(wp) :: arm(3), least
@@ -100,202 +100,197 @@ contains
          arm(:) = position(:, self%facet(self%nodes, facets(i))) - point
          if (sum(arm**2) >= least) cycle
          least = sum(arm**2)
-         foot%facet = facets(i)
+         closest%facet = facets(i)
       end do
-   end function start_candidate_list
+   end function start_point
 
-   !> Closest point of the surface, starting from the facet and place in `foot`
-   pure subroutine project(self, position, point, foot)
+   !> Closest point of the surface, starting from facet and local coordinates in `closest`
+   pure subroutine project(self, position, point, closest)
       !> The surface
       class(surface_type), intent(in) :: self
-      !> Surface points, (3, points), length
+      !> Positions of its points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Any point, length
       real(wp), intent(in) :: point(3)
-      !> Start in, foot out
-      type(closest_point_type), intent(inout) :: foot
+      !> Start in, closest point out
+      type(closest_point_type), intent(inout) :: closest
 
       real(wp) :: points(3, 1)
-      type(closest_point_type) :: feet(1)
+      type(closest_point_type) :: results(1)
 
       points(:, 1) = point
-      feet(1) = foot
-      call self%project_some(position, points, feet)
-      foot = feet(1)
+      results(1) = closest
+      call self%project_some(position, points, results)
+      closest = results(1)
    end subroutine project
 
-   !> The same for some points at once
-   pure subroutine project_some(self, position, point, foot)
+   !> Closest points of some points at once
+   pure subroutine project_some(self, position, point, closest)
       !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Any points, no more than lanes, (3, points), length
       real(wp), intent(in) :: point(:, :)
-      !> Of each the start in, foot out
-      type(closest_point_type), intent(inout) :: foot(:)
+      !> Start of each in, closest point out
+      type(closest_point_type), intent(inout) :: closest(:)
 
-      type(closest_point_type) :: trial(size(foot))
-      integer :: i, side(size(foot)), walk
-      logical :: walks(size(foot))
-      real(wp) :: distance, least(size(foot))
+      type(closest_point_type) :: trial(size(closest))
+      integer :: i, side(size(closest)), walk
+      logical :: is_walking(size(closest))
+      real(wp) :: distance, least(size(closest))
 
-      trial(:) = foot
+      trial(:) = closest
       least(:) = huge(1.0_wp)
-      walks(:) = .true.
-      do walk = 1, most_walks
-         call descend(self, position, point, trial, side)
-         do i = 1, size(foot)
-            if (.not. walks(i)) cycle
+      is_walking(:) = .true.
+      do walk = 1, max_walks
+         call project_on_facets(self, position, point, trial, side)
+         do i = 1, size(closest)
+            if (.not. is_walking(i)) cycle
             distance = sqrt(dot_product(trial(i)%gap_vector, trial(i)%gap_vector))
-            walks(i) = distance <= (1.0_wp - least_gain)*least(i)
-            if (.not. walks(i)) cycle
-            foot(i) = trial(i)
-            walks(i) = side(i) > 0
+            is_walking(i) = distance <= (1.0_wp - relative_gain)*least(i)
+            if (.not. is_walking(i)) cycle
+            closest(i) = trial(i)
+            is_walking(i) = side(i) > 0
             least(i) = distance
-            if (walks(i)) call cross(self, side(i), trial(i))
+            if (is_walking(i)) call enter_neighbour(self, side(i), trial(i))
          end do
-         if (.not. any(walks)) return
+         if (.not. any(is_walking)) return
       end do
    end subroutine project_some
 
-   !> Start in the neighbour, at the same point of the common side
-   pure subroutine cross(self, side, foot)
-      !> The surface
+   !> Change to the neighbour, at the same point of the common side
+   pure subroutine enter_neighbour(self, side, closest)
       type(surface_type), intent(in) :: self
-      !> Side of the facet that is left
+      !> Side that is crossed
       integer, intent(in) :: side
       !> On a facet in, on its neighbour out
-      type(closest_point_type), intent(inout) :: foot
+      type(closest_point_type), intent(inout) :: closest
 
       real(wp) :: along, from_side(sides)
       integer :: entry_side, next
 
-      from_side(:) = [foot%place(1), foot%place(2), -foot%place(1), -foot%place(2)]
+      from_side(:) = [closest%local(1), closest%local(2), -closest%local(1), -closest%local(2)]
       along = -from_side(side)
-      next = self%neighbour(side, foot%facet)
-      entry_side = findloc(self%neighbour(:, next), foot%facet, dim=1)
+      next = self%neighbour(side, closest%facet)
+      entry_side = findloc(self%neighbour(:, next), closest%facet, dim=1)
       select case (entry_side)
       case (1)
-         foot%place(:) = [along, -1.0_wp]
+         closest%local(:) = [along, -1.0_wp]
       case (2)
-         foot%place(:) = [1.0_wp, along]
+         closest%local(:) = [1.0_wp, along]
       case (3)
-         foot%place(:) = [-along, 1.0_wp]
+         closest%local(:) = [-along, 1.0_wp]
       case default
-         foot%place(:) = [-1.0_wp, -along]
+         closest%local(:) = [-1.0_wp, -along]
       end select
-      foot%facet = next
-   end subroutine cross
+      closest%facet = next
+   end subroutine enter_neighbour
 
-   !> Closest points of one facet each, and the sides over which the points lie
-   pure subroutine descend(self, position, point, foot, side)
-      !> The surface
+   !> Closest points of one facet each, and the sides beyond which the points lie
+   pure subroutine project_on_facets(self, position, point, closest, side)
       type(surface_type), intent(in) :: self
-      !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Any points, no more than lanes, (3, points), length
       real(wp), intent(in) :: point(:, :)
-      !> Of each facet and start in, foot out
-      type(closest_point_type), intent(inout) :: foot(:)
+      !> Facet and start of each in, closest point out
+      type(closest_point_type), intent(inout) :: closest(:)
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side(:)
 
-      real(wp) :: frame(lanes, 3, frame_size), place(lanes, 2), x(lanes, 3, self%nodes)
+      real(wp) :: frame(lanes, 3, frame_size), local(lanes, 2), x(lanes, 3, self%nodes)
       integer :: i, k, l, p
 
       do l = 1, lanes
-         ! what is over does as the last one
-         i = min(l, size(foot))
+         ! spare lanes repeat the last point
+         i = min(l, size(closest))
          !GCC$ novector
          do k = 1, self%nodes
-            p = self%facet(k, foot(i)%facet)
+            p = self%facet(k, closest(i)%facet)
             x(l, 1, k) = position(1, p) - point(1, i)
             x(l, 2, k) = position(2, p) - point(2, i)
             x(l, 3, k) = position(3, p) - point(3, i)
          end do
-         place(l, :) = foot(i)%place
+         local(l, :) = closest(i)%local
       end do
-      call closest_points(self%nodes, x, place, frame)
-      do i = 1, size(foot)
-         foot(i)%place(:) = place(i, :)
-         foot(i)%gap_vector(:) = -frame(i, :, frame_value)
-         foot(i)%tangent(:, :) = frame(i, :, frame_xi:frame_eta)
-         call finish_foot(self, foot(i), side(i))
+      call closest_points(self%nodes, x, local, frame)
+      do i = 1, size(closest)
+         closest(i)%local(:) = local(i, :)
+         closest(i)%gap_vector(:) = -frame(i, :, frame_value)
+         closest(i)%tangent(:, :) = frame(i, :, frame_xi:frame_eta)
+         call finish_projection(self, closest(i), side(i))
       end do
-   end subroutine descend
+   end subroutine project_on_facets
 
-   !> Normal and gap at the closest point, and the side over which the point lies
-   pure subroutine finish_foot(self, foot, side)
-      !> The surface
+   !> Normal and gap at the closest point, and the side beyond which the point lies
+   pure subroutine finish_projection(self, closest, side)
       type(surface_type), intent(in) :: self
-      !> Facet, place, tangents and gap vector in, all out
-      type(closest_point_type), intent(inout) :: foot
+      !> Facet, local coordinates, tangents and gap vector in, all out
+      type(closest_point_type), intent(inout) :: closest
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
-      real(wp) :: over(sides)
+      real(wp) :: distance_over(sides)
       integer :: s
 
-      foot%normal(:) = self%side*unit_normal(foot%tangent(:, 1), foot%tangent(:, 2))
-      foot%gap = dot_product(foot%gap_vector, foot%normal)
-      foot%beside = .false.
+      closest%normal(:) = self%side*unit_normal(closest%tangent(:, 1), closest%tangent(:, 2))
+      closest%gap = dot_product(closest%gap_vector, closest%normal)
+      closest%is_outside = .false.
       side = 0
-      if (all(abs(foot%place) < at_side)) return
+      if (all(abs(closest%local) < at_side)) return
 
-      over(:) = beyond(foot, foot%gap_vector)
+      distance_over(:) = overshoot(closest, closest%gap_vector)
       do s = 1, sides
-         if (over(s) <= side_tolerance) cycle
-         if (self%neighbour(s, foot%facet) == 0) then
-            foot%beside = .true.
+         if (distance_over(s) <= side_tolerance) cycle
+         if (self%neighbour(s, closest%facet) == 0) then
+            closest%is_outside = .true.
          else if (side == 0) then
             side = s
-         else if (over(s) > over(side)) then
+         else if (distance_over(s) > distance_over(side)) then
             side = s
          end if
       end do
-   end subroutine finish_foot
+   end subroutine finish_projection
 
-   !> How far beyond each side of the facet an arm from the foot ends, in local coordinates; zero
-   !> for sides on which the foot is not
-   pure function beyond(foot, arm) result(over)
-      !> The foot
-      type(closest_point_type), intent(in) :: foot
-      !> From the foot, length
+   !> Distance beyond each side at which a vector from the closest point ends, in local coordinates;
+   !> zero for sides on which the closest point is not
+   pure function overshoot(closest, arm) result(distance_over)
+      type(closest_point_type), intent(in) :: closest
+      !> From the closest point, length
       real(wp), intent(in) :: arm(3)
-      real(wp) :: over(sides)
+      real(wp) :: distance_over(sides)
 
       real(wp) :: towards(sides)
 
-      towards(:) = [-foot%place(2), foot%place(1), foot%place(2), -foot%place(1)]
-      over(2) = dot_product(arm, foot%tangent(:, 1))/sum(foot%tangent(:, 1)**2)
-      over(3) = dot_product(arm, foot%tangent(:, 2))/sum(foot%tangent(:, 2)**2)
-      over(1) = -over(3)
-      over(4) = -over(2)
-      over(:) = merge(over, 0.0_wp, towards >= at_side)
-   end function beyond
+      towards(:) = [-closest%local(2), closest%local(1), closest%local(2), -closest%local(1)]
+      distance_over(2) = dot_product(arm, closest%tangent(:, 1))/sum(closest%tangent(:, 1)**2)
+      distance_over(3) = dot_product(arm, closest%tangent(:, 2))/sum(closest%tangent(:, 2)**2)
+      distance_over(1) = -distance_over(3)
+      distance_over(4) = -distance_over(2)
+      distance_over(:) = merge(distance_over, 0.0_wp, towards >= at_side)
+   end function overshoot
 
-   !> Whether a line through the point of a foot misses the surface beyond its border
+   !> Whether a line through the projected point passes the surface beyond a free edge
    !>
-   !> Under a dent that a plane of symmetry cuts, the normal of the facet leans out over the
-   !> border: the point is beside the surface along that normal, but not along the plane.
-   pure logical function is_missed(self, foot, direction)
+   !> At a plane of symmetry through an indentation the normal of the facet is inclined across the
+   !> edge: the point is outside along that normal, but not along a line in the plane.
+   pure logical function line_misses(self, closest, direction)
       !> The surface
       class(surface_type), intent(in) :: self
-      !> The foot
-      type(closest_point_type), intent(in) :: foot
-      !> Along the line, not along the facet
+      !> The closest point
+      type(closest_point_type), intent(in) :: closest
+      !> Direction of the line, not tangential to the facet
       real(wp), intent(in) :: direction(3)
 
       real(wp) :: arm(3)
 
-      ! from the foot to where the line meets the plane of the facet
-      arm(:) = foot%gap_vector - foot%gap/dot_product(direction, foot%normal)*direction
-      is_missed = any(beyond(foot, arm) > side_tolerance &
-         & .and. self%neighbour(:, foot%facet) == 0)
-   end function is_missed
+      ! from the closest point to the intersection of the line with the tangent plane
+      arm(:) = closest%gap_vector - closest%gap/dot_product(direction, closest%normal)*direction
+      line_misses = any(overshoot(closest, arm) > side_tolerance &
+         & .and. self%neighbour(:, closest%facet) == 0)
+   end function line_misses
 
-   !> Unit vector across two tangents
+   !> Unit normal of two tangents
    pure function unit_normal(along_xi, along_eta) result(normal)
       !> Tangents, length
       real(wp), intent(in) :: along_xi(3), along_eta(3)

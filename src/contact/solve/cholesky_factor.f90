@@ -1,8 +1,8 @@
 !> Cholesky factor of a symmetric matrix that grows and shrinks by a row at a time.
 !>
-!> LAPACK factorises once; an active set adds and drops constraints one by one, and a factor that
-!> follows costs the square of the size instead of its cube. The set of the last step is filled in
-!> at once, eight rows abreast. No threads, so the same bits always.
+!> An active-set method adds and removes constraints one by one. An update of the factor costs the
+!> square of its size, a new factorisation (as by LAPACK) its cube. The set of the last step is
+!> factorised at once, eight rows in a vector, and without threads: the same bits in every run.
 module plydyn_contact_solve_cholesky_factor
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -15,7 +15,7 @@ module plydyn_contact_solve_cholesky_factor
    type, public :: cholesky_factor_type
       !> Rows of the matrix
       integer :: count = 0
-      !> Lower triangle, larger than needed
+      !> Lower triangle, with spare rows and columns
       real(wp), allocatable, private :: lower(:, :)
       !> Inverse of each entry of its diagonal
       real(wp), allocatable, private :: inverse(:)
@@ -28,68 +28,68 @@ module plydyn_contact_solve_cholesky_factor
 
 contains
 
-   !> Begin anew with some rows of a matrix
-   pure subroutine fill(self, row, matrix, share)
+   !> Factorise some rows and columns of a matrix
+   pure subroutine fill(self, row, matrix, ridge)
       !> The factor
       class(cholesky_factor_type), intent(inout) :: self
-      !> Which rows, and columns
+      !> Rows and columns, in the order of the factor
       integer, intent(in) :: row(:)
-      !> The matrix, symmetric; only what is below the diagonal in the order of the rows is read
+      !> The matrix, symmetric; entries above the diagonal in the order of the rows are not read
       real(wp), contiguous, intent(in) :: matrix(:, :)
-      !> Share by which its diagonal is raised; smaller pivots are taken for round-off
-      real(wp), intent(in) :: share
+      !> Relative increase of its diagonal, and smallest relative pivot
+      real(wp), intent(in) :: ridge
 
       real(wp) :: diagonal(size(row))
       integer :: i, j
 
       self%count = size(row)
-      call make_room(self, self%count)
+      call reserve(self, self%count)
       do j = 1, self%count
          diagonal(j) = matrix(row(j), row(j))
          do i = j + 1, self%count
             self%lower(i, j) = matrix(row(i), row(j))
          end do
       end do
-      call factorise(size(self%inverse), self%count, diagonal, share, self%lower, self%inverse)
+      call factorise(size(self%inverse), self%count, diagonal, ridge, self%lower, self%inverse)
    end subroutine fill
 
-   !> Columns of the factor from left to right, each in all rows below the diagonal together
-   pure subroutine factorise(room, count, diagonal, share, lower, inverse)
-      !> Rows there is room for, and rows in use
-      integer, intent(in) :: room, count
+   !> Columns of the factor from left to right, vectors of rows below the diagonal at a time
+   pure subroutine factorise(capacity, count, diagonal, ridge, lower, inverse)
+      !> Allocated rows, and rows in use
+      integer, intent(in) :: capacity, count
       !> As in `fill`
-      real(wp), intent(in) :: diagonal(count), share
+      real(wp), intent(in) :: diagonal(count), ridge
       !> The matrix below the diagonal in, the factor out
-      real(wp), intent(inout) :: lower(room, room)
+      real(wp), intent(inout) :: lower(capacity, capacity)
       !> Inverse of its diagonal
-      real(wp), intent(inout) :: inverse(room)
+      real(wp), intent(inout) :: inverse(capacity)
 
-      real(wp) :: below(room), left(count), pivot
+      real(wp) :: below(capacity), row(count), pivot
       integer :: first, j
 
       below(:count) = 1.0_wp
       below(count + 1:) = 0.0_wp
       do j = 1, count
          below(j) = 0.0_wp
-         left(:j - 1) = lower(j, :j - 1)
-         pivot = (1.0_wp + share)*diagonal(j) - sum(left(:j - 1)**2)
-         pivot = sqrt(max(pivot, share*diagonal(j)))
+         row(:j - 1) = lower(j, :j - 1)
+         pivot = (1.0_wp + ridge)*diagonal(j) - sum(row(:j - 1)**2)
+         pivot = sqrt(max(pivot, ridge*diagonal(j)))
          inverse(j) = 1.0_wp/pivot
          do first = 1 + lanes*(j/lanes), count, lanes
-            call reduce(room, j, left, inverse(j), below(first), lower(first, 1))
+            call reduce(capacity, j, row, inverse(j), below(first), lower(first, 1))
          end do
          lower(j, j) = pivot
       end do
    end subroutine factorise
 
    !> One column of the factor in some rows
-   pure subroutine reduce(room, column, left, inverse, below, lower)
-      integer, intent(in) :: room, column
-      !> The row of its diagonal left of that, and the inverse of the diagonal
-      real(wp), intent(in) :: left(column), inverse
+   pure subroutine reduce(capacity, column, row, inverse, below, lower)
+      integer, intent(in) :: capacity, column
+      !> Row of the diagonal, left of it, and the inverse of the diagonal
+      real(wp), intent(in) :: row(column), inverse
       !> 1 in rows below the diagonal, else 0
       real(wp), intent(in) :: below(lanes)
-      real(wp), intent(inout) :: lower(room, column)
+      real(wp), intent(inout) :: lower(capacity, column)
 
       real(wp) :: total(lanes)
       integer :: k, l
@@ -98,7 +98,7 @@ contains
       do k = 1, column - 1
          !$omp simd
          do l = 1, lanes
-            total(l) = total(l) - lower(l, k)*left(k)
+            total(l) = total(l) - lower(l, k)*row(k)
          end do
       end do
       !$omp simd
@@ -107,7 +107,7 @@ contains
       end do
    end subroutine reduce
 
-   !> Add a last row to the matrix
+   !> Append a row and a column to the matrix
    pure subroutine append(self, column, diagonal, least_pivot)
       !> The factor
       class(cholesky_factor_type), intent(inout) :: self
@@ -115,14 +115,14 @@ contains
       real(wp), intent(in) :: column(self%count)
       !> The new diagonal entry
       real(wp), intent(in) :: diagonal
-      !> Smallest pivot, taken instead of one that round-off has spoilt
+      !> Smallest pivot: replaces one that round-off makes smaller
       real(wp), intent(in) :: least_pivot
 
       real(wp) :: row(self%count)
       integer :: n
 
       n = self%count
-      call make_room(self, n + 1)
+      call reserve(self, n + 1)
       row(:) = column
       call solve_lower(self, row)
       self%lower(n + 1, :n) = row
@@ -131,11 +131,11 @@ contains
       self%count = n + 1
    end subroutine append
 
-   !> Take a row and its column out of the matrix
+   !> Remove a row and its column from the matrix (Givens rotations)
    pure subroutine remove(self, row)
       !> The factor
       class(cholesky_factor_type), intent(inout) :: self
-      !> Which
+      !> Its index in the order of the factor
       integer, intent(in) :: row
 
       integer :: i, j, n
@@ -147,7 +147,7 @@ contains
             self%lower(i, j) = self%lower(i + 1, j)
          end do
       end do
-      ! each row below now has an entry right of the diagonal: rotate it away
+      ! rotations remove the entry right of the diagonal of each row below
       do j = row, n
          length = hypot(self%lower(j, j), self%lower(j, j + 1))
          cosine = self%lower(j, j)/length
@@ -200,11 +200,11 @@ contains
       end do
    end subroutine solve_lower
 
-   !> Make room for some rows
-   pure subroutine make_room(self, rows)
+   !> Allocate room for some rows
+   pure subroutine reserve(self, rows)
       !> The factor
       type(cholesky_factor_type), intent(inout) :: self
-      !> How many
+      !> Number of rows
       integer, intent(in) :: rows
 
       real(wp), allocatable :: larger(:, :), longer(:)
@@ -224,6 +224,6 @@ contains
       end if
       call move_alloc(larger, self%lower)
       call move_alloc(longer, self%inverse)
-   end subroutine make_room
+   end subroutine reserve
 
 end module plydyn_contact_solve_cholesky_factor

@@ -1,24 +1,23 @@
-!> Contact constraints of one step: which surface points press on the impactor, and which way.
+!> Contact constraints of one step: points, weights, normals, gaps and multipliers of the rows.
 !>
-!> A row says that the gap, g + n.(u_impactor - sum_k N_k u_k), must not be negative. The rows are
-!> the matrix G of the paper's eq. 18 taken along the normal n, one row per contact node instead of
-!> three: the gap vector at the closest point has no other component, so nothing sticks.
-!> The gap is linearised at the trial positions, once per step, as in the paper.
+!> A row requires g + n.(u_impactor - sum_k N_k u_k) >= 0. The rows are the matrix G of the paper's
+!> eq. 18 along the normal n: one row for each contact node instead of three, as there is no
+!> friction. The gap is linearised at the trial positions, once per step, as in the paper.
 module plydyn_contact_solve_constraint
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: new_constraints, add_motion, opening
+   public :: new_constraints, add_correction, gap_change
 
-   !> Room for rows in the first allocation
+   !> Number of rows of the first allocation
    integer, parameter :: first_capacity = 64
 
-   !> Rows as flat arrays, the row as the last index
+   !> Rows as flat arrays with the row as the last index
    type, public :: constraints_type
       !> Rows in use
       integer :: count = 0
-      !> Contact node or surface point that a row belongs to
+      !> Contact node or surface point of each row, 0 for a free edge
       integer, allocatable :: source(:)
       !> Surface points of each row, (points of a row, rows)
       integer, allocatable :: point(:, :)
@@ -28,16 +27,16 @@ module plydyn_contact_solve_constraint
       real(wp), allocatable :: normal(:, :)
       !> Gap of the trial positions, length
       real(wp), allocatable :: gap(:)
-      !> Multiplier times the step squared, mass times length: a guess before, the solution after
-      real(wp), allocatable :: push(:)
+      !> Multiplier times the time step squared, mass times length: initial guess in, solution out
+      real(wp), allocatable :: multiplier(:)
    contains
       procedure :: add
-      procedure :: drop
+      procedure :: remove
    end type constraints_type
 
 contains
 
-   !> Make room for rows of so many points
+   !> Allocate rows
    pure subroutine new_constraints(self, points)
       !> The rows
       type(constraints_type), intent(out) :: self
@@ -47,26 +46,26 @@ contains
       call allocate_rows(self, points, first_capacity)
    end subroutine new_constraints
 
-   !> Add a row whose points, weights, normal and gap the caller fills in
-   pure subroutine add(self, source, push)
+   !> Add a row; the caller sets its points, weights, normal and gap
+   pure subroutine add(self, source, multiplier)
       !> The rows
       class(constraints_type), intent(inout) :: self
-      !> Contact node or surface point that it belongs to
+      !> Contact node or surface point, 0 for a free edge
       integer, intent(in) :: source
-      !> Guess of the solution, mass times length
-      real(wp), intent(in) :: push
+      !> Initial guess of the multiplier, mass times length
+      real(wp), intent(in) :: multiplier
 
       if (self%count == size(self%source)) call enlarge(self)
       self%count = self%count + 1
       self%source(self%count) = source
-      self%push(self%count) = push
+      self%multiplier(self%count) = multiplier
    end subroutine add
 
-   !> Leave a row out
-   pure subroutine drop(self, row)
+   !> Remove a row
+   pure subroutine remove(self, row)
       !> The rows
       class(constraints_type), intent(inout) :: self
-      !> Which
+      !> Its index
       integer, intent(in) :: row
 
       associate (last => self%count)
@@ -75,12 +74,12 @@ contains
          self%weight(:, row:last - 1) = self%weight(:, row + 1:last)
          self%normal(:, row:last - 1) = self%normal(:, row + 1:last)
          self%gap(row:last - 1) = self%gap(row + 1:last)
-         self%push(row:last - 1) = self%push(row + 1:last)
+         self%multiplier(row:last - 1) = self%multiplier(row + 1:last)
       end associate
       self%count = self%count - 1
-   end subroutine drop
+   end subroutine remove
 
-   !> Double the room for rows
+   !> Double the number of allocated rows
    pure subroutine enlarge(self)
       !> The rows
       class(constraints_type), intent(inout) :: self
@@ -94,16 +93,16 @@ contains
       larger%weight(:, :self%count) = self%weight
       larger%normal(:, :self%count) = self%normal
       larger%gap(:self%count) = self%gap
-      larger%push(:self%count) = self%push
+      larger%multiplier(:self%count) = self%multiplier
       call move_alloc(larger%source, self%source)
       call move_alloc(larger%point, self%point)
       call move_alloc(larger%weight, self%weight)
       call move_alloc(larger%normal, self%normal)
       call move_alloc(larger%gap, self%gap)
-      call move_alloc(larger%push, self%push)
+      call move_alloc(larger%multiplier, self%multiplier)
    end subroutine enlarge
 
-   !> Allocate rows
+   !> Allocate arrays
    pure subroutine allocate_rows(self, points, capacity)
       !> The rows
       type(constraints_type), intent(inout) :: self
@@ -116,59 +115,59 @@ contains
       allocate (self%point(points, capacity), source=0)
       allocate (self%weight(points, capacity), source=0.0_wp)
       allocate (self%normal(3, capacity), source=0.0_wp)
-      allocate (self%gap(capacity), self%push(capacity), source=0.0_wp)
+      allocate (self%gap(capacity), self%multiplier(capacity), source=0.0_wp)
    end subroutine allocate_rows
 
-   !> Add what a push at one row moves: the paper's eq. 17
-   pure subroutine add_motion(rows, row, push, inverse_mass, impactor_inverse, motion, &
-      & impactor_motion)
+   !> Add the displacement corrections of a multiplier at one row: the paper's eq. 17
+   pure subroutine add_correction(rows, row, multiplier, inverse_mass, impactor_inverse, &
+      & correction, impactor_correction)
       !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
-      !> Multiplier times the step squared, mass times length
-      real(wp), intent(in) :: push
-      !> Of the surface points along x, y, z, (3, points), zero where held
+      !> Multiplier times the time step squared, mass times length
+      real(wp), intent(in) :: multiplier
+      !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Of the impactor along x, y, z, zero where held
+      !> Inverse mass of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
-      !> Of the surface points, (3, points), length
-      real(wp), contiguous, intent(inout) :: motion(:, :)
-      !> Of the impactor, length
-      real(wp), intent(inout) :: impactor_motion(3)
+      !> Displacement correction of the surface points, (3, points), length
+      real(wp), contiguous, intent(inout) :: correction(:, :)
+      !> Displacement correction of the impactor, length
+      real(wp), intent(inout) :: impactor_correction(3)
 
       integer :: i, k
       real(wp) :: force(3)
 
-      force(:) = push*rows%normal(:, row)
+      force(:) = multiplier*rows%normal(:, row)
       do i = 1, size(rows%point, 1)
          k = rows%point(i, row)
-         motion(:3, k) = motion(:3, k) - rows%weight(i, row)*inverse_mass(:3, k)*force
+         correction(:3, k) = correction(:3, k) - rows%weight(i, row)*inverse_mass(:3, k)*force
       end do
-      impactor_motion(:) = impactor_motion + impactor_inverse*force
-   end subroutine add_motion
+      impactor_correction(:) = impactor_correction + impactor_inverse*force
+   end subroutine add_correction
 
-   !> How much a motion opens the gap of a row, length
-   pure real(wp) function opening(rows, row, motion, impactor_motion)
+   !> Change of the gap of a row by displacement corrections, length
+   pure real(wp) function gap_change(rows, row, correction, impactor_correction)
       !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
-      !> Of the surface points, (3, points), length
-      real(wp), contiguous, intent(in) :: motion(:, :)
-      !> Of the impactor, length
-      real(wp), intent(in) :: impactor_motion(3)
+      !> Displacement correction of the surface points, (3, points), length
+      real(wp), contiguous, intent(in) :: correction(:, :)
+      !> Displacement correction of the impactor, length
+      real(wp), intent(in) :: impactor_correction(3)
 
       integer :: i, k
       real(wp) :: relative(3)
 
-      relative(:) = impactor_motion
+      relative(:) = impactor_correction
       do i = 1, size(rows%point, 1)
          k = rows%point(i, row)
-         relative(:) = relative - rows%weight(i, row)*motion(:3, k)
+         relative(:) = relative - rows%weight(i, row)*correction(:3, k)
       end do
-      opening = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
+      gap_change = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
          & + relative(3)*rows%normal(3, row)
-   end function opening
+   end function gap_change
 
 end module plydyn_contact_solve_constraint

@@ -1,4 +1,6 @@
-!> What contact adds to the points of the surface: of thousands of points some tens move.
+!> Displacement corrections of the surface points by contact.
+!>
+!> Only points of contact rows are corrected, tens out of thousands: they are listed.
 module plydyn_contact_solve_correction
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
@@ -7,37 +9,37 @@ module plydyn_contact_solve_correction
 
    public :: new_correction
 
-   !> The move of each point, and which points can have moved
+   !> Correction of every surface point, and the points of contact rows
    type, public :: correction_type
-      !> Zero but at listed points, (3, points), length
-      real(wp), allocatable :: move(:, :)
-      !> Points of the rows, each once, in the first `count` places
+      !> Correction, zero at points that are not listed, (3, points), length
+      real(wp), allocatable :: displacement(:, :)
+      !> Points of the rows, each once, in the first `count` entries
       integer, allocatable :: point(:)
-      !> How many these are
+      !> Number of listed points
       integer :: count = 0
       !> Whether a point is listed
       logical, allocatable, private :: listed(:)
    contains
       procedure :: clear
-      procedure :: list
-      procedure :: farthest
+      procedure :: list_points
+      procedure :: largest_displacement
    end type correction_type
 
 contains
 
-   !> Nothing moves
+   !> Zero corrections
    pure subroutine new_correction(self, points)
       !> The correction
       type(correction_type), intent(out) :: self
-      !> Points of the surface
+      !> Number of surface points
       integer, intent(in) :: points
 
-      allocate (self%move(3, points), source=0.0_wp)
+      allocate (self%displacement(3, points), source=0.0_wp)
       allocate (self%point(points), source=0)
       allocate (self%listed(points), source=.false.)
    end subroutine new_correction
 
-   !> Take back all moves, and the list
+   !> Reset corrections and list to zero
    pure subroutine clear(self)
       !> The correction
       class(correction_type), intent(inout) :: self
@@ -45,15 +47,15 @@ contains
       integer :: i
 
       do i = 1, self%count
-         self%move(:, self%point(i)) = 0.0_wp
+         self%displacement(:, self%point(i)) = 0.0_wp
          self%listed(self%point(i)) = .false.
       end do
       self%count = 0
    end subroutine clear
 
    !> List the points of all rows
-   pure subroutine list(self, rows)
-      !> The correction, clear
+   pure subroutine list_points(self, rows)
+      !> The correction, cleared
       class(correction_type), intent(inout) :: self
       !> The constraints
       type(constraints_type), intent(in) :: rows
@@ -69,20 +71,21 @@ contains
             self%point(self%count) = k
          end do
       end do
-   end subroutine list
+   end subroutine list_points
 
-   !> How far the point has moved that has moved most, length
-   pure real(wp) function farthest(self)
+   !> Largest magnitude of a correction, length
+   pure real(wp) function largest_displacement(self)
       !> The correction
       class(correction_type), intent(in) :: self
 
       integer :: i
 
-      farthest = 0.0_wp
+      largest_displacement = 0.0_wp
       do i = 1, self%count
-         farthest = max(farthest, sum(self%move(:, self%point(i))**2))
+         largest_displacement = max(largest_displacement, &
+            & sum(self%displacement(:, self%point(i))**2))
       end do
-      farthest = sqrt(farthest)
-   end function farthest
+      largest_displacement = sqrt(largest_displacement)
+   end function largest_displacement
 
 end module plydyn_contact_solve_correction

@@ -1,17 +1,18 @@
-!> Forward increment Lagrange multipliers with release: the paper's eqs 16 and 17, never pulling.
+!> Active-set solution of unilateral contact: forward increment Lagrange multipliers (eqs 16, 17).
 !>
-!> With p the multipliers times the step squared, g the gaps of the trial positions and A the
-!> matrix G M^-1 G^T, the problem is: p >= 0, g + A p >= 0, and one of the two zero in every row.
+!> With the multipliers times the time step squared p, the gaps of the trial positions g and the
+!> matrix A = G M^-1 G^T, the problem is the linear complementarity p >= 0, g + A p >= 0,
+!> p.(g + A p) = 0. It is solved by the method of Lawson and Hanson (1974) for non-negative least
+!> squares: rows are activated one by one, the deepest penetration first, and deactivated where
+!> their multiplier would be negative. The method is finite and deterministic.
 !>
-!> Several contact nodes on one facet make A singular. The active set takes rows in one by one, the
-!> one that penetrates most first, and drops those that would pull (Lawson and Hanson's method for
-!> non-negative least squares, finite and deterministic); a redundant row never enters because
-!> the others have opened its gap already. A is made definite by raising its diagonal by `ridge`,
-!> which leaves a penetration of that share of the step's. The motion is unique; the multipliers
-!> are not when rows are redundant. The set of the last step is the first guess of the next.
+!> Several contact nodes on one facet make A singular. A redundant row is not activated, since the
+!> active ones have closed its gap already. A relative increase `ridge` of the diagonal makes A
+!> definite and leaves that fraction of the step's penetration. Displacements are unique;
+!> multipliers of redundant rows are not. The active set of the last step is the initial guess.
 module plydyn_contact_solve_multiplier
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_solve_constraint, only : add_motion, constraints_type
+   use plydyn_contact_solve_constraint, only : add_correction, constraints_type
    use plydyn_contact_solve_coupling, only : coupling_type, new_coupling
    use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
    implicit none
@@ -19,32 +20,31 @@ module plydyn_contact_solve_multiplier
 
    public :: new_active_set
 
-   !> Share by which the diagonal of A is raised
+   !> Relative increase of the diagonal of A
    real(wp), parameter :: ridge = 1.0e-13_wp
 
-   !> Penetration that is taken for none, as a share of the largest one before
+   !> Penetration that counts as zero, over the largest of the trial positions
    real(wp), parameter :: tolerance = 1.0e-11_wp
 
-   !> Rows taken in per row of the problem before giving up
-   integer, parameter :: most_entries = 3
+   !> Most activations per row of the problem
+   integer, parameter :: max_entries = 3
 
-   !> The rows that press, and the workspace of the method
+   !> The active rows, and the work arrays of the method
    type, public :: active_set_type
-      !> Rows that press, in the order of the factor
+      !> Active rows, in the order of the factor
       integer, allocatable, private :: row(:)
-      !> Whether a row presses
-      logical, allocatable, private :: presses(:)
-      !> Rows that nothing can open
-      logical, allocatable, private :: hopeless(:)
-      !> Solution with all pressing rows closed, mass times length
-      real(wp), allocatable, private :: closed(:)
-      !> Gaps with the pushes, one for each row
+      !> Whether each row is active
+      logical, allocatable, private :: is_active(:)
+      !> Rows whose gap no multiplier can open
+      logical, allocatable, private :: redundant(:)
+      !> Multipliers that close the gaps of all active rows, mass times length
+      real(wp), allocatable, private :: trial(:)
+      !> Gaps with the multipliers, (rows), length
       real(wp), allocatable, private :: gap(:)
-      !> What makes the columns of A, and those of rows that have pressed in the step, each in the
-      !> place of its row
+      !> Computes columns of A; the columns of rows that have been active in the step
       type(coupling_type), private :: coupling
       real(wp), allocatable, private :: matrix(:, :)
-      !> A among the pressing rows
+      !> Factor of A of the active rows
       type(cholesky_factor_type), private :: factor
    contains
       procedure :: solve_unilateral
@@ -52,7 +52,7 @@ module plydyn_contact_solve_multiplier
 
 contains
 
-   !> Make the workspace for a surface
+   !> Allocate work arrays for a surface
    pure subroutine new_active_set(self, points)
       !> The active set
       type(active_set_type), intent(out) :: self
@@ -60,77 +60,73 @@ contains
       integer, intent(in) :: points
 
       call new_coupling(self%coupling, points)
-      allocate (self%row(0), self%presses(0), self%hopeless(0), self%closed(0), self%gap(0))
+      allocate (self%row(0), self%is_active(0), self%redundant(0), self%trial(0), self%gap(0))
       allocate (self%matrix(0, 0))
    end subroutine new_active_set
 
-   !> Find the pushes and the motion that they make
-   pure subroutine solve_unilateral(self, rows, inverse_mass, impactor_inverse, motion, &
-      & impactor_motion)
+   !> Find multipliers and displacement corrections
+   pure subroutine solve_unilateral(self, rows, inverse_mass, impactor_inverse, correction, &
+      & impactor_correction)
       !> The active set
       class(active_set_type), intent(inout) :: self
-      !> The constraints, with a guess of the pushes; the pushes out
+      !> The constraints, with initial guesses in, multipliers out
       type(constraints_type), intent(inout) :: rows
-      !> Of the surface points along x, y, z, (3, points), zero where held
+      !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Of the impactor along x, y, z, zero where held
+      !> Inverse mass of the impactor along x, y, z, zero where held
       real(wp), intent(in) :: impactor_inverse(3)
-      !> Of the surface points, (3, points), length; zero in
-      real(wp), contiguous, intent(inout) :: motion(:, :)
-      !> Of the impactor, length
-      real(wp), intent(out) :: impactor_motion(3)
+      !> Displacement correction of the surface points, (3, points), length; zero in
+      real(wp), contiguous, intent(inout) :: correction(:, :)
+      !> Displacement correction of the impactor, length
+      real(wp), intent(out) :: impactor_correction(3)
 
-      integer :: entry_count, row, newest
+      integer :: entry_count, row, entering
       real(wp) :: least_gap
 
-      call start(self, rows, inverse_mass, impactor_inverse)
+      call initialise(self, rows, inverse_mass, impactor_inverse)
       least_gap = tolerance*minval(rows%gap(:rows%count))
-      newest = 0
-      do entry_count = 0, most_entries*rows%count
-         call settle(self, rows, newest)
+      entering = 0
+      do entry_count = 0, max_entries*rows%count
+         call solve_active_set(self, rows, entering)
          call find_gaps(self, rows)
-         newest = deepest(self, rows%count, least_gap)
-         if (newest == 0) exit
-         call enter(self, rows, newest, impactor_inverse)
+         entering = most_violated(self, rows%count, least_gap)
+         if (entering == 0) exit
+         call activate(self, rows, entering, impactor_inverse)
       end do
-      impactor_motion(:) = 0.0_wp
+      impactor_correction(:) = 0.0_wp
       do row = 1, self%factor%count
-         call add_motion(rows, self%row(row), rows%push(self%row(row)), inverse_mass, &
-            & impactor_inverse, motion, impactor_motion)
+         call add_correction(rows, self%row(row), rows%multiplier(self%row(row)), inverse_mass, &
+            & impactor_inverse, correction, impactor_correction)
       end do
    end subroutine solve_unilateral
 
-   !> Start with the rows whose guess presses
-   pure subroutine start(self, rows, inverse_mass, impactor_inverse)
-      !> The active set
+   !> Start with the rows of positive initial guess
+   pure subroutine initialise(self, rows, inverse_mass, impactor_inverse)
       class(active_set_type), intent(inout) :: self
-      !> The constraints, with a guess of the pushes
       type(constraints_type), intent(inout) :: rows
-      !> Of the surface points
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
       integer :: n, row
 
-      call make_room(self, size(rows%gap))
-      call self%coupling%take(rows, inverse_mass)
-      self%presses(:rows%count) = .false.
-      self%hopeless(:rows%count) = .false.
+      call reserve(self, size(rows%gap))
+      call self%coupling%set_rows(rows, inverse_mass)
+      self%is_active(:rows%count) = .false.
+      self%redundant(:rows%count) = .false.
       n = 0
       do row = 1, rows%count
-         if (.not. rows%push(row) > 0.0_wp) cycle
-         call prepare(self, rows, row, impactor_inverse)
-         if (self%hopeless(row)) cycle
+         if (.not. rows%multiplier(row) > 0.0_wp) cycle
+         call find_column(self, rows, row, impactor_inverse)
+         if (self%redundant(row)) cycle
          n = n + 1
          self%row(n) = row
-         self%presses(row) = .true.
+         self%is_active(row) = .true.
       end do
       call self%factor%fill(self%row(:n), self%matrix, ridge)
-   end subroutine start
+   end subroutine initialise
 
-   !> Make room for as many rows as the constraints have room for
-   pure subroutine make_room(self, capacity)
+   !> Allocate as many rows as the constraints have
+   pure subroutine reserve(self, capacity)
       type(active_set_type), intent(inout) :: self
       !> Rows
       integer, intent(in) :: capacity
@@ -139,15 +135,15 @@ contains
 
       if (size(self%row) >= capacity) return
       whole = lanes*((capacity + lanes - 1)/lanes)
-      deallocate (self%row, self%presses, self%hopeless, self%closed, self%gap, self%matrix)
+      deallocate (self%row, self%is_active, self%redundant, self%trial, self%gap, self%matrix)
       allocate (self%row(capacity), source=0)
-      allocate (self%presses(capacity), self%hopeless(capacity), source=.false.)
-      allocate (self%closed(capacity), self%gap(whole), self%matrix(whole, capacity), &
+      allocate (self%is_active(capacity), self%redundant(capacity), source=.false.)
+      allocate (self%trial(capacity), self%gap(whole), self%matrix(whole, capacity), &
          & source=0.0_wp)
-   end subroutine make_room
+   end subroutine reserve
 
-   !> Find the column of A of a row that is to press, or that nothing can open it
-   pure subroutine prepare(self, rows, row, impactor_inverse)
+   !> Find the column of A of a row; without compliance the row is redundant
+   pure subroutine find_column(self, rows, row, impactor_inverse)
       type(active_set_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       integer, intent(in) :: row
@@ -156,89 +152,84 @@ contains
       call self%coupling%find_column(rows, row, impactor_inverse, &
          & self%matrix(:self%coupling%rows, row))
       if (self%matrix(row, row) > 0.0_wp) return
-      self%hopeless(row) = .true.
-      rows%push(row) = 0.0_wp
-   end subroutine prepare
+      self%redundant(row) = .true.
+      rows%multiplier(row) = 0.0_wp
+   end subroutine find_column
 
-   !> Let a row press
-   pure subroutine enter(self, rows, row, impactor_inverse)
-      !> The active set
+   !> Activate a row
+   pure subroutine activate(self, rows, row, impactor_inverse)
       class(active_set_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
-      !> Which row
       integer, intent(in) :: row
-      !> Of the impactor
       real(wp), intent(in) :: impactor_inverse(3)
 
       integer :: n
 
       n = self%factor%count
-      call prepare(self, rows, row, impactor_inverse)
-      if (self%hopeless(row)) return
+      call find_column(self, rows, row, impactor_inverse)
+      if (self%redundant(row)) return
       associate (column => self%matrix(:, row))
          call self%factor%append(column(self%row(:n)), (1.0_wp + ridge)*column(row), &
             & ridge*column(row))
       end associate
       self%row(n + 1) = row
-      self%presses(row) = .true.
-   end subroutine enter
+      self%is_active(row) = .true.
+   end subroutine activate
 
-   !> Close the gaps of the pressing rows; on the way, drop those that would pull
-   pure subroutine settle(self, rows, newest)
-      !> The active set
+   !> Close the gaps of the active rows, deactivating rows of negative multiplier on the way
+   pure subroutine solve_active_set(self, rows, entering)
       class(active_set_type), intent(inout) :: self
-      !> The constraints, pushes in and out
+      !> The constraints, multipliers in and out
       type(constraints_type), intent(inout) :: rows
-      !> Row that has just entered, 0 for none; if it would pull at once, it is given up
-      integer, intent(in) :: newest
+      !> Row just activated, 0 for none; it is redundant if its multiplier would be negative at once
+      integer, intent(in) :: entering
 
       integer :: i, leaving, n, row
-      real(wp) :: share, share_here
+      real(wp) :: fraction, fraction_here
 
       do
          n = self%factor%count
-         self%closed(:n) = -rows%gap(self%row(:n))
-         call self%factor%solve(self%closed(:n))
+         self%trial(:n) = -rows%gap(self%row(:n))
+         call self%factor%solve(self%trial(:n))
          leaving = 0
-         share = 1.0_wp
+         fraction = 1.0_wp
          do i = 1, n
-            if (self%closed(i) > 0.0_wp) cycle
+            if (self%trial(i) > 0.0_wp) cycle
             row = self%row(i)
-            share_here = rows%push(row)/max(rows%push(row) - self%closed(i), tiny(1.0_wp))
-            if (leaving > 0 .and. share_here >= share) cycle
-            share = share_here
+            fraction_here = rows%multiplier(row) &
+               & /max(rows%multiplier(row) - self%trial(i), tiny(1.0_wp))
+            if (leaving > 0 .and. fraction_here >= fraction) cycle
+            fraction = fraction_here
             leaving = i
          end do
          do i = 1, n
             row = self%row(i)
-            rows%push(row) = rows%push(row) + share*(self%closed(i) - rows%push(row))
+            rows%multiplier(row) = rows%multiplier(row) &
+               & + fraction*(self%trial(i) - rows%multiplier(row))
          end do
          if (leaving == 0) return
-         self%hopeless(self%row(leaving)) = self%row(leaving) == newest .and. share <= 0.0_wp
-         call leave(self, rows, leaving)
+         self%redundant(self%row(leaving)) = self%row(leaving) == entering .and. fraction <= 0.0_wp
+         call deactivate(self, rows, leaving)
       end do
-   end subroutine settle
+   end subroutine solve_active_set
 
-   !> Let a row press no longer
-   pure subroutine leave(self, rows, leaving)
-      !> The active set
+   !> Deactivate a row
+   pure subroutine deactivate(self, rows, leaving)
       class(active_set_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
-      !> Its place in the order of the factor
+      !> Its index in the order of the factor
       integer, intent(in) :: leaving
 
       integer :: n
 
       n = self%factor%count
-      rows%push(self%row(leaving)) = 0.0_wp
-      self%presses(self%row(leaving)) = .false.
+      rows%multiplier(self%row(leaving)) = 0.0_wp
+      self%is_active(self%row(leaving)) = .false.
       call self%factor%remove(leaving)
       self%row(leaving:n - 1) = self%row(leaving + 1:n)
-   end subroutine leave
+   end subroutine deactivate
 
-   !> Gaps of all rows with the pushes
+   !> Gaps of all rows with the multipliers
    pure subroutine find_gaps(self, rows)
       type(active_set_type), intent(inout) :: self
       type(constraints_type), intent(in) :: rows
@@ -250,16 +241,15 @@ contains
          row = self%row(i)
          !$omp simd
          do k = 1, self%coupling%rows
-            self%gap(k) = self%gap(k) + self%matrix(k, row)*rows%push(row)
+            self%gap(k) = self%gap(k) + self%matrix(k, row)*rows%multiplier(row)
          end do
       end do
    end subroutine find_gaps
 
-   !> Row that penetrates most among those that do not press, 0 when none does
-   pure integer function deepest(self, rows, least_gap)
-      !> The active set, with gaps
+   !> Inactive row of deepest penetration, 0 when none penetrates
+   pure integer function most_violated(self, rows, least_gap)
       class(active_set_type), intent(in) :: self
-      !> How many rows
+      !> Number of rows
       integer, intent(in) :: rows
       !> Gap that counts as closed
       real(wp), intent(in) :: least_gap
@@ -267,14 +257,14 @@ contains
       integer :: row
       real(wp) :: least
 
-      deepest = 0
+      most_violated = 0
       least = least_gap
       do row = 1, rows
-         if (self%presses(row) .or. self%hopeless(row)) cycle
+         if (self%is_active(row) .or. self%redundant(row)) cycle
          if (self%gap(row) >= least) cycle
          least = self%gap(row)
-         deepest = row
+         most_violated = row
       end do
-   end function deepest
+   end function most_violated
 
 end module plydyn_contact_solve_multiplier
