@@ -1,4 +1,4 @@
-!> The cards of one keyword of a deck: values by the names of their fields, each with its place.
+!> Cards of one keyword: values by field name, each with its position in the deck.
 module plydyn_deck_cards
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
@@ -8,25 +8,26 @@ module plydyn_deck_cards
    implicit none
    private
 
-   !> What a field holds; an absent field and a zero are different
+   !> State of a field; an absent field differs from a zero
    integer, parameter, public :: is_absent = 0, is_given = 1, is_wrong = 2
 
    !> One keyword of a deck with its cards
    !>
-   !> `nth` in the questions below counts the sets of cards where the keyword holds many of them,
-   !> and the rows of its last card where that one is repeated.
+   !> Procedures take the name of a field as `name`. Their `nth` is the number of the set of cards
+   !> where the keyword repeats them, or of the row of a repeated last card; the default is the
+   !> first.
    type, public :: cards_type
       !> Name as declared, empty for a keyword that is not read
       character(:), allocatable :: name
       !> What the keyword declares, its suffixes included
       type(keyword_type) :: declaration
-      !> Every field takes 20 columns
+      !> Whether every field has 20 columns
       logical :: long = .false.
       !> Line of the keyword, an index into the lines of the source
       integer :: line = 0
       !> Line of each row
       integer, allocatable :: row_line(:)
-      !> True for rows in free format
+      !> Whether each row is in free format
       logical, allocatable :: row_free(:)
       !> Numbers, (fields, rows); the default where a field is absent
       real(wp), allocatable :: value(:, :)
@@ -50,7 +51,7 @@ module plydyn_deck_cards
       procedure :: line_of
       procedure :: column_width
       procedure :: card_of_row
-      procedure :: told_card
+      procedure :: shown_card
       procedure, private :: find
    end type cards_type
 
@@ -73,12 +74,10 @@ contains
       end if
    end function sets
 
-   !> A field is given and right
+   !> Whether a field is given and valid
    pure logical function has(self, name, nth)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       integer :: column, row
@@ -88,12 +87,10 @@ contains
       if (has) has = self%state(column, row) == is_given
    end function has
 
-   !> A field is given and right, or absent: nothing has been said about it yet
+   !> Whether a field is valid or absent: no error has been reported for it
    pure logical function is_fine(self, name, nth)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       integer :: column, row
@@ -106,9 +103,7 @@ contains
    !> Number in a field; its default when it is absent
    pure real(wp) function real_value(self, name, nth) result(number)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       integer :: card, column, row
@@ -125,9 +120,7 @@ contains
    !> Integer in a field; its default when it is absent
    pure integer function integer_value(self, name, nth) result(number)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       number = nint(self%real(name, nth))
@@ -138,7 +131,6 @@ contains
       class(cards_type), intent(in) :: self
       !> Names of the fields
       character(*), intent(in) :: names(:)
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
       real(wp) :: numbers(size(names))
 
@@ -154,7 +146,6 @@ contains
       class(cards_type), intent(in) :: self
       !> Names of the fields
       character(*), intent(in) :: names(:)
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
       integer :: numbers(size(names))
 
@@ -164,9 +155,7 @@ contains
    !> Word or text in a field; empty when it is absent
    pure function word(self, name, nth)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
       character(:), allocatable :: word
 
@@ -192,10 +181,10 @@ contains
       end do
    end function words
 
-   !> Where the members of a list are: field and row of each that is given
+   !> Field and row of every member of a list
    pure subroutine list(self, name, names, rows)
       class(cards_type), intent(in) :: self
-      !> Name of the list, as declared with `add_list`
+      !> Name of the list, declared with `add_list`
       character(*), intent(in) :: name
       !> Names of their fields
       character(name_length), allocatable, intent(out) :: names(:)
@@ -222,7 +211,7 @@ contains
       rows = rows(:i)
    end subroutine list
 
-   !> Place of the keyword itself
+   !> Position of the keyword
    pure type(file_position_type) function head(self)
       class(cards_type), intent(in) :: self
 
@@ -230,12 +219,10 @@ contains
       head%keyword = "*"//self%declaration%name
    end function head
 
-   !> Place of a field
+   !> Position of a field
    pure type(file_position_type) function place(self, name, nth)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       integer :: card, column, row
@@ -246,7 +233,7 @@ contains
       if (row == 0) return
       card = self%card_of_row(row)
       place%line = self%row_line(row)
-      place%card = self%told_card(row)
+      place%card = self%shown_card(row)
       if (self%row_free(row)) place%comma = column
       place%first = sum(self%column_width(card, column - 1)) + 1
       place%last = sum(self%column_width(card, column))
@@ -255,9 +242,7 @@ contains
    !> Line of a field
    pure integer function line_of(self, name, nth) result(line)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
       integer :: column, row
@@ -267,12 +252,12 @@ contains
       if (row > 0) line = self%row_line(row)
    end function line_of
 
-   !> Columns of the first fields of a card
+   !> Widths of the first fields of a card, in columns
    pure function column_width(self, card, fields) result(width)
       class(cards_type), intent(in) :: self
       !> Number of the card
       integer, intent(in) :: card
-      !> How many fields
+      !> Number of fields
       integer, intent(in) :: fields
       integer :: width(fields)
 
@@ -282,7 +267,7 @@ contains
       where (self%declaration%cards(card)%fields(:fields)%kind == text_field) width = line_width
    end function column_width
 
-   !> Number of the card that a row is
+   !> Number of the card in a row
    pure integer function card_of_row(self, row) result(card)
       class(cards_type), intent(in) :: self
       !> Row of the keyword
@@ -295,23 +280,21 @@ contains
       if (self%declaration%repeated) card = modulo(row - 1, cards) + 1
    end function card_of_row
 
-   !> Number of the card that a row is on the page of the keyword; 0 for one that a suffix adds
-   pure integer function told_card(self, row) result(card)
+   !> Number of the card in a row, as the manual counts; 0 for a card that a suffix adds
+   pure integer function shown_card(self, row) result(card)
       class(cards_type), intent(in) :: self
       !> Row of the keyword
       integer, intent(in) :: row
 
-      card = max(0, self%card_of_row(row) - self%declaration%in_front)
-   end function told_card
+      card = max(0, self%card_of_row(row) - self%declaration%leading_cards)
+   end function shown_card
 
    !> Column and row of a field; row 0 when the deck has no such card
    pure subroutine find(self, name, nth, column, row)
       class(cards_type), intent(in) :: self
-      !> Name of the field
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
-      !> Place of the field on its card
+      !> Index of the field on its card
       integer, intent(out) :: column
       !> Row of the keyword
       integer, intent(out) :: row

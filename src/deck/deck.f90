@@ -1,4 +1,4 @@
-!> A deck: its lines, its keywords, and what is wrong with it.
+!> A deck: its lines and keywords, and the conclusion from its findings.
 module plydyn_deck_deck
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_input, fail
@@ -6,14 +6,14 @@ module plydyn_deck_deck
    use plydyn_deck_declaration, only : keyword_type
    use plydyn_deck_parser, only : parse
    use plydyn_deck_render, only : count_text, findings_text
-   use plydyn_deck_report, only : grave_error, grave_note, grave_warning, report_type
+   use plydyn_deck_report, only : severity_error, severity_note, severity_warning, report_type
    use plydyn_deck_source, only : add_source, begin_source, source_type
    implicit none
    private
 
    public :: read_decks, conclude
 
-   !> Everything of a deck but its meaning
+   !> A deck before its keywords are interpreted
    type, public :: deck_type
       !> Its lines
       type(source_type) :: source
@@ -23,12 +23,11 @@ module plydyn_deck_deck
 
 contains
 
-   !> Read the decks of a run that were stored, and one more behind them: every value is checked
-   !> against its declaration
+   !> Read the stored decks of a run and one more deck; check every value against its declaration
    subroutine read_decks(archive, path, known, deck, report)
       !> The stored decks, and numbers for parameters from the command line
       type(archive_type), intent(in) :: archive
-      !> Path of one more deck, empty for none
+      !> Path of the deck that follows, empty for none
       character(*), intent(in) :: path
       !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: known(:)
@@ -48,7 +47,7 @@ contains
       call parse(deck%source, known, archive%parameters, deck%keywords, report)
    end subroutine read_decks
 
-   !> All findings as text: warnings and notes to tell, errors as one error
+   !> Findings as text: warnings and notes as messages, errors as one error
    subroutine conclude(deck, report, messages, error)
       !> The deck
       type(deck_type), intent(in) :: deck
@@ -59,10 +58,10 @@ contains
       !> All findings with their count, if there are errors among them
       type(error_type), allocatable, intent(out) :: error
 
-      messages = findings_text(report, deck%source, [grave_warning, grave_note])
+      messages = findings_text(report, deck%source, [severity_warning, severity_note])
       if (.not. report%has_errors()) return
-      call fail(error, exit_input, findings_text(report, deck%source, [grave_error, grave_warning, &
-         & grave_note])//count_text(report))
+      call fail(error, exit_input, findings_text(report, deck%source, [severity_error, &
+         & severity_warning, severity_note])//count_text(report))
    end subroutine conclude
 
 end module plydyn_deck_deck

@@ -1,4 +1,4 @@
-!> Declarations of keywords: one per keyword feeds the parser, the checks and the manual.
+!> Declarations of keywords: the source of parsing, checks and keyword manual.
 !>
 !> A declaration is built card by card and field by field:
 !>
@@ -13,14 +13,14 @@ module plydyn_deck_declaration
 
    public :: new_keyword
 
-   !> Whose keyword it is
+   !> Origin of a keyword: plydyn's own, or LS-DYNA's
    logical, parameter, public :: ours = .true., standard = .false.
-   !> What becomes of a keyword
+   !> Status of a keyword
    integer, parameter, public :: is_read = 0, is_ignored = 1, is_refused = 2
-   !> Kinds of fields; a text is a whole line, words are a line of words
+   !> Kinds of fields; a text fills its card, words are a list that fills its card
    integer, parameter, public :: integer_field = 1, real_field = 2, word_field = 3, &
       & text_field = 4, words_field = 5
-   !> Columns of a field
+   !> Widths of fields, in columns
    integer, parameter, public :: usual_width = 10, long_width = 20, line_width = 80
    !> Longest name of a field
    integer, parameter, public :: name_length = 12
@@ -31,23 +31,23 @@ module plydyn_deck_declaration
       character(name_length) :: name = ""
       !> `integer_field`, `real_field`, `word_field`, `text_field` or `words_field`
       integer :: kind = integer_field
-      !> Columns
+      !> Width in columns
       integer :: width = usual_width
       !> Dimension of a real number, in words
       character(:), allocatable :: dimension
       !> What it means
       character(:), allocatable :: sentence
-      !> False for a field that only its neutral values are accepted in
+      !> Whether plydyn uses the field; else only neutral values are accepted
       logical :: supported = .true.
-      !> A blank is refused
+      !> Whether a blank is refused
       logical :: required = .true.
       !> Value of a blank field that is not required
       real(wp) :: default = 0.0_wp
-      !> A zero means the default, as it does in LS-DYNA
+      !> Whether a zero stands for the default, as in LS-DYNA
       logical :: zero_is_default = .false.
-      !> Bounds: at least, at most, more than
+      !> Smallest value, largest value, exclusive lower bound
       real(wp) :: least = -huge(1.0_wp), most = huge(1.0_wp), above = -huge(1.0_wp)
-      !> Numbers that are accepted; all within the bounds if there are none
+      !> Accepted numbers; unallocated: all within the bounds
       real(wp), allocatable :: allowed(:)
       !> Words that are accepted, separated by blanks; any if empty
       character(:), allocatable :: words
@@ -57,9 +57,9 @@ module plydyn_deck_declaration
    type :: card_type
       !> Its fields
       type(field_type), allocatable :: fields(:)
-      !> May be missing at the end of the keyword
+      !> Whether it may be missing at the end of the keyword
       logical :: optional = .false.
-      !> As many as the user likes; the last card only
+      !> Whether it may be repeated; the last card only
       logical :: repeated = .false.
    end type card_type
 
@@ -74,18 +74,18 @@ module plydyn_deck_declaration
       !> Paragraph for the manual, or advice for a keyword that is refused; empty without one
       character(:), allocatable :: remark
       !> `is_read`, `is_ignored` or `is_refused`
-      integer :: fate = is_read
-      !> The keyword holds as many sets of its cards as the user likes
+      integer :: status = is_read
+      !> Whether the set of cards may be repeated
       logical :: repeated = .false.
-      !> A deck has it at most once
+      !> Whether a deck may have it only once
       logical :: once = .false.
       !> LS-DYNA's number form of the name; empty without one
       character(:), allocatable :: alias
       !> Suffixes that add a card in front, separated by blanks: TITLE, ID
       character(:), allocatable :: suffixes
-      !> How many of its cards a suffix put in front
-      integer :: in_front = 0
-      !> Columns of a field, for fields added next
+      !> Number of cards that a suffix has added in front
+      integer :: leading_cards = 0
+      !> Width of fields added next, in columns
       integer :: width = usual_width
       !> Its cards
       type(card_type), allocatable :: cards(:)
@@ -113,7 +113,7 @@ contains
       logical, intent(in) :: own
       !> What it is for
       character(*), intent(in) :: sentence
-      !> True for as many sets of cards as the user likes
+      !> Whether the set of cards may be repeated
       logical, intent(in), optional :: repeated
       !> Suffixes that add a card in front
       character(*), intent(in), optional :: suffixes
@@ -136,9 +136,9 @@ contains
    !> Begin the next card
    pure subroutine add_card(self, optional, repeated)
       class(keyword_type), intent(inout) :: self
-      !> May be missing at the end of the keyword
+      !> Whether it may be missing at the end of the keyword
       logical, intent(in), optional :: optional
-      !> As many as the user likes
+      !> Whether it may be repeated
       logical, intent(in), optional :: repeated
 
       type(card_type), allocatable :: longer(:)
@@ -258,7 +258,7 @@ contains
       call append(self, field, name, sentence)
    end subroutine add_words
 
-   !> Add a list of integers: `NID` becomes NID1, NID2 and so on; blanks at the end are no members
+   !> Add a list of integers: `NID` becomes NID1, NID2 and so on; trailing blanks are no members
    pure subroutine add_list(self, name, number, sentence)
       class(keyword_type), intent(inout) :: self
       !> Name without number
@@ -306,7 +306,7 @@ contains
       end do
    end subroutine add_unused
 
-   !> Let a zero in the last field mean its default, as it does in LS-DYNA
+   !> Make a zero in the last field stand for its default, as in LS-DYNA
    pure subroutine zero_is_default(self)
       class(keyword_type), intent(inout) :: self
 
@@ -315,14 +315,14 @@ contains
       end associate
    end subroutine zero_is_default
 
-   !> Card and place on it of a field; zeros if there is none of that name
+   !> Card of a field and its index on it; zeros if there is none of that name
    pure subroutine find_field(self, name, card, place)
       class(keyword_type), intent(in) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Number of its card
       integer, intent(out) :: card
-      !> Its place on the card
+      !> Its index on the card
       integer, intent(out) :: place
 
       do card = 1, size(self%cards)
@@ -353,7 +353,7 @@ contains
          call keyword%add_word("HEADING", "title", words="", required=.false.)
          keyword%cards(1)%fields(2)%width = line_width - usual_width
       end if
-      keyword%in_front = size(keyword%cards)
+      keyword%leading_cards = size(keyword%cards)
       keyword%cards = [keyword%cards, self%cards]
    end function with_suffix
 

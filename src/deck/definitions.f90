@@ -32,17 +32,17 @@ contains
       type(report_type), intent(inout) :: report
 
       type(span_type) :: spans(fields_on_card)
-      integer :: behind, i, k, width(fields_on_card)
+      integer :: trailing, i, k, width(fields_on_card)
 
       width = merge(long_width, usual_width, long)
       do i = first, last
-         call locate(source%line(i), width, spans, behind)
+         call locate(source%line(i), width, spans, trailing)
          do k = 1, fields_on_card, 2
             if (spans(k)%last < spans(k)%first) cycle
             call define_value(source%line(i), i, spans(k:k + 1), parameters, report)
          end do
-         if (behind > 0) then
-            call report%refuse(spot(i, behind, "PARAMETER"), "nothing is read from here", &
+         if (trailing > 0) then
+            call report%refuse(location(i, trailing, "PARAMETER"), "text after the last field", &
                & "four pairs of name and value on a line")
          end if
       end do
@@ -54,7 +54,7 @@ contains
       character(*), intent(in) :: line
       !> Its index
       integer, intent(in) :: i
-      !> Where name and value are
+      !> Columns of name and value
       type(span_type), intent(in) :: spans(2)
       !> Parameters
       type(parameter_table_type), intent(inout) :: parameters
@@ -67,14 +67,14 @@ contains
 
       value = line(spans(2)%first:spans(2)%last)
       if (len(value) == 0) then
-         call report%refuse(spot(i, spans(1)%last, "PARAMETER"), "the value is blank", &
-            & "name and value in fields of their own, or with a comma between: R name, 1.5")
+         call report%refuse(location(i, spans(1)%last, "PARAMETER"), "the value is blank", &
+            & "name and value in separate fields, or separated by a comma: R name, 1.5")
          return
       end if
       call read_real(value, parameter%value, wrong_at)
       if (wrong_at > 0) then
-         call report%refuse(spot(i, spans(2)%first + wrong_at - 1, "PARAMETER"), &
-            & "'"//value//"' is not a number", "a number; *PARAMETER_EXPRESSION does arithmetic")
+         call report%refuse(location(i, spans(2)%first + wrong_at - 1, "PARAMETER"), &
+            & "'"//value//"' is not a number", "a number; *PARAMETER_EXPRESSION takes expressions")
          parameter%is_wrong = .true.
       end if
       call define(line(spans(1)%first:spans(1)%last), i, spans(1)%first, "PARAMETER", parameter, &
@@ -82,7 +82,7 @@ contains
    end subroutine define_value
 
    !> The cards of *PARAMETER_EXPRESSION: `R name` and an expression, one on a line; a line whose
-   !> name is blank goes on with the expression
+   !> name is blank continues the expression
    subroutine define_expressions(source, first, last, long, parameters, report)
       !> The deck
       type(source_type), intent(in) :: source
@@ -116,7 +116,7 @@ contains
 
    !> One parameter of *PARAMETER_EXPRESSION
    subroutine define_expression(line, i, width, parameters, report)
-      !> The line, with those that go on with it
+      !> The line with its continuation lines
       character(*), intent(in) :: line
       !> Its index
       integer, intent(in) :: i
@@ -140,7 +140,7 @@ contains
       end if
       call evaluate(line(begin:), parameters, parameter%value, wrong_at, wrong, right)
       if (wrong_at > 0) then
-         call report%refuse(spot(i, begin + wrong_at - 1, keyword), wrong, right)
+         call report%refuse(location(i, begin + wrong_at - 1, keyword), wrong, right)
          parameter%value = 0.0_wp
          parameter%is_wrong = .true.
       end if
@@ -172,16 +172,17 @@ contains
       known = parameters%find(name)
       call parameters%choose(name, parameter%value)
       if (index("RrIi", letter) == 0) then
-         call report%refuse(spot(i, column, keyword), "'"//letter//"' is no kind of parameter", &
+         call report%refuse(location(i, column, keyword), "'"//letter//"' is not a type of " &
+            & //"parameter", &
             & "R for a real number, I for an integer, then the name")
       else if (.not. is_name(name)) then
-         call report%refuse(spot(i, column + 1, keyword), "'"//name//"' is no name", &
+         call report%refuse(location(i, column + 1, keyword), "'"//name//"' is not a name", &
             & "a letter, then letters, digits and _, at most 32 in all")
       else if (known > 0) then
-         call report%refuse(spot(i, column, keyword), "the parameter '"//name &
-            & //"' is defined twice", "a name of its own", parameters%list(known)%line)
-      else if (index("Ii", letter) > 0 .and. is_broken(parameter%value)) then
-         call report%refuse(spot(i, column, keyword), "the parameter '"//name &
+         call report%refuse(location(i, column, keyword), "the parameter '"//name &
+            & //"' is defined twice", "another name", parameters%list(known)%line)
+      else if (index("Ii", letter) > 0 .and. has_fraction(parameter%value)) then
+         call report%refuse(location(i, column, keyword), "the parameter '"//name &
             & //"' is an integer (I) with a fraction", "a whole value, or R in place of I")
       else
          parameter%name = name
@@ -191,15 +192,15 @@ contains
       end if
    end subroutine define
 
-   !> A number with a fraction
-   elemental logical function is_broken(value)
+   !> Whether a number is not an integer
+   elemental logical function has_fraction(value)
       !> Any number
       real(wp), intent(in) :: value
 
-      is_broken = abs(value - anint(value)) > 0.0_wp
-   end function is_broken
+      has_fraction = abs(value - anint(value)) > 0.0_wp
+   end function has_fraction
 
-   !> A name of a parameter
+   !> Whether a text can be the name of a parameter
    pure logical function is_name(name)
       !> Any text
       character(*), intent(in) :: name
@@ -211,8 +212,8 @@ contains
          & .and. verify(name, letters//"0123456789_") == 0
    end function is_name
 
-   !> Place of a character
-   pure type(file_position_type) function spot(line, column, keyword)
+   !> Position of a character
+   pure type(file_position_type) function location(line, column, keyword)
       !> Line
       integer, intent(in) :: line
       !> Column
@@ -220,10 +221,10 @@ contains
       !> Name of the keyword
       character(*), intent(in) :: keyword
 
-      spot%line = line
-      spot%first = column
-      spot%last = column
-      spot%keyword = "*"//keyword
-   end function spot
+      location%line = line
+      location%first = column
+      location%last = column
+      location%keyword = "*"//keyword
+   end function location
 
 end module plydyn_deck_definitions

@@ -15,11 +15,10 @@ module plydyn_deck_expression
    public :: evaluate
 
    real(wp), parameter :: pi = acos(-1.0_wp)
-   !> Power of e that still fits
+   !> Largest argument of exp without overflow
    real(wp), parameter :: largest_power = log(huge(1.0_wp)) - 1.0_wp
-   !> Most parentheses, functions, signs and powers within each other: more than anybody writes, and
-   !> far less than the stack takes
-   integer, parameter :: most_deep = 200
+   !> Deepest nesting of parentheses, functions, signs and powers, which bounds the recursion
+   integer, parameter :: max_depth = 200
 
 contains
 
@@ -42,8 +41,8 @@ contains
       call read_sum(scan, parameters, value)
       call scan%pass_blanks()
       if (scan%at <= len(text)) then
-         call scan%stop_at(scan%at, "the expression does not go on like this", &
-            & "an operator + - * / **, or nothing")
+         call scan%fail_at(scan%at, "an operator is missing here", &
+            & "+ - * / ** or the end of the expression")
       end if
       wrong_at = scan%wrong_at
       if (wrong_at == 0) return
@@ -53,9 +52,7 @@ contains
 
    !> Terms with + and - between them
    recursive subroutine read_sum(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Value of the sum
       real(wp), intent(out) :: value
@@ -71,7 +68,7 @@ contains
          call read_product(scan, parameters, term)
          if (scan%wrong_at > 0) return
          if (max(exponent(value), exponent(term)) >= maxexponent(1.0_wp)) then
-            call scan%stop_at(scan%at, "the sum is too large", "numbers below 1e307")
+            call scan%fail_at(scan%at, "the sum is too large", "numbers below 1e307")
             return
          end if
          if (operator == "-") term = -term
@@ -81,9 +78,7 @@ contains
 
    !> Factors with * and / between them
    recursive subroutine read_product(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Value of the product
       real(wp), intent(out) :: value
@@ -102,7 +97,7 @@ contains
          if (scan%wrong_at > 0) return
          if (operator == "/") call invert(scan, begin, factor)
          if (exponent(value) + exponent(factor) > maxexponent(1.0_wp)) then
-            call scan%stop_at(begin, "the product is too large", "numbers below 1e307")
+            call scan%fail_at(begin, "the product is too large", "numbers below 1e307")
             return
          end if
          value = value*factor
@@ -111,7 +106,6 @@ contains
 
    !> One over a factor
    subroutine invert(scan, begin, factor)
-      !> The expression
       type(scan_type), intent(inout) :: scan
       !> Where the factor begins
       integer, intent(in) :: begin
@@ -119,35 +113,33 @@ contains
       real(wp), intent(inout) :: factor
 
       if (abs(factor) < 2*tiny(1.0_wp)) then
-         call scan%stop_at(begin, "the divisor is zero", "a divisor other than zero")
+         call scan%fail_at(begin, "the divisor is zero", "a divisor other than zero")
       else
          factor = 1.0_wp/factor
       end if
    end subroutine invert
 
-   !> A factor, unless it is too deep within others
+   !> A factor, unless it is nested too deeply
    recursive subroutine read_factor(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Value of the factor
       real(wp), intent(out) :: value
 
       value = 0.0_wp
-      if (scan%deep == most_deep) call scan%stop_at(scan%at, "too much is within each other here", &
-         & "parameters for the parts of the expression")
+      if (scan%depth == max_depth) then
+         call scan%fail_at(scan%at, "the expression is nested too deeply", &
+            & "parameters for parts of the expression")
+      end if
       if (scan%wrong_at > 0) return
-      scan%deep = scan%deep + 1
+      scan%depth = scan%depth + 1
       call read_power(scan, parameters, value)
-      scan%deep = scan%deep - 1
+      scan%depth = scan%depth - 1
    end subroutine read_factor
 
    !> A sign and a factor, or a power
    recursive subroutine read_power(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Value of the power
       real(wp), intent(out) :: value
@@ -175,7 +167,6 @@ contains
 
    !> A number to a power
    subroutine raise(scan, begin, power, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
       !> Where the base begins
       integer, intent(in) :: begin
@@ -188,13 +179,13 @@ contains
 
       whole = abs(power - anint(power)) <= 0.0_wp
       if (abs(value) <= 0.0_wp .and. power <= 0.0_wp) then
-         call scan%stop_at(begin, "zero has no such power", "a base other than zero")
+         call scan%fail_at(begin, "zero to a power that is not positive", "a base other than zero")
       else if (value < 0.0_wp .and. .not. whole) then
-         call scan%stop_at(begin, "a negative number has no such power", "a whole power")
+         call scan%fail_at(begin, "a negative number to a fractional power", "an integer power")
       else if (abs(value) <= 0.0_wp) then
          value = 0.0_wp
       else if (power*log(abs(value)) > largest_power) then
-         call scan%stop_at(begin, "the power is too large", "numbers below 1e307")
+         call scan%fail_at(begin, "the power is too large", "numbers below 1e307")
       else
          odd = whole .and. modulo(power, 2.0_wp) > 0.5_wp
          value = merge(-1.0_wp, 1.0_wp, odd .and. value < 0.0_wp)*abs(value)**power
@@ -203,9 +194,7 @@ contains
 
    !> A number, a name, a function or parentheses
    recursive subroutine read_primary(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Its value
       real(wp), intent(out) :: value
@@ -222,14 +211,13 @@ contains
       case ("a":"z", "A":"Z", "&")
          call read_name(scan, parameters, value)
       case default
-         call scan%stop_at(scan%at, "a number is missing here", &
+         call scan%fail_at(scan%at, "a number is missing here", &
             & "a number, an earlier parameter, a function or parentheses")
       end select
    end subroutine read_primary
 
    !> A number
    subroutine read_number(scan, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
       !> Its value
       real(wp), intent(out) :: value
@@ -244,17 +232,17 @@ contains
          scan%at = scan%at + 1
       end do
       call read_real(scan%text(begin:scan%at - 1), value, wrong_at)
-      if (wrong_at > 0) call scan%stop_at(begin + wrong_at - 1, &
+      if (wrong_at > 0) call scan%fail_at(begin + wrong_at - 1, &
          & "'"//scan%text(begin:scan%at - 1)//"' is not a number", "a number such as 1.5e3")
    end subroutine read_number
 
-   !> A character is the exponent letter of a number, or the sign behind it
+   !> Whether a character is the exponent letter of a number, or the sign after it
    pure logical function is_exponent(text, at, begin)
       !> The expression
       character(*), intent(in) :: text
       !> The character
       integer, intent(in) :: at
-      !> Where the number begins
+      !> First character of the number
       integer, intent(in) :: begin
 
       is_exponent = at > begin
@@ -266,9 +254,7 @@ contains
 
    !> A parameter, pi or a function
    recursive subroutine read_name(scan, parameters, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Its value
       real(wp), intent(out) :: value
@@ -292,16 +278,14 @@ contains
       else if (name == "pi") then
          value = pi
       else
-         call scan%stop_at(begin, "there is no parameter '"//name//"' above this line", &
+         call scan%fail_at(begin, "there is no parameter '"//name//"' above this line", &
             & parameters%advice(name))
       end if
    end subroutine read_name
 
    !> A function of one or two arguments
    recursive subroutine read_function(scan, parameters, name, begin, value)
-      !> The expression
       type(scan_type), intent(inout) :: scan
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Its name
       character(*), intent(in) :: name
@@ -324,8 +308,8 @@ contains
       if (scan%wrong_at > 0) return
       if ((name == "sqrt" .and. first < 0.0_wp) .or. (name == "log" .and. first <= 0.0_wp) &
          & .or. (name == "exp" .and. first > largest_power)) then
-         call scan%stop_at(begin, name//" has no value there", &
-            & "an argument that it is defined for")
+         call scan%fail_at(begin, name//" is not defined for this argument", &
+            & "an argument within its domain")
          return
       end if
       select case (name)
@@ -339,12 +323,12 @@ contains
       case ("min"); value = min(first, second)
       case ("max"); value = max(first, second)
       case default
-         call scan%stop_at(begin, "there is no function '"//name//"'", &
+         call scan%fail_at(begin, "there is no function '"//name//"'", &
             & "sqrt, sin, cos, tan, abs, exp, log, min or max")
       end select
    end subroutine read_function
 
-   !> A character of a name
+   !> Whether a character may be part of a name
    elemental logical function is_name_part(c)
       !> Any character
       character(1), intent(in) :: c

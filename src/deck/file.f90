@@ -1,4 +1,4 @@
-!> The files of a deck, read whole, and their lines.
+!> Files of a deck, read as a whole, and their lines.
 module plydyn_deck_file
    implicit none
    private
@@ -6,12 +6,12 @@ module plydyn_deck_file
    public :: cut_line, move_file, read_content
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
-   !> What may stand unseen at the end of a line
+   !> Blank characters at the end of a line
    character(*), parameter :: blanks = " "//achar(9)
-   !> Mark of UTF-8 that some editors put before the first line
+   !> Byte order mark of UTF-8, which some editors write
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
-   !> Characters that are read from a pipe at once
-   integer, parameter :: piece_length = 4096
+   !> Characters read from a pipe at a time
+   integer, parameter :: buffer_length = 4096
 
    !> One file
    type, public :: file_type
@@ -23,7 +23,7 @@ module plydyn_deck_file
       integer :: parent = 0
    end type file_type
 
-   !> One line, a stretch of the content of its file
+   !> One line, as a part of the content of its file
    type, public :: line_type
       !> Index of the file
       integer :: file = 0
@@ -39,9 +39,9 @@ contains
    subroutine read_content(path, content, found)
       !> Path of the file
       character(*), intent(in) :: path
-      !> What is in it, with a line feed at the end
+      !> Its content, with a line feed at the end
       character(:), allocatable, intent(out) :: content
-      !> False when there is no such file or it cannot be read
+      !> Whether the file exists and could be read
       logical, intent(out) :: found
 
       integer :: length, status, unit
@@ -70,23 +70,23 @@ contains
       found = status == 0
    end subroutine read_content
 
-   !> Everything that comes through a pipe, or nothing where a file is empty: neither has a size
+   !> Content of a pipe, or of an empty file: neither reports a size
    subroutine read_pipe(path, content, status)
       !> Path of the pipe or file
       character(*), intent(in) :: path
-      !> What came
+      !> The content
       character(:), allocatable, intent(out) :: content
-      !> 0 when all of it is there
+      !> 0 on success
       integer, intent(out) :: status
 
       character(:), allocatable :: longer
-      character(piece_length) :: piece
+      character(buffer_length) :: piece
       integer :: length, part, unit
 
       open (newunit=unit, file=path, access="stream", form="formatted", status="old", &
          & action="read", iostat=status)
       if (status /= 0) return
-      allocate (character(piece_length) :: content)
+      allocate (character(buffer_length) :: content)
       length = 0
       do
          read (unit, "(a)", advance="no", size=part, iostat=status) piece
@@ -109,9 +109,9 @@ contains
 
    !> Move a file without copying its content
    subroutine move_file(from, to)
-      !> Loses its texts
+      !> The file, empty afterwards
       type(file_type), intent(inout) :: from
-      !> Gets them
+      !> Its new place
       type(file_type), intent(inout) :: to
 
       call move_alloc(from%path, to%path)
@@ -123,9 +123,9 @@ contains
    pure subroutine cut_line(content, next, line)
       !> Content of the file
       character(*), intent(in) :: content
-      !> Where the line begins, and where the next one does
+      !> First character of the line in, of the next line out
       integer, intent(inout) :: next
-      !> Gets number and stretch, without blanks and tabs at the end
+      !> Number and range of characters, without trailing blanks and tabs
       type(line_type), intent(inout) :: line
 
       integer :: feed

@@ -1,4 +1,4 @@
-!> Where the fields of a line are: in fixed columns, or between commas.
+!> Field boundaries of a line: fixed columns, or commas in free format.
 module plydyn_deck_layout
    implicit none
    private
@@ -7,7 +7,7 @@ module plydyn_deck_layout
 
    character(*), parameter :: tab = achar(9)
 
-   !> A stretch of a line; `last < first` when it is blank
+   !> A range of columns; `last < first` when it is blank
    type, public :: span_type
       !> First and last column
       integer :: first = 1, last = 0
@@ -15,7 +15,7 @@ module plydyn_deck_layout
 
 contains
 
-   !> A line is in free format
+   !> Whether a line is in free format
    pure logical function is_free(line)
       !> Line of a card
       character(*), intent(in) :: line
@@ -24,15 +24,15 @@ contains
    end function is_free
 
    !> Find the fields of a line, without the blanks around them
-   pure subroutine locate(line, width, spans, behind)
+   pure subroutine locate(line, width, spans, trailing)
       !> Line of a card
       character(*), intent(in) :: line
-      !> Columns of each field, for fixed format
+      !> Width of each field, for fixed format
       integer, intent(in) :: width(:)
-      !> Where each field is
+      !> Columns of each field
       type(span_type), intent(out) :: spans(:)
-      !> First column of what stands behind the last field; 0 when nothing does
-      integer, intent(out) :: behind
+      !> First column of text after the last field; 0 without any
+      integer, intent(out) :: trailing
 
       logical :: free
       integer :: begin, i, length
@@ -48,17 +48,17 @@ contains
       end do
       spans(size(width) + 1:) = span_type()
       begin = min(begin, len(line) + 1)
-      behind = verify(line(begin:), " ,"//tab)
-      if (behind > 0) behind = begin + behind - 1
+      trailing = verify(line(begin:), " ,"//tab)
+      if (trailing > 0) trailing = begin + trailing - 1
    end subroutine locate
 
-   !> A stretch without the blanks at its ends
+   !> A range without the blanks at its ends
    pure type(span_type) function trim_span(line, first, last, free) result(span)
       !> Any line
       character(*), intent(in) :: line
-      !> First and last column of the stretch
+      !> First and last column of the range
       integer, intent(in) :: first, last
-      !> In free format, where tabs are blanks
+      !> Free format, where tabs count as blanks
       logical, intent(in) :: free
 
       span%first = first
@@ -73,11 +73,11 @@ contains
       end do
    end function trim_span
 
-   !> A blank, or a tab in free format
+   !> Whether a character is a blank, or a tab in free format
    elemental logical function is_blank(character, free)
       !> Any character
       character(1), intent(in) :: character
-      !> In free format
+      !> Free format
       logical, intent(in) :: free
 
       is_blank = character == " " .or. (free .and. character == tab)

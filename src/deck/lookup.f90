@@ -1,4 +1,4 @@
-!> From the name of a keyword to its declaration, or to advice.
+!> Finds the declaration of a keyword by name, or a suggestion for an unknown name.
 module plydyn_deck_lookup
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type
@@ -21,9 +21,9 @@ contains
       character(*), intent(in) :: name
       !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
-      !> Place of the keyword
+      !> Position of the keyword
       type(file_position_type), intent(in) :: place
-      !> Gets name and declaration if the keyword is to be read
+      !> Receives name and declaration if the keyword is read
       type(cards_type), intent(inout) :: cards
       !> Findings
       type(report_type), intent(inout) :: report
@@ -45,14 +45,14 @@ contains
       if (i == 0) then
          call report%refuse(place, "'*"//name//"' is not a keyword of plydyn", &
             & keyword_advice(name, keywords))
-      else if (keywords(i)%fate == is_refused) then
+      else if (keywords(i)%status == is_refused) then
          call report%refuse(place, "'*"//name//"' is not supported", keywords(i)%remark)
-      else if (keywords(i)%fate == is_ignored) then
+      else if (keywords(i)%status == is_ignored) then
          if (len(keywords(i)%remark) > 0) then
-            call report%warn(place, "'*"//name//"' is known, ignored", keywords(i)%remark)
+            call report%warn(place, "'*"//name//"' is ignored", keywords(i)%remark)
          else
-            call report%warn(place, "'*"//name//"' is known, ignored", &
-               & "nothing to do: it does not change the results")
+            call report%warn(place, "'*"//name//"' is ignored", &
+               & "no change needed: the results do not depend on it")
          end if
       else
          cards%name = keywords(i)%name
@@ -75,7 +75,7 @@ contains
       i = 0
    end function find_keyword
 
-   !> What would be right in place of an unknown keyword
+   !> Suggestion in place of an unknown keyword
    function keyword_advice(name, keywords) result(words)
       !> Name without star, in capitals
       character(*), intent(in) :: name
@@ -96,7 +96,7 @@ contains
       do while (len(stem) > 0)
          i = nearest_word(stem, known)
          if (i > 0) exit
-         ! an option of LS-DYNA more than plydyn knows
+         ! try again without the last option of the name
          stem = stem(:index(stem, "_", back=.true.) - 1)
       end do
       if (i > 0) words = "perhaps *"//trim(known(i))

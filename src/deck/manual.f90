@@ -1,4 +1,4 @@
-!> Pages of the keyword manual, made from the declarations.
+!> Pages of the keyword manual, generated from the declarations.
 module plydyn_deck_manual
    use plydyn_base_text, only : text
    use plydyn_deck_declaration, only : field_type, integer_field, is_ignored, &
@@ -22,7 +22,7 @@ contains
       integer :: i
 
       page = "## *"//keyword%name//line_feed//line_feed
-      select case (keyword%fate)
+      select case (keyword%status)
       case (is_ignored)
          page = page//"Known and ignored: it does not change the results."//line_feed
       case (is_refused)
@@ -38,30 +38,30 @@ contains
       page = page//line_feed
    end function keyword_page
 
-   !> Names of the keywords with some fate, in one paragraph
-   function keyword_list(keywords, fate) result(words)
+   !> Names of the keywords of one status, in one paragraph
+   function keyword_list(keywords, status) result(words)
       !> Their declarations
       type(keyword_type), intent(in) :: keywords(:)
       !> `is_ignored` or `is_refused`
-      integer, intent(in) :: fate
+      integer, intent(in) :: status
       character(:), allocatable :: words
 
       integer :: i
 
       words = ""
       do i = 1, size(keywords)
-         if (keywords(i)%fate /= fate) cycle
-         if (fate == is_ignored) words = words//"`*"//keywords(i)%name//"` "
-         if (fate == is_ignored .and. len(keywords(i)%remark) > 0) then
+         if (keywords(i)%status /= status) cycle
+         if (status == is_ignored) words = words//"`*"//keywords(i)%name//"` "
+         if (status == is_ignored .and. len(keywords(i)%remark) > 0) then
             words = words//"(right would be "//keywords(i)%remark//") "
          end if
-         if (fate == is_refused) words = words//"- `*"//keywords(i)%name//"`: right would be " &
+         if (status == is_refused) words = words//"- `*"//keywords(i)%name//"`: right would be " &
             & //keywords(i)%remark//line_feed
       end do
       words = words//line_feed
    end function keyword_list
 
-   !> Whose keyword it is, and what may be added to its name
+   !> Origin of the keyword, its suffixes, and how often it may occur
    function origin_text(keyword) result(words)
       !> Its declaration
       type(keyword_type), intent(in) :: keyword
@@ -125,7 +125,7 @@ contains
          & //line_feed
    end function field_text
 
-   !> What a field accepts
+   !> Values that a field accepts
    function accepted_text(field) result(words)
       !> Its declaration
       type(field_type), intent(in) :: field
@@ -142,7 +142,7 @@ contains
       end select
    end function accepted_text
 
-   !> Value of a blank
+   !> Value of a blank field
    function default_text(field) result(words)
       !> Its declaration
       type(field_type), intent(in) :: field

@@ -1,4 +1,4 @@
-!> The known word that a misspelt one was meant to be.
+!> Spelling suggestions by edit distance (Damerau, 1964).
 module plydyn_deck_nearest
    implicit none
    private
@@ -7,7 +7,7 @@ module plydyn_deck_nearest
 
 contains
 
-   !> Place of the nearest word in a list; 0 when none is near
+   !> Index of the closest word in a list; 0 when none is close
    pure integer function nearest_word(word, known) result(best)
       !> Misspelt word
       character(*), intent(in) :: word
@@ -27,7 +27,7 @@ contains
       end do
    end function nearest_word
 
-   !> Letters to insert, remove, replace or swap with a neighbour on the way to another word
+   !> Number of insertions, deletions, substitutions and transpositions between two words
    pure integer function edit_distance(from, to) result(distance)
       !> One word
       character(*), intent(in) :: from

@@ -1,4 +1,4 @@
-!> Numbers of a deck: a text is wholly a number, or it is refused at the character that is wrong.
+!> Parsing of numbers: the whole text must be a number, else the first wrong character is reported.
 !>
 !> An exponent needs its letter (e, E, d or D): `1.5e+3`. The short form `1.5+3` of some writers is
 !> refused, because it reads as a sum.
@@ -10,7 +10,7 @@ module plydyn_deck_number
 
    public :: read_integer, read_real, is_digit, number_advice
 
-   !> Decimal digits that an `int64` holds for sure
+   !> Number of decimal digits that always fits an `int64`
    integer, parameter :: most_digits = 18
    !> Powers of ten that are exact in double precision
    integer, parameter :: exact_power = 22
@@ -18,7 +18,7 @@ module plydyn_deck_number
    integer(int64), parameter :: exact_integer = 2_int64**53
    !> Decimal exponent of the largest number that is accepted
    integer, parameter :: largest_exponent = 307
-   !> Exponents beyond are as good as this one, and sums with it do not overflow
+   !> Larger exponents are replaced by this one, so that sums with it do not overflow
    integer, parameter :: most_exponent = 10**6
    !> The exact powers of ten
    real(wp), parameter :: ten_to(0:exact_power) = [1.0e0_wp, 1.0e1_wp, 1.0e2_wp, 1.0e3_wp, &
@@ -28,11 +28,11 @@ module plydyn_deck_number
 
 contains
 
-   !> The integer that a text is
+   !> Parse an integer
    pure subroutine read_integer(text, number, wrong_at)
       !> Text without blanks around it
       character(*), intent(in) :: text
-      !> The integer; zero when the text is none
+      !> The integer; zero when the text is not one
       integer, intent(out) :: number
       !> First character that is wrong; 0 when all is well, 1 when the integer is too large
       integer, intent(out) :: wrong_at
@@ -56,11 +56,11 @@ contains
       if (text(1:1) == "-") number = -number
    end subroutine read_integer
 
-   !> The real number that a text is
+   !> Parse a real number
    pure subroutine read_real(text, number, wrong_at)
       !> Text without blanks around it
       character(*), intent(in) :: text
-      !> The number; zero when the text is none
+      !> The number; zero when the text is not one
       real(wp), intent(out) :: number
       !> First character that is wrong; 0 when all is well, 1 when the number is too large
       integer, intent(out) :: wrong_at
@@ -86,9 +86,9 @@ contains
       call convert(text(:mantissa_end), point, exponent, number, wrong_at)
    end subroutine read_real
 
-   !> What stands where a number has gone wrong, as advice; empty if the character says it all
+   !> Advice on the first wrong character of a number; empty if there is none to give
    pure function number_advice(text, wrong_at) result(advice)
-      !> Text that is no number
+      !> Text that is not a number
       character(*), intent(in) :: text
       !> Its first wrong character
       integer, intent(in) :: wrong_at
@@ -96,7 +96,7 @@ contains
 
       advice = ""
       if (wrong_at > len(text)) then
-         advice = "it ends too early"
+         advice = "the number is incomplete"
          return
       end if
       select case (text(wrong_at:wrong_at))
@@ -108,9 +108,9 @@ contains
          advice = "an exponent needs its letter, as in 1.5e+3"
          if (wrong_at == 1) advice = "it is too large"
       case (" ")
-         advice = "numbers stand in their columns, or commas part them"
+         advice = "each number within its columns, or commas between numbers"
       case ("N", "n", "i")
-         advice = "NaN and Inf are not numbers that a deck can hold"
+         advice = "NaN and Inf are not accepted"
       case ("0":"9")
          advice = "it is too large"
       case default
@@ -118,7 +118,7 @@ contains
       end select
    end function number_advice
 
-   !> A decimal digit
+   !> Whether a character is a decimal digit
    elemental logical function is_digit(character)
       !> Any character
       character(1), intent(in) :: character
@@ -130,9 +130,9 @@ contains
    pure subroutine pass_mantissa(text, at, point, wrong_at)
       !> Text of a number
       character(*), intent(in) :: text
-      !> Where to begin, and the first character behind
+      !> First character in, first character after them out
       integer, intent(inout) :: at
-      !> Digits behind the point
+      !> Number of digits after the point
       integer, intent(out) :: point
       !> First character that is wrong; 0 when all is well
       integer, intent(out) :: wrong_at
@@ -160,7 +160,7 @@ contains
    pure subroutine convert(mantissa, point, exponent, number, wrong_at)
       !> Sign, digits and point
       character(*), intent(in) :: mantissa
-      !> Digits behind the point
+      !> Number of digits after the point
       integer, intent(in) :: point
       !> Power of ten
       integer, intent(in) :: exponent
@@ -188,7 +188,7 @@ contains
       end if
    end subroutine convert
 
-   !> The same for numbers with many digits or a large exponent
+   !> Conversion of numbers with many digits or a large exponent
    pure subroutine convert_by_library(mantissa, exponent, number)
       !> Sign, digits and point
       character(*), intent(in) :: mantissa
@@ -203,7 +203,7 @@ contains
       read (buffer, *) number
    end subroutine convert_by_library
 
-   !> Integer that the digits of a text make; signs and points are stepped over
+   !> Integer of the digits of a text, without signs and points
    pure function digits_value(text) result(total)
       !> Any text
       character(*), intent(in) :: text
@@ -223,7 +223,7 @@ contains
    pure subroutine pass_sign(text, at)
       !> Any text
       character(*), intent(in) :: text
-      !> Where to begin, and the first character behind
+      !> First character in, first character after them out
       integer, intent(inout) :: at
 
       if (at > len(text)) return
@@ -234,7 +234,7 @@ contains
    pure subroutine pass_digits(text, at)
       !> Any text
       character(*), intent(in) :: text
-      !> Where to begin, and the first character behind
+      !> First character in, first character after them out
       integer, intent(inout) :: at
 
       do while (at <= len(text))

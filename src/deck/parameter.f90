@@ -17,21 +17,21 @@ module plydyn_deck_parameter
       character(parameter_length) :: name = ""
       !> Its number
       real(wp) :: value = 0.0_wp
-      !> Defined with I
+      !> Whether it is an integer (I)
       logical :: whole = .false.
       !> Line that defines it
       integer :: line = 0
-      !> Its number is wrong, which has been told
+      !> Whether an error of its value has been reported
       logical :: is_wrong = .false.
    end type parameter_type
 
-   !> A number from the command line, in place of that of the deck
+   !> A value from the command line, which replaces that of the deck
    type :: setting_type
       !> Name in lower case
       character(parameter_length) :: name = ""
       !> Its number
       real(wp) :: value = 0.0_wp
-      !> The deck defines a parameter of this name
+      !> Whether the deck defines a parameter of this name
       logical :: used = .false.
    end type setting_type
 
@@ -54,7 +54,7 @@ module plydyn_deck_parameter
 
 contains
 
-   !> Take numbers from the command line
+   !> Set values from the command line
    subroutine set(self, settings, report)
       class(parameter_table_type), intent(inout) :: self
       !> Names and numbers, as in `velocity=3.0`, each with a line feed
@@ -82,12 +82,12 @@ contains
       end do
    end subroutine set
 
-   !> Take the number from the command line, if there is one for a parameter
+   !> Replace the value of a parameter by that of the command line, if there is one
    pure subroutine choose(self, name, value)
       class(parameter_table_type), intent(inout) :: self
       !> Name in either case
       character(*), intent(in) :: name
-      !> Number of the deck, replaced
+      !> Value of the deck in, value to use out
       real(wp), intent(inout) :: value
 
       integer :: i
@@ -99,7 +99,7 @@ contains
       end do
    end subroutine choose
 
-   !> Every number from the command line is for a parameter of the deck
+   !> Report settings without a parameter in the deck
    subroutine check_settings(self, report)
       class(parameter_table_type), intent(in) :: self
       !> Findings
@@ -111,14 +111,15 @@ contains
       do i = 1, size(self%settings)
          if (self%settings(i)%used) cycle
          call report%refuse(nowhere, "'-p "//trim(self%settings(i)%name)//"' on the command " &
-            & //"line: the deck has no such parameter", self%advice(trim(self%settings(i)%name)))
+            & //"line: the deck does not define this parameter", &
+            & self%advice(trim(self%settings(i)%name)))
       end do
    end subroutine check_settings
 
    !> Define a parameter
    pure subroutine add(self, parameter)
       class(parameter_table_type), intent(inout) :: self
-      !> Its name is new
+      !> The parameter; its name is new
       type(parameter_type), intent(in) :: parameter
 
       type(parameter_type), allocatable :: longer(:)
@@ -146,17 +147,17 @@ contains
       i = 0
    end function find
 
-   !> What would be right in place of an undefined name
+   !> Suggestion in place of an undefined name
    pure function advice(self, name) result(words)
       class(parameter_table_type), intent(in) :: self
-      !> Name of no parameter
+      !> Undefined name
       character(*), intent(in) :: name
       character(:), allocatable :: words
 
       character(parameter_length) :: known(self%count)
       integer :: i
 
-      words = "a parameter that *PARAMETER defines further up"
+      words = "a parameter that *PARAMETER defines above this line"
       if (self%count == 0) return
       known(:) = self%list(:self%count)%name
       i = nearest_word(lower_case(name), known)

@@ -1,4 +1,4 @@
-!> From lines to keywords with their cards.
+!> Parses the lines of a deck into keywords with their cards.
 module plydyn_deck_parser
    use plydyn_base_text, only : upper_case
    use plydyn_deck_cards, only : cards_type
@@ -16,26 +16,26 @@ module plydyn_deck_parser
    public :: parse
 
    !> Keywords without fields, which have no format
-   character(*), parameter :: frames(4) = [character(12) :: "KEYWORD", "END", "INCLUDE", &
+   character(*), parameter :: structural(4) = [character(12) :: "KEYWORD", "END", "INCLUDE", &
       & "INCLUDE_PATH"]
 
-   !> A keyword line, taken apart
+   !> Parts of a keyword line
    type :: head_type
       !> Name in capitals, without star and marks
       character(:), allocatable :: name
-      !> Words behind the name
+      !> Words after the name
       character(:), allocatable :: options
-      !> Mark of the format behind the name: +, - or blank
+      !> Mark of the format after the name: +, - or blank
       character(1) :: mark = " "
    end type head_type
 
-   !> What holds from one keyword to the next
+   !> State of the parser between keywords
    type :: context_type
       !> Parameters defined so far
       type(parameter_table_type) :: parameters
-      !> Files whose fields take 20 columns
+      !> Whether the fields of each file have 20 columns
       logical, allocatable :: long(:)
-      !> Files whose *KEYWORD has been met
+      !> Whether the *KEYWORD of each file has been read
       logical, allocatable :: opened(:)
    end type context_type
 
@@ -78,7 +78,7 @@ contains
    pure integer function next_keyword(source, from) result(i)
       !> The deck
       type(source_type), intent(in) :: source
-      !> Where to begin
+      !> First line of the search
       integer, intent(in) :: from
 
       do i = from, source%line_count
@@ -131,7 +131,7 @@ contains
          & "*KEYWORD as the first keyword")
    end subroutine check_begin
 
-   !> A deck ends with *END: one that does not may have been cut short on its way
+   !> A deck ends with *END, so that a truncated file is noticed
    subroutine check_end(source, report)
       !> The deck
       type(source_type), intent(in) :: source
@@ -146,11 +146,11 @@ contains
          if (source%files(source%lines(i)%file)%parent == 0) exit
       end do
       place%line = i
-      call report%refuse(place, "the deck does not end with *END, it may have been cut short", &
+      call report%refuse(place, "the deck does not end with *END and may be truncated", &
          & "*END as the last line")
    end subroutine check_end
 
-   !> Some keywords stand in a deck once
+   !> Some keywords may occur only once in a deck
    subroutine check_once(source, cards, report)
       !> The decks
       type(source_type), intent(in) :: source
@@ -166,8 +166,8 @@ contains
          do i = 1, size(cards) - 1
             if (cards(i)%name /= new%name) cycle
             if (source%root(cards(i)%line) /= source%root(new%line)) cycle
-            call report%refuse(new%head(), "the keyword stands in the deck twice", &
-               & "the keyword once", cards(i)%line)
+            call report%refuse(new%head(), "the keyword occurs twice in the deck", &
+               & "the keyword only once", cards(i)%line)
             return
          end do
       end associate
@@ -181,7 +181,7 @@ contains
       type(keyword_type), intent(in) :: keywords(:)
       !> Its first and last line
       integer, intent(in) :: first, last
-      !> What holds from one keyword to the next
+      !> State of the parser between keywords
       type(context_type), intent(inout) :: context
       !> Its cards
       type(cards_type), intent(inout) :: cards
@@ -191,7 +191,7 @@ contains
       type(head_type) :: head
       type(file_position_type) :: place
 
-      call take_apart(source%line(first), head)
+      call split_head(source%line(first), head)
       place%line = first
       place%keyword = "*"//head%name
       cards%name = ""
@@ -200,8 +200,8 @@ contains
       call inherit_format(source, source%lines(first)%file, context)
       cards%long = head%mark == "+" .or. (context%long(source%lines(first)%file) &
          & .and. head%mark /= "-")
-      if (any(head%name == frames) .and. head%mark /= " ") call report%refuse(place, &
-         & "'"//head%mark//"' behind the keyword", "the keyword alone on its line; *KEYWORD " &
+      if (any(head%name == structural) .and. head%mark /= " ") call report%refuse(place, &
+         & "'"//head%mark//"' after the keyword", "the keyword alone on its line; *KEYWORD " &
          & //"LONG=Y gives all fields 20 columns")
       if (head%name == "KEYWORD") then
          call open_file(source%lines(first)%file, head%options, place, context, report)
@@ -209,7 +209,7 @@ contains
          return
       end if
       if (len(head%options) > 0) call report%refuse(place, &
-         & "'"//head%options//"' behind the keyword", "the keyword alone on its line")
+         & "'"//head%options//"' after the keyword", "the keyword alone on its line")
       select case (head%name)
       case ("PARAMETER")
          call define_values(source, first + 1, last, cards%long, context%parameters, report)
@@ -228,7 +228,7 @@ contains
       end select
    end subroutine parse_keyword
 
-   !> Under *KEYWORD stands nothing: lines there have lost their keyword
+   !> No card may follow *KEYWORD
    subroutine check_no_card(source, first, last, report)
       !> The deck
       type(source_type), intent(in) :: source
@@ -243,8 +243,8 @@ contains
       do i = first + 1, last
          if (source%width(i) == 0) cycle
          place%line = i
-         call report%refuse(place, "a line that belongs to no keyword", &
-            & "a keyword above it, its star in column 1, such as *TITLE")
+         call report%refuse(place, "a card without a keyword", &
+            & "a keyword above it, such as *TITLE, with its star in column 1")
          return
       end do
    end subroutine check_no_card
@@ -255,7 +255,7 @@ contains
       type(source_type), intent(in) :: source
       !> Its first line, and the last one before the next keyword
       integer, intent(in) :: first, last
-      !> Place of the keyword
+      !> Position of the keyword
       type(file_position_type), intent(in) :: place
       !> Findings
       type(report_type), intent(inout) :: report
@@ -276,7 +276,7 @@ contains
    end subroutine check_include
 
    !> Name, options and mark of a keyword line
-   pure subroutine take_apart(line, head)
+   pure subroutine split_head(line, head)
       !> The line, star first
       character(*), intent(in) :: line
       !> Its parts
@@ -297,7 +297,7 @@ contains
          head%mark = final
       end associate
       head%name = head%name(:len(head%name) - 1)
-   end subroutine take_apart
+   end subroutine split_head
 
    !> A file without *KEYWORD has the format of the file that includes it
    pure subroutine inherit_format(source, file, context)
@@ -305,7 +305,7 @@ contains
       type(source_type), intent(in) :: source
       !> Index of the file
       integer, intent(in) :: file
-      !> Gets the format
+      !> Receives the format
       type(context_type), intent(inout) :: context
 
       if (context%opened(file)) return
@@ -319,11 +319,11 @@ contains
    subroutine open_file(file, options, place, context, report)
       !> Index of the file
       integer, intent(in) :: file
-      !> Words behind *KEYWORD
+      !> Words after *KEYWORD
       character(*), intent(in) :: options
-      !> Place of the keyword
+      !> Position of the keyword
       type(file_position_type), intent(in) :: place
-      !> Gets the format
+      !> Receives the format
       type(context_type), intent(inout) :: context
       !> Findings
       type(report_type), intent(inout) :: report
@@ -340,19 +340,19 @@ contains
          case ("LONG")
             context%long(file) = words(i) == "LONG=Y"
             if (all(words(i) /= ["LONG=Y", "LONG=S"])) call report%refuse(place, &
-               & "'"//trim(words(i))//"' behind *KEYWORD", "LONG=Y for fields of 20 columns, " &
+               & "'"//trim(words(i))//"' after *KEYWORD", "LONG=Y for fields of 20 columns, " &
                & //"LONG=S or nothing for the usual ones")
          case ("MEMORY", "MEMORY2", "NCPU", "ID", "PROJECT", "STAGE")
-            call report%warn(place, "'"//trim(words(i))//"' is known, ignored", &
+            call report%warn(place, "'"//trim(words(i))//"' is ignored", &
                & "nothing, or LONG=Y for fields of 20 columns")
          case default
-            call report%refuse(place, "'"//trim(words(i))//"' behind *KEYWORD", &
+            call report%refuse(place, "'"//trim(words(i))//"' after *KEYWORD", &
                & "nothing, or LONG=Y for fields of 20 columns")
          end select
       end do
    end subroutine open_file
 
-   !> The last line of a keyword that is not blank
+   !> Last line of a keyword that is not blank
    pure integer function last_filled(source, first, last) result(i)
       !> The deck
       type(source_type), intent(in) :: source

@@ -1,31 +1,31 @@
-!> Findings as text: where, what is wrong, the line itself with a caret, what would be right.
+!> Findings as text: position, error, the line with a caret, and the remedy.
 module plydyn_deck_render
    use plydyn_base_text, only : text
    use plydyn_deck_layout, only : locate, span_type
-   use plydyn_deck_report, only : finding_type, grave_error, grave_note, grave_warning, &
-      & most_of_a_kind, file_position_type, report_type
+   use plydyn_deck_report, only : finding_type, severity_error, severity_note, severity_warning, &
+      & max_per_kind, file_position_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
 
    public :: findings_text, count_text
 
-   !> Characters of a line that are shown
+   !> Largest number of characters shown of a line
    integer, parameter :: most_shown = 160
-   !> What a line of the deck begins with in the text
+   !> Prefix of a line of the deck in the text
    character(*), parameter :: gutter = "    | "
    character(*), parameter :: line_feed = achar(10)
 
 contains
 
-   !> All findings of some gravities, in the order of the deck
-   function findings_text(report, source, gravities) result(words)
+   !> All findings of some severities, in the order of the deck
+   function findings_text(report, source, severities) result(words)
       !> The findings
       type(report_type), intent(in) :: report
       !> The deck
       type(source_type), intent(in) :: source
-      !> Which ones to show
-      integer, intent(in) :: gravities(:)
+      !> Severities to show
+      integer, intent(in) :: severities(:)
       character(:), allocatable :: words
 
       integer :: i, order(report%shown)
@@ -34,30 +34,30 @@ contains
       call sort_by_line(report, order)
       do i = 1, report%shown
          associate (finding => report%findings(order(i)))
-            if (all(gravities /= finding%gravity)) cycle
+            if (all(severities /= finding%severity)) cycle
             words = words//finding_text(finding, source)
             if (any(report%findings(order(i + 1:))%kind == finding%kind)) cycle
-            words = words//more_text(report%kinds(finding%kind)%count - most_of_a_kind)
+            words = words//more_text(report%kinds(finding%kind)%count - max_per_kind)
          end associate
       end do
    end function findings_text
 
-   !> How many errors and warnings there are
+   !> Number of errors and warnings
    function count_text(report) result(words)
       !> The findings
       type(report_type), intent(in) :: report
       character(:), allocatable :: words
 
-      words = number_of(report%count(grave_error), "error")
-      if (report%count(grave_warning) == 0) return
-      words = words//" and "//number_of(report%count(grave_warning), "warning")
+      words = number_of(report%count(severity_error), "error")
+      if (report%count(severity_warning) == 0) return
+      words = words//" and "//number_of(report%count(severity_warning), "warning")
    end function count_text
 
-   !> A number of things
+   !> A number with its noun
    pure function number_of(count, what) result(words)
-      !> How many
+      !> The number
       integer, intent(in) :: count
-      !> One of them
+      !> Singular of the noun
       character(*), intent(in) :: what
       character(:), allocatable :: words
 
@@ -65,9 +65,9 @@ contains
       if (count /= 1) words = words//"s"
    end function number_of
 
-   !> What is left out
+   !> Number of findings of a kind that are not shown
    pure function more_text(more) result(words)
-      !> How many findings of a kind are not shown
+      !> The number
       integer, intent(in) :: more
       character(:), allocatable :: words
 
@@ -107,10 +107,10 @@ contains
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
 
-      select case (finding%gravity)
-      case (grave_error)
+      select case (finding%severity)
+      case (severity_error)
          words = "error: "
-      case (grave_warning)
+      case (severity_warning)
          words = "warning: "
       case default
          words = "note: "
@@ -119,7 +119,7 @@ contains
       if (finding%also > 0) words = words//" (see "//source%where(finding%also)//")"
       words = words//line_feed
       if (finding%place%line > 0) words = words//line_text(finding%place, source)
-      if (finding%gravity == grave_note) then
+      if (finding%severity == severity_note) then
          words = words//"  "//finding%right//line_feed//line_feed
       else
          words = words//"  right would be: "//finding%right//line_feed//line_feed
@@ -127,7 +127,7 @@ contains
       words = printable(words)
    end function finding_text
 
-   !> A text whose control characters, as of a file that is no deck, do nothing to a terminal
+   !> A text without control characters, which could upset a terminal
    pure function printable(words) result(shown)
       !> The text
       character(*), intent(in) :: words
@@ -144,7 +144,7 @@ contains
 
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)
-      !> Where
+      !> Position
       type(file_position_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
@@ -160,9 +160,9 @@ contains
       words = words//": "
    end function place_text
 
-   !> The line of the deck, and a caret under what is wrong
+   !> The line of the deck, and a caret under the error
    function line_text(place, source) result(words)
-      !> Where
+      !> Position
       type(file_position_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
@@ -178,9 +178,9 @@ contains
       words = words//gutter//blanks_under(line, first)//repeat("^", last - first + 1)//line_feed
    end function line_text
 
-   !> Columns that a caret belongs under
+   !> Columns to mark with carets
    subroutine find_columns(place, line, first, last)
-      !> Where
+      !> Position
       type(file_position_type), intent(in) :: place
       !> The line
       character(*), intent(in) :: line
@@ -188,12 +188,12 @@ contains
       integer, intent(out) :: first, last
 
       type(span_type) :: spans(max(place%comma, 1))
-      integer :: behind
+      integer :: trailing
 
       first = place%first
       last = place%last
       if (place%comma > 0) then
-         call locate(line, [(0, behind=1, place%comma)], spans, behind)
+         call locate(line, [(0, trailing=1, place%comma)], spans, trailing)
          first = spans(place%comma)%first
          last = max(spans(place%comma)%last, first)
       else if (first > 0 .and. first <= len(line)) then
@@ -204,11 +204,11 @@ contains
       end if
    end subroutine find_columns
 
-   !> Blanks up to a column, with the tabs of the line so that the caret stands right
+   !> Blanks up to a column, with the tabs of the line, to align the caret
    pure function blanks_under(line, column) result(words)
       !> The line
       character(*), intent(in) :: line
-      !> Column that follows
+      !> Column of the caret
       integer, intent(in) :: column
       character(:), allocatable :: words
 

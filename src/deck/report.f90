@@ -1,21 +1,21 @@
-!> What is wrong with a deck: all findings of one pass, at most some of a kind.
+!> Findings of a deck: errors, warnings and notes, a limited number of each kind.
 module plydyn_deck_report
    use plydyn_deck_number, only : is_digit
    implicit none
    private
 
-   !> Findings of one kind that are shown
-   integer, parameter, public :: most_of_a_kind = 5
-   !> How grave a finding is
-   integer, parameter, public :: grave_error = 1, grave_warning = 2, grave_note = 3
+   !> Largest number of findings of one kind that are shown
+   integer, parameter, public :: max_per_kind = 5
+   !> Severity of a finding
+   integer, parameter, public :: severity_error = 1, severity_warning = 2, severity_note = 3
 
-   !> Where in the deck
+   !> Position in the deck
    type, public :: file_position_type
-      !> Line, an index into the lines of the source; 0 for nowhere in particular
+      !> Line, an index into the lines of the source; 0 without one
       integer :: line = 0
-      !> First and last column of the field in fixed columns, or of the text itself; 0 if unknown
+      !> First and last column of the field, or of the text; 0 if unknown
       integer :: first = 0, last = 0
-      !> Place of the field among the commas of a line in free format; 0 if columns say it all
+      !> Index of the field in a line in free format; 0 in fixed columns
       integer :: comma = 0
       !> Keyword with its star, empty without one
       character(:), allocatable :: keyword
@@ -25,27 +25,27 @@ module plydyn_deck_report
       character(:), allocatable :: field
    end type file_position_type
 
-   !> One thing that is wrong
+   !> One finding
    type, public :: finding_type
       !> `grave_error`, `grave_warning` or `grave_note`
-      integer :: gravity = grave_error
-      !> Where
+      integer :: severity = severity_error
+      !> Its position
       type(file_position_type) :: place
       !> What is wrong
       character(:), allocatable :: wrong
       !> What would be right
       character(:), allocatable :: right
-      !> Another line that matters, such as the first definition; 0 without one
+      !> Related line, such as the first definition; 0 without one
       integer :: also = 0
       !> Index into the kinds of the report
       integer :: kind = 0
    end type finding_type
 
-   !> Findings that differ in their numbers and quotations only
+   !> Findings that differ only in numbers and quotations
    type :: kind_type
       !> Keyword and message without numbers and quotations
       character(:), allocatable :: pattern
-      !> How many were found, shown or not
+      !> Number found, shown or not
       integer :: count = 0
    end type kind_type
 
@@ -53,13 +53,13 @@ module plydyn_deck_report
    type, public :: report_type
       !> The findings that are shown, as many as `shown`
       type(finding_type), allocatable :: findings(:)
-      !> How many findings are shown
+      !> Number of shown findings
       integer :: shown = 0
       !> Kinds of findings, as many as `kinds_met`
       type(kind_type), allocatable :: kinds(:)
-      !> How many kinds there are
-      integer :: kinds_met = 0
-      !> How many findings there are of each gravity
+      !> Number of kinds
+      integer :: kind_count = 0
+      !> Number of findings of each severity
       integer :: count(3) = 0
    contains
       procedure :: refuse
@@ -73,82 +73,77 @@ contains
    !> Add an error
    subroutine refuse(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
-      !> Where
+      !> Its position
       type(file_position_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       !> What would be right
       character(*), intent(in) :: right
-      !> Another line that matters
+      !> Related line
       integer, intent(in), optional :: also
 
-      call add(self, grave_error, place, wrong, right, also)
+      call add(self, severity_error, place, wrong, right, also)
    end subroutine refuse
 
    !> Add a warning
    subroutine warn(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
-      !> Where
+      !> Its position
       type(file_position_type), intent(in) :: place
-      !> What is suspicious
+      !> What is doubtful
       character(*), intent(in) :: wrong
       !> What to do about it
       character(*), intent(in) :: right
-      !> Another line that matters
+      !> Related line
       integer, intent(in), optional :: also
 
-      call add(self, grave_warning, place, wrong, right, also)
+      call add(self, severity_warning, place, wrong, right, also)
    end subroutine warn
 
-   !> Add something worth knowing
+   !> Add a note
    subroutine note(self, place, what, consequence)
       class(report_type), intent(inout) :: self
-      !> Where
+      !> Its position
       type(file_position_type), intent(in) :: place
-      !> What is worth knowing
+      !> The fact
       character(*), intent(in) :: what
-      !> What comes of it
+      !> Its consequence
       character(*), intent(in) :: consequence
 
-      call add(self, grave_note, place, what, consequence)
+      call add(self, severity_note, place, what, consequence)
    end subroutine note
 
-   !> At least one error was found
+   !> Whether there is at least one error
    pure logical function has_errors(self)
       class(report_type), intent(in) :: self
 
-      has_errors = self%count(grave_error) > 0
+      has_errors = self%count(severity_error) > 0
    end function has_errors
 
-   !> Count a finding, and keep it if there are not too many of its kind yet
-   subroutine add(self, gravity, place, wrong, right, also)
+   !> Count a finding, and append it unless its kind has reached the limit
+   subroutine add(self, severity, place, wrong, right, also)
       type(report_type), intent(inout) :: self
-      !> `grave_error`, `grave_warning` or `grave_note`
-      integer, intent(in) :: gravity
-      !> Where
+      !> `severity_error`, `severity_warning` or `severity_note`
+      integer, intent(in) :: severity
       type(file_position_type), intent(in) :: place
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
-      !> Another line that matters
+      character(*), intent(in) :: wrong, right
       integer, intent(in), optional :: also
 
       type(finding_type) :: finding
 
-      self%count(gravity) = self%count(gravity) + 1
-      call count_kind(self, pattern_of(place, wrong), finding%kind)
-      if (self%kinds(finding%kind)%count > most_of_a_kind) return
-      finding%gravity = gravity
+      self%count(severity) = self%count(severity) + 1
+      call count_kind(self, kind_pattern(place, wrong), finding%kind)
+      if (self%kinds(finding%kind)%count > max_per_kind) return
+      finding%severity = severity
       finding%place = place
       finding%wrong = wrong
       finding%right = right
       if (present(also)) finding%also = also
-      call keep(self, finding)
+      call append(self, finding)
    end subroutine add
 
    !> Append a finding
-   subroutine keep(self, finding)
+   subroutine append(self, finding)
       type(report_type), intent(inout) :: self
       !> The finding
       type(finding_type), intent(in) :: finding
@@ -163,12 +158,12 @@ contains
       end if
       self%shown = self%shown + 1
       self%findings(self%shown) = finding
-   end subroutine keep
+   end subroutine append
 
-   !> Count a finding of a kind, new or known
+   !> Count a finding of a new or known kind
    subroutine count_kind(self, pattern, kind)
       type(report_type), intent(inout) :: self
-      !> What all findings of the kind have in common
+      !> Keyword and message without numbers and quotations
       character(*), intent(in) :: pattern
       !> Index of the kind
       integer, intent(out) :: kind
@@ -176,22 +171,22 @@ contains
       type(kind_type), allocatable :: longer(:)
 
       if (.not. allocated(self%kinds)) allocate (self%kinds(8))
-      do kind = 1, self%kinds_met
+      do kind = 1, self%kind_count
          if (self%kinds(kind)%pattern == pattern) exit
       end do
       if (kind > size(self%kinds)) then
          allocate (longer(2*size(self%kinds)))
-         longer(:self%kinds_met) = self%kinds
+         longer(:self%kind_count) = self%kinds
          call move_alloc(longer, self%kinds)
       end if
-      if (kind > self%kinds_met) self%kinds(kind)%pattern = pattern
-      self%kinds_met = max(kind, self%kinds_met)
+      if (kind > self%kind_count) self%kinds(kind)%pattern = pattern
+      self%kind_count = max(kind, self%kind_count)
       self%kinds(kind)%count = self%kinds(kind)%count + 1
    end subroutine count_kind
 
-   !> Keyword and message with every number and quotation taken out
-   pure function pattern_of(place, wrong) result(pattern)
-      !> Where
+   !> Keyword and message without numbers and quotations
+   pure function kind_pattern(place, wrong) result(pattern)
+      !> Its position
       type(file_position_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
@@ -208,6 +203,6 @@ contains
          if (quoted .or. is_digit(wrong(i:i)) .or. wrong(i:i) == "'") cycle
          pattern = pattern//wrong(i:i)
       end do
-   end function pattern_of
+   end function kind_pattern
 
 end module plydyn_deck_report

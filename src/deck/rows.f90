@@ -1,4 +1,4 @@
-!> The rows of a keyword: from lines to numbers and words, field by field.
+!> Parses the rows of a keyword into numbers and words, field by field.
 module plydyn_deck_rows
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_cards, only : cards_type, is_absent, is_given, is_wrong
@@ -53,34 +53,27 @@ contains
 
    !> A line of text
    subroutine read_text(line, row, cards, report)
-      !> Text of the line
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
       !> Gets the text
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       cards%text(1, row) = adjustl(line)
       cards%state(1, row) = merge(is_given, is_absent, len_trim(line) > 0)
       if (len(line) > line_width) then
          call report%refuse(at_column(cards, row, line_width + 1), &
-            & "the text goes on behind column 80", "at most 80 characters")
+            & "the text is longer than 80 characters", "at most 80 characters")
       end if
    end subroutine read_text
 
    !> A line of words
    subroutine read_words(line, row, field, cards, report)
-      !> Text of the line
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
-      !> What the field declares
       type(field_type), intent(in) :: field
       !> Gets the words in capitals
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       character(longest_word), allocatable :: words(:)
@@ -101,27 +94,21 @@ contains
 
    !> The fields of a row
    subroutine read_fields(line, row, fields, parameters, cards, report)
-      !> Text of the line
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
-      !> What the card declares
       type(field_type), intent(in) :: fields(:)
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
-      !> Gets values and states
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(span_type) :: spans(size(fields))
-      integer :: behind, i, last_filled, width(size(fields))
+      integer :: trailing, i, last_filled, width(size(fields))
 
       width(:) = cards%column_width(cards%card_of_row(row), size(fields))
-      call locate(line, width, spans, behind)
+      call locate(line, width, spans, trailing)
       cards%row_free(row) = is_free(line)
       if (.not. cards%row_free(row)) then
-         call check_borders(line, row, width, spans, fields, cards, report)
+         call check_boundaries(line, row, width, spans, fields, cards, report)
       end if
       do last_filled = size(fields), 1, -1
          if (spans(last_filled)%last >= spans(last_filled)%first) exit
@@ -133,62 +120,51 @@ contains
             call read_field(line, row, i, spans(i), fields(i), parameters, cards, report)
          end if
       end do
-      if (behind == 0) return
-      call report%refuse(at_column(cards, row, behind), "nothing is read from here", &
-         & "at most "//text(size(fields))//" fields on this card, the last one is " &
+      if (trailing == 0) return
+      call report%refuse(at_column(cards, row, trailing), "text after the last field", &
+         & "at most "//text(size(fields))//" fields on this card, of which the last is " &
          & //trim(fields(size(fields))%name))
    end subroutine read_fields
 
-   !> A number that runs across the border of two fields would be read as two
-   subroutine check_borders(line, row, width, spans, fields, cards, report)
-      !> Text of the line
+   !> Report a number that crosses the boundary of two fields, which would be read as two numbers
+   subroutine check_boundaries(line, row, width, spans, fields, cards, report)
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
-      !> Columns of each field
       integer, intent(in) :: width(:)
-      !> Where each field is
       type(span_type), intent(in) :: spans(:)
-      !> What the card declares
       type(field_type), intent(in) :: fields(:)
-      !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
-      integer :: border, i
+      integer :: boundary, i
 
-      border = 0
+      boundary = 0
       do i = 1, size(width) - 1
-         border = border + width(i)
-         if (border >= len(line)) return
-         if (spans(i)%last /= border .or. spans(i + 1)%first /= border + 1) cycle
+         boundary = boundary + width(i)
+         if (boundary >= len(line)) return
+         if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
          if (any(fields(i:i + 1)%kind == word_field)) cycle
          if (spans(i)%last - spans(i)%first + 1 == width(i)) cycle
          if (spans(i + 1)%last - spans(i + 1)%first + 1 == width(i + 1)) cycle
-         call report%refuse(at_column(cards, row, border), &
-            & "'"//line(spans(i)%first:spans(i + 1)%last)//"' runs across columns " &
-            & //text(border)//" and "//text(border + 1), &
+         call report%refuse(at_column(cards, row, boundary), &
+            & "'"//line(spans(i)%first:spans(i + 1)%last)//"' crosses the boundary between " &
+            & //"columns "//text(boundary)//" and "//text(boundary + 1), &
             & "each value within its columns, or commas between all values of the line")
       end do
-   end subroutine check_borders
+   end subroutine check_boundaries
 
-   !> A blank field
-   subroutine check_blank(row, field, filled_behind, cards, report, i)
-      !> Number of the row
+   !> Report a blank in a required field, or between filled fields
+   subroutine check_blank(row, field, filled_after, cards, report, i)
       integer, intent(in) :: row
-      !> What the field declares
       type(field_type), intent(in) :: field
-      !> A later field of the row is filled
-      logical, intent(in) :: filled_behind
-      !> Gets the state
+      !> Whether a later field of the row is filled
+      logical, intent(in) :: filled_after
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
-      !> Place of the field on the card
+      !> Index of the field on the card
       integer, intent(in) :: i
 
-      if (.not. (field%required .or. (filled_behind .and. field%supported))) return
+      if (.not. (field%required .or. (filled_after .and. field%supported))) return
       cards%state(i, row) = is_wrong
       if (field%required) then
          call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &
@@ -200,9 +176,8 @@ contains
       end if
    end subroutine check_blank
 
-   !> What to write in place of a blank
+   !> Remedy for a blank
    function default_words(field) result(words)
-      !> What the field declares
       type(field_type), intent(in) :: field
       character(:), allocatable :: words
 
@@ -217,21 +192,15 @@ contains
 
    !> A filled field
    subroutine read_field(line, row, i, span, field, parameters, cards, report)
-      !> Text of the line
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
-      !> Place of the field on the card
+      !> Index of the field on the card
       integer, intent(in) :: i
-      !> Where the field is
+      !> Columns of the field
       type(span_type), intent(in) :: span
-      !> What it declares
       type(field_type), intent(in) :: field
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
-      !> Gets value and state
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(fault_type) :: fault
@@ -255,13 +224,11 @@ contains
       call report%refuse(place, fault%wrong, fault%right)
    end subroutine read_field
 
-   !> Place of a field
+   !> Position of a field
    type(file_position_type) function field_place(cards, row, i) result(place)
-      !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Number of the row
       integer, intent(in) :: row
-      !> Place of the field on the card
+      !> Index of the field on the card
       integer, intent(in) :: i
 
       integer :: card, nth
@@ -273,18 +240,16 @@ contains
       place = cards%place(cards%declaration%cards(card)%fields(i)%name, nth)
    end function field_place
 
-   !> Place of a character
+   !> Position of a character
    type(file_position_type) function at_column(cards, row, column) result(place)
-      !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Number of the row
       integer, intent(in) :: row
       !> Column of the character
       integer, intent(in) :: column
 
       place = cards%head()
       place%line = cards%row_line(row)
-      place%card = cards%told_card(row)
+      place%card = cards%shown_card(row)
       place%first = column
       place%last = column
    end function at_column

@@ -1,16 +1,16 @@
-!> An expression that is read from left to right, and the first thing that is wrong with it.
+!> Scanner of an expression, with its first error.
 module plydyn_deck_scan
    implicit none
    private
 
-   !> An expression on its way to a number
+   !> An expression with the position of the scanner
    type, public :: scan_type
       !> The expression
       character(:), allocatable :: text
       !> Next character
       integer :: at = 1
-      !> Parentheses, functions, signs and powers that the next character is within
-      integer :: deep = 0
+      !> Nesting depth of parentheses, functions, signs and powers
+      integer :: depth = 0
       !> First wrong character; 0 when all is well
       integer :: wrong_at = 0
       !> What is wrong, and what would be right
@@ -19,12 +19,12 @@ module plydyn_deck_scan
       procedure :: expect
       procedure :: next
       procedure :: pass_blanks
-      procedure :: stop_at
+      procedure :: fail_at
    end type scan_type
 
 contains
 
-   !> Step over a character that must come next
+   !> Step over a character that is required next
    subroutine expect(self, mark)
       class(scan_type), intent(inout) :: self
       !> The character
@@ -33,11 +33,11 @@ contains
       if (self%next() == mark) then
          self%at = self%at + 1
       else
-         call self%stop_at(self%at, "a '"//mark//"' is missing here", "a "//mark)
+         call self%fail_at(self%at, "a '"//mark//"' is missing here", "a "//mark)
       end if
    end subroutine expect
 
-   !> The next character that is no blank; a blank at the end, and where something is wrong
+   !> Next character that is not blank; a blank at the end and after an error
    character(1) function next(self) result(c)
       class(scan_type), intent(inout) :: self
 
@@ -56,8 +56,8 @@ contains
       end do
    end subroutine pass_blanks
 
-   !> Keep the first thing that is wrong
-   subroutine stop_at(self, at, wrong, right)
+   !> Record an error unless there is one already
+   subroutine fail_at(self, at, wrong, right)
       class(scan_type), intent(inout) :: self
       !> The wrong character
       integer, intent(in) :: at
@@ -70,6 +70,6 @@ contains
       self%wrong_at = at
       self%wrong = wrong
       self%right = right
-   end subroutine stop_at
+   end subroutine fail_at
 
 end module plydyn_deck_scan

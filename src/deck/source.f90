@@ -1,4 +1,4 @@
-!> The lines of a deck and of all files that it includes, each with its file and number.
+!> Lines of a deck and of all files that it includes, each with its file and number.
 module plydyn_deck_source
    use plydyn_base_archive, only : bundle_type
    use plydyn_base_text, only : text, upper_case
@@ -9,21 +9,21 @@ module plydyn_deck_source
 
    public :: add_source, begin_source
 
-   !> A deck with its include files in place; comments are gone, blank lines are kept
+   !> A deck with its include files in place, without comments, with blank lines
    type, public :: source_type
       !> The files
       type(file_type), allocatable :: files(:)
-      !> How many files there are
+      !> Number of files
       integer :: file_count = 0
       !> The lines
       type(line_type), allocatable :: lines(:)
-      !> How many lines there are
+      !> Number of lines
       integer :: line_count = 0
-      !> Folders in which include files are looked for, separated by line feeds
+      !> Search path of include files: folders, each with a line feed
       character(:), allocatable :: include_path
-      !> The deck read last has its *END
+      !> Whether the last deck has its *END
       logical :: ended = .false.
-      !> Files in place of those on the disk
+      !> Files that replace those on the disk
       type(bundle_type) :: stored
    contains
       procedure :: line
@@ -35,12 +35,12 @@ module plydyn_deck_source
    end type source_type
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
-   !> What an HDF5 file begins with
+   !> First bytes of an HDF5 file
    character(*), parameter :: hdf5_mark = char(137)//"HDF"
 
 contains
 
-   !> No lines yet
+   !> A source without lines
    pure subroutine begin_source(source)
       !> The lines
       type(source_type), intent(out) :: source
@@ -49,15 +49,15 @@ contains
       source%include_path = ""
    end subroutine begin_source
 
-   !> Read a deck behind those that are there, and all files that it includes
+   !> Append a deck with all files that it includes
    subroutine add_source(path, source, report, stored)
       !> Path of the deck
       character(*), intent(in) :: path
-      !> Gets its lines
+      !> Receives its lines
       type(source_type), intent(inout) :: source
       !> Findings
       type(report_type), intent(inout) :: report
-      !> The files to read in place of those on the disk
+      !> Files that replace those on the disk
       type(bundle_type), intent(in), optional :: stored
 
       integer :: files
@@ -67,13 +67,13 @@ contains
       if (present(stored)) source%stored = stored
       files = source%file_count
       call load(source, path, 0, 0, report)
-      ! of a deck that cannot be read nobody misses the end
+      ! a deck that cannot be read is not reported as truncated, too
       if (source%file_count == files) source%ended = .true.
       deallocate (source%stored%documents)
       allocate (source%stored%documents(0))
    end subroutine add_source
 
-   !> The deck that a line comes from, by itself or by files that it includes: 1 for the first deck
+   !> Number of the deck that a line belongs to, directly or by include files
    pure integer function root(self, i)
       class(source_type), intent(in) :: self
       !> Index of the line
@@ -88,7 +88,7 @@ contains
       root = count(self%files(:file)%parent == 0)
    end function root
 
-   !> The files of a deck, word for word
+   !> The files of a deck, verbatim
    pure function bundle(self, root)
       class(source_type), intent(in) :: self
       !> 1 for the first deck
@@ -124,7 +124,7 @@ contains
       width = self%lines(i)%last - self%lines(i)%first + 1
    end function width
 
-   !> A line begins with a star
+   !> Whether a line begins with a star
    pure logical function is_keyword(self, i)
       class(source_type), intent(in) :: self
       !> Index of the line
@@ -148,15 +148,15 @@ contains
    end function where
 
    !> Read one file with all that it includes
-   recursive subroutine load(source, path, parent, asked_by, report)
+   recursive subroutine load(source, path, parent, include_line, report)
       !> Lines so far
       type(source_type), intent(inout) :: source
       !> Path of the file
       character(*), intent(in) :: path
       !> Index of the file that includes it
       integer, intent(in) :: parent
-      !> Line that asks for it
-      integer, intent(in) :: asked_by
+      !> Line that names it
+      integer, intent(in) :: include_line
       !> Findings
       type(report_type), intent(inout) :: report
 
@@ -166,7 +166,7 @@ contains
       logical :: found
 
       place%keyword = merge("*INCLUDE", "        ", parent > 0)
-      place%line = asked_by
+      place%line = include_line
       ancestor = parent
       do while (ancestor > 0)
          if (source%files(ancestor)%path == path) exit
@@ -174,7 +174,7 @@ contains
       end do
       if (ancestor > 0) then
          call report%refuse(place, "the file '"//path//"' includes itself", &
-            & "a file that does not lead back to one that is being read")
+            & "include files without a cycle")
          return
       end if
       file%path = path
@@ -187,8 +187,8 @@ contains
          call read_content(path, file%content, found)
       end if
       if (found .and. index(file%content, hdf5_mark) == 1) then
-         call report%refuse(place, "the file '"//path//"' is no deck but an HDF5 file", &
-            & "a deck; 'plydyn restart FILE' goes on from a restart file")
+         call report%refuse(place, "the file '"//path//"' is an HDF5 file, not a deck", &
+            & "a deck; 'plydyn restart FILE' continues from a restart file")
       else if (found) then
          call add_file(source, file)
          call add_lines(source, (source%file_count), report)
@@ -220,7 +220,7 @@ contains
       call move_file(file, source%files(source%file_count))
    end subroutine add_file
 
-   !> Append the lines of a file, and those of the files that it includes where it does
+   !> Append the lines of a file, with those of include files in place
    recursive subroutine add_lines(source, file, report)
       !> Lines so far
       type(source_type), intent(inout) :: source
@@ -244,7 +244,7 @@ contains
          select case (upper_case(source%line(source%line_count)))
          case ("*END")
             if (source%files(file)%parent == 0) source%ended = .true.
-            call warn_of_rest(source, source%files(file)%content(next:), report)
+            call warn_after_end(source, source%files(file)%content(next:), report)
             return
          case ("*INCLUDE", "*INCLUDE_PATH")
             pending = source%line_count
@@ -255,7 +255,7 @@ contains
       call include_pending(source, pending, report)
    end subroutine add_lines
 
-   !> First character of a line
+   !> Whether a line begins with a character
    pure logical function begins_with(source, line, mark)
       !> Files
       type(source_type), intent(in) :: source
@@ -287,11 +287,11 @@ contains
       source%lines(source%line_count) = line
    end subroutine add_line
 
-   !> Read the files, or note the folders, that the last lines name
+   !> Read the files, or add the folders, that the last lines name
    recursive subroutine include_pending(source, pending, report)
       !> Lines so far
       type(source_type), intent(inout) :: source
-      !> Line of the *INCLUDE that is not done yet; 0 for none, and after
+      !> Line of the *INCLUDE to process; 0 for none, and afterwards
       integer, intent(inout) :: pending
       !> Findings
       type(report_type), intent(inout) :: report
@@ -305,14 +305,14 @@ contains
          if (upper_case(source%line(pending)) == "*INCLUDE") then
             call load(source, found_path(source, i), (source%lines(i)%file), i, report)
          else
-            source%include_path = source%include_path//beside(source, i)//"/"//line_feed
+            source%include_path = source%include_path//relative_path(source, i)//"/"//line_feed
             call check_folder(source, i, report)
          end if
       end do
       pending = 0
    end subroutine include_pending
 
-   !> Warn of a folder of *INCLUDE_PATH that is not there; stored decks need none
+   !> Warn of a missing folder of *INCLUDE_PATH; stored decks need none
    subroutine check_folder(source, i, report)
       !> Lines so far
       type(source_type), intent(in) :: source
@@ -324,15 +324,15 @@ contains
       type(file_position_type) :: place
       logical :: exists
 
-      inquire (file=beside(source, i)//"/.", exist=exists)
+      inquire (file=relative_path(source, i)//"/.", exist=exists)
       if (exists .or. size(source%stored%documents) > 0) return
       place%line = i
       place%keyword = "*INCLUDE_PATH"
-      call report%warn(place, "there is no folder '"//beside(source, i)//"'", &
+      call report%warn(place, "there is no folder '"//relative_path(source, i)//"'", &
          & "the path of a folder, relative to the file that this line is in")
    end subroutine check_folder
 
-   !> Path of an include file: beside the including file, or in a folder of *INCLUDE_PATH
+   !> Path of an include file: relative to the including file, or in a folder of *INCLUDE_PATH
    function found_path(source, i) result(path)
       !> Lines so far
       type(source_type), intent(in) :: source
@@ -345,7 +345,7 @@ contains
       logical :: exists
 
       name = trim(adjustl(source%line(i)))
-      path = beside(source, i)
+      path = relative_path(source, i)
       exists = is_there(source, path)
       begin = 1
       do while (.not. exists .and. begin <= len(source%include_path))
@@ -356,7 +356,7 @@ contains
       end do
    end function found_path
 
-   !> Whether there is a file, stored or else on the disk
+   !> Whether a file exists, stored or on the disk
    logical function is_there(source, path)
       !> Lines so far
       type(source_type), intent(in) :: source
@@ -368,7 +368,7 @@ contains
    end function is_there
 
    !> Path that a line names, relative to the file that the line is in
-   pure function beside(source, i) result(path)
+   pure function relative_path(source, i) result(path)
       !> Lines so far
       type(source_type), intent(in) :: source
       !> Index of the line
@@ -380,13 +380,13 @@ contains
       associate (asking => source%files(source%lines(i)%file)%path)
          path = asking(:index(asking, "/", back=.true.))//path
       end associate
-   end function beside
+   end function relative_path
 
-   !> Warn when something stands behind *END
-   subroutine warn_of_rest(source, rest, report)
+   !> Warn of text after *END
+   subroutine warn_after_end(source, rest, report)
       !> Lines so far, the last one is *END
       type(source_type), intent(in) :: source
-      !> What stands behind it
+      !> Text after it
       character(*), intent(in) :: rest
       !> Findings
       type(report_type), intent(inout) :: report
@@ -396,7 +396,7 @@ contains
       if (verify(rest, " "//line_feed//carriage_return) == 0) return
       place%line = source%line_count
       place%keyword = "*END"
-      call report%warn(place, "what stands behind *END is not read", "nothing behind *END")
-   end subroutine warn_of_rest
+      call report%warn(place, "text after *END is ignored", "*END as the last line")
+   end subroutine warn_after_end
 
 end module plydyn_deck_source

@@ -1,4 +1,4 @@
-!> The table of a keyword: as many rows as it has cards, filled from the lines.
+!> Reads the table of a keyword: one row for each card.
 module plydyn_deck_table
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type, is_absent
@@ -22,7 +22,7 @@ contains
       integer, intent(in) :: last
       !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
-      !> Gets its rows
+      !> Receives its rows
       type(cards_type), intent(inout) :: cards
       !> Findings
       type(report_type), intent(inout) :: report
@@ -41,7 +41,7 @@ contains
       end do
    end subroutine read_rows
 
-   !> Check the number of rows, and drop those that are too many
+   !> Check the number of rows, and ignore excess rows
    subroutine check_count(rows, cards, report)
       !> Number of rows, and of those that can be read
       integer, intent(inout) :: rows
@@ -53,7 +53,7 @@ contains
       type(file_position_type) :: place
       integer :: front, most, needed
 
-      front = cards%declaration%in_front
+      front = cards%declaration%leading_cards
       most = size(cards%declaration%cards)
       needed = count(.not. cards%declaration%cards%optional)
       place = cards%head()
@@ -66,16 +66,16 @@ contains
          if (modulo(rows, most) == 0) return
          place%line = place%line + rows
          call report%refuse(place, "card "//text(modulo(rows, most) + 1 - front) &
-            & //" is missing behind this", "sets of "//expected_text(cards%declaration))
+            & //" is missing after this line", "sets of "//expected_text(cards%declaration))
          rows = rows - modulo(rows, most)
       else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then
          place%line = place%line + most + 1
-         call report%refuse(place, "a card too many", expected_text(cards%declaration))
+         call report%refuse(place, "one card too many", expected_text(cards%declaration))
          rows = most
       end if
    end subroutine check_count
 
-   !> What a keyword takes
+   !> Number of cards that a keyword needs, in words
    pure function expected_text(keyword) result(words)
       !> Its declaration
       type(keyword_type), intent(in) :: keyword
@@ -83,16 +83,16 @@ contains
 
       integer :: most, needed
 
-      most = size(keyword%cards) - keyword%in_front
-      needed = count(.not. keyword%cards%optional) - keyword%in_front
+      most = size(keyword%cards) - keyword%leading_cards
+      needed = count(.not. keyword%cards%optional) - keyword%leading_cards
       words = text(needed)//" cards"
       if (needed == 1) words = "1 card"
       if (most > needed) words = text(needed)//" to "//text(most)//" cards"
       words = words//" under *"//keyword%name
-      if (keyword%in_front > 0) words = words//" and its title"
+      if (keyword%leading_cards > 0) words = words//" and its title"
    end function expected_text
 
-   !> Make room for the rows of a keyword
+   !> Allocate the rows of a keyword
    subroutine allocate_rows(rows, cards)
       !> Number of rows
       integer, intent(in) :: rows

@@ -1,4 +1,4 @@
-!> From the text of a field to its number or word, checked against the declaration.
+!> Reads the number or word of a field and checks it against the declaration.
 module plydyn_deck_values
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_precision, only : wp
@@ -12,11 +12,11 @@ module plydyn_deck_values
 
    public :: read_number, check_word, range_words, number_words, split_words
 
-   !> What is wrong with a text
+   !> Error in a text
    type, public :: fault_type
-      !> First wrong character; 0 when all is well
+      !> First wrong character; 0 without error
       integer :: at = 0
-      !> What is wrong, empty where it has been told already
+      !> What is wrong; empty if it has been reported already
       character(:), allocatable :: wrong
       !> What would be right
       character(:), allocatable :: right
@@ -26,7 +26,7 @@ module plydyn_deck_values
    integer, parameter :: digits_shown = 6
    !> Numbers between these are written without an exponent
    real(wp), parameter :: least_plain = 1.0e-2_wp, most_plain = 1.0e6_wp
-   !> Numbers beyond are no measure of anything, and products of them would overflow
+   !> Range of magnitudes that is accepted: products of larger ones would overflow
    real(wp), parameter :: smallest = 1.0e-100_wp, largest = 1.0e100_wp
    !> Longest word
    integer, parameter, public :: longest_word = 32
@@ -41,21 +41,21 @@ contains
       character(*), intent(in) :: content
       !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
-      !> The number, when all is well
+      !> The number, without error
       real(wp), intent(out) :: number
       !> What is wrong
       type(fault_type), intent(out) :: fault
 
       if (content(1:1) == "&" .or. content(1:min(2, len(content))) == "-&") then
-         call take_parameter(field, content, parameters, number, fault)
+         call read_parameter(field, content, parameters, number, fault)
       else
-         call take_number(field, content, number, fault)
+         call read_literal(field, content, number, fault)
       end if
       if (fault%at > 0) return
       if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
          number = field%default
       else if (abs(number) > largest .or. (abs(number) < smallest .and. abs(number) > 0.0_wp)) then
-         call blame(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
             & range_words(field)//"; all numbers but 0 lie between "//number_words(smallest) &
             & //" and "//number_words(largest))
       else
@@ -64,7 +64,7 @@ contains
    end subroutine read_number
 
    !> Number of a parameter
-   subroutine take_parameter(field, content, parameters, number, fault)
+   subroutine read_parameter(field, content, parameters, number, fault)
       !> What the field declares
       type(field_type), intent(in) :: field
       !> &name or -&name
@@ -82,25 +82,26 @@ contains
       begin = index(content, "&") + 1
       i = parameters%find(content(begin:))
       if (i == 0) then
-         call blame(fault, begin, "there is no parameter '"//content(begin:)//"' above this line", &
+         call set_fault(fault, begin, "there is no parameter '"//content(begin:) &
+            & //"' above this line", &
             & parameters%advice(content(begin:)))
          return
       end if
       if (parameters%list(i)%is_wrong) then
-         call blame(fault, begin, "", "")
+         call set_fault(fault, begin, "", "")
          return
       end if
       number = parameters%list(i)%value
       if (content(1:1) == "-") number = -number
       if (field%kind == integer_field .and. abs(number - anint(number)) > 0.0_wp) then
-         call blame(fault, 1, "the parameter '"//content(begin:)//"' is " &
+         call set_fault(fault, 1, "the parameter '"//content(begin:)//"' is " &
             & //number_words(number)//", but "//trim(field%name)//" is an integer", &
             & range_words(field))
       end if
-   end subroutine take_parameter
+   end subroutine read_parameter
 
-   !> Number that stands in the field itself
-   subroutine take_number(field, content, number, fault)
+   !> Number written in the field
+   subroutine read_literal(field, content, number, fault)
       !> What the field declares
       type(field_type), intent(in) :: field
       !> Digits
@@ -119,7 +120,7 @@ contains
          if (wrong_at == 0) return
          call read_real(content, number, real_wrong_at)
          if (real_wrong_at == 0 .and. wrong_at > 1) then
-            call blame(fault, wrong_at, "'"//content//"' is not an integer", &
+            call set_fault(fault, wrong_at, "'"//content//"' is not an integer", &
                & range_words(field)//", without point or exponent")
             return
          end if
@@ -129,11 +130,11 @@ contains
       end if
       advice = number_advice(content, wrong_at)
       if (len(advice) > 0) advice = "; "//advice
-      call blame(fault, wrong_at, "'"//content//"' is not "//plain_noun(field), &
+      call set_fault(fault, wrong_at, "'"//content//"' is not "//plain_noun(field), &
          & range_words(field)//advice)
-   end subroutine take_number
+   end subroutine read_literal
 
-   !> A number outside of what the field accepts
+   !> Report a number that the field does not accept
    subroutine check_range(field, number, fault)
       !> What the field declares
       type(field_type), intent(in) :: field
@@ -151,15 +152,16 @@ contains
       end if
       if (fits) return
       if (field%supported) then
-         call blame(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
             & range_words(field))
       else
-         call blame(fault, 1, trim(field%name)//" = "//number_words(number)//" is not supported", &
-            & "a blank or "//range_words(field)//": plydyn does without "//trim(field%name))
+         call set_fault(fault, 1, trim(field%name)//" = "//number_words(number) &
+            & //" is not supported", &
+            & "a blank or "//range_words(field)//": plydyn does not use "//trim(field%name))
       end if
    end subroutine check_range
 
-   !> A word that the field does not know
+   !> Report a word that the field does not accept
    subroutine check_word(field, content, fault)
       !> What the field declares
       type(field_type), intent(in) :: field
@@ -176,15 +178,15 @@ contains
       if (any(known == upper_case(content))) return
       i = nearest_word(upper_case(content), known)
       if (i > 0) then
-         call blame(fault, 1, "'"//content//"' is no "//trim(field%name), &
+         call set_fault(fault, 1, "'"//content//"' is not a value of "//trim(field%name), &
             & "perhaps "//trim(known(i))//"; it is one of "//field%words)
       else
-         call blame(fault, 1, "'"//content//"' is no "//trim(field%name), &
+         call set_fault(fault, 1, "'"//content//"' is not a value of "//trim(field%name), &
             & "one of "//field%words)
       end if
    end subroutine check_word
 
-   !> What a field accepts, in words
+   !> Values that a field accepts, in words
    function range_words(field) result(words)
       !> What the field declares
       type(field_type), intent(in) :: field
@@ -242,7 +244,7 @@ contains
       end if
    end function noun
 
-   !> A number as a reader wants it: without a point when it is whole; NaN and infinity too
+   !> A number as text, without a point when it is an integer; NaN and infinity too
    pure function number_words(number) result(words)
       !> Any number
       real(wp), intent(in) :: number
@@ -267,7 +269,7 @@ contains
       end if
    end function number_words
 
-   !> Digits without the zeros at their end
+   !> Digits without trailing zeros
    pure function without_zeros(digits) result(words)
       !> Digits with a point
       character(*), intent(in) :: digits
@@ -300,8 +302,8 @@ contains
       end do
    end function split_words
 
-   !> Make a fault
-   pure subroutine blame(fault, at, wrong, right)
+   !> Set the error of a text
+   pure subroutine set_fault(fault, at, wrong, right)
       !> The fault
       type(fault_type), intent(out) :: fault
       !> First wrong character
@@ -314,6 +316,6 @@ contains
       fault%at = at
       fault%wrong = wrong
       fault%right = right
-   end subroutine blame
+   end subroutine set_fault
 
 end module plydyn_deck_values

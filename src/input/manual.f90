@@ -54,7 +54,7 @@ contains
 
       pages = "# Keywords"//line_feed//line_feed
       do i = 1, size(keywords)
-         if (keywords(i)%fate == is_read) pages = pages//keyword_page(keywords(i))
+         if (keywords(i)%status == is_read) pages = pages//keyword_page(keywords(i))
       end do
       pages = pages//"# Keywords that are known and ignored"//line_feed//line_feed &
          & //keyword_list(keywords, is_ignored) &

@@ -74,11 +74,11 @@ contains
    end function refused_keywords
 
    !> Declarations of the names in a list
-   function listed(names, fate, advice) result(keywords)
+   function listed(names, status, advice) result(keywords)
       !> Names of keywords
       character(*), intent(in) :: names(:)
       !> `is_ignored` or `is_refused`
-      integer, intent(in) :: fate
+      integer, intent(in) :: status
       !> What would be right
       character(*), intent(in) :: advice
       type(keyword_type) :: keywords(size(names))
@@ -87,7 +87,7 @@ contains
 
       do i = 1, size(names)
          keywords(i) = new_keyword(trim(names(i)), standard, "")
-         keywords(i)%fate = fate
+         keywords(i)%status = status
          keywords(i)%remark = advice
       end do
    end function listed

@@ -44,7 +44,7 @@ def said(*words: object) -> tuple[int, str]:
         (["run", DECK, "-x"], USAGE, "'-x' is not understood"),
         (["run", DECK, "--wall-time", "soon"], USAGE, "hours, minutes and seconds"),
         (["run", DECK, "-p", "speed"], USAGE, "a name and a number"),
-        (["run", DECK, "-p", "sped=1"], INPUT, "has no such parameter"),
+        (["run", DECK, "-p", "sped=1"], INPUT, "does not define this parameter"),
         (["check", DECK, "-p", "speed=fast"], INPUT, "as in -p velocity=3.0"),
         (["run", "check", DECK], USAGE, "cannot go together"),
         (["run", DECK, "--wall-time", "1:2:3:4"], USAGE, "hours, minutes and seconds"),

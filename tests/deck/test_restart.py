@@ -267,7 +267,7 @@ def test_restart_refuses(tmp_path: Path) -> None:
         ([dump, "-p", "speed=1"], USAGE, "-p belongs to run"),
         ([], USAGE, "restart needs a restart file"),
         ([tmp_path / "job.k"], INPUT, "job.k is no restart file"),
-        ([dump, dump], INPUT, "job.dump01' is no deck but an HDF5 file"),
+        ([dump, dump], INPUT, "job.dump01' is an HDF5 file, not a deck"),
         ([tmp_path / "job.vtkhdf"], INPUT, "but no restart file of plydyn"),
     ]:
         code, text = said("restart", *words)

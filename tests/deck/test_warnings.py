@@ -37,7 +37,7 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
         ("*DATABASE_IMPACTOR\n1.0e-6\n", 3, "there are no impactors to write"),
         ("*INCLUDE_PATH\nno/such/folder\n", 3, "*INCLUDE_PATH: there is no folder"),
         ("*DATABASE_BNDOUT\n1.0e-6\n", 2, "right would be: *DATABASE_SPCFORC, which writes"),
-        ("*DATABASE_TRHIST\n1.0e-6\n", 2, "'*DATABASE_TRHIST' is known, ignored"),
+        ("*DATABASE_TRHIST\n1.0e-6\n", 2, "'*DATABASE_TRHIST' is ignored"),
     ],
     ids=["beside", "away", "no nodes", "no supports", "no impactors", "no folder", "other", "none"],
 )

@@ -73,9 +73,9 @@ program test_deck_deck
    call read_text("*KEYWORD|*BALL|1, 2.5|, 3.0|*END")
    call check_error(error, "VX is blank between filled fields", "a blank between")
    call read_text("*KEYWORD|*POINT|       1     0.5      77|*END")
-   call check_error(error, "nothing is read from here", "a field too many")
+   call check_error(error, "text after the last field", "a field too many")
    call read_text("*KEYWORD|*BALL|1, 2.5|1.0|2.0|*END")
-   call check_error(error, "deck_test.k:5: *BALL: a card too many", "a card too many")
+   call check_error(error, "deck_test.k:5: *BALL: one card too many", "a card too many")
    call read_text("*KEYWORD|*BALL|*END")
    call check_error(error, "card 1 is missing", "a missing card")
    call read_text("*KEYWORD|*BALL_TITLE|Red|         1      7O.0|*END")
@@ -90,13 +90,13 @@ program test_deck_deck
    call read_text("*KEYWORD|*BALL|         1  2.5|*PARAMETER|R a b|*END")
    call check_error(error, "the value is blank", "a parameter without value")
    call read_text("*KEYWORD|*ONCE|1,|*ONCE|2,|*END")
-   call check_error(error, "twice (see deck_test.k:2)", "a keyword twice")
+   call check_error(error, "twice in the deck (see deck_test.k:2)", "a keyword twice")
 
    call begin("warnings")
    call read_text("*KEYWORD MEMORY=20m|*SHOW|1 2 3|*BALL|1,2.5|*END")
    call check(.not. allocated(error), "are no errors")
-   call check(index(messages, "'*SHOW' is known, ignored") > 0, "ignored keywords are told")
-   call check(index(messages, "'MEMORY=20M' is known, ignored") > 0, "ignored options too")
+   call check(index(messages, "'*SHOW' is ignored") > 0, "ignored keywords are reported")
+   call check(index(messages, "'MEMORY=20M' is ignored") > 0, "ignored options too")
 
    call finish()
 
@@ -122,10 +122,10 @@ contains
       call known(3)%add_card(repeated=.true.)
       call known(3)%add_list("NID", 2, "member")
       known(4) = new_keyword("OLD", ours, "")
-      known(4)%fate = is_refused
+      known(4)%status = is_refused
       known(4)%remark = "a *BALL"
       known(5) = new_keyword("SHOW", ours, "")
-      known(5)%fate = is_ignored
+      known(5)%status = is_ignored
       known(6) = new_keyword("ONCE", ours, "")
       known(6)%once = .true.
       call known(6)%add_card()

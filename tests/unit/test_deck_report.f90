@@ -1,6 +1,6 @@
 !> Findings are kept, counted, and cut after some of a kind.
 program test_deck_report
-   use plydyn_deck_report, only : grave_error, grave_note, grave_warning, most_of_a_kind, &
+   use plydyn_deck_report, only : severity_error, severity_note, severity_warning, max_per_kind, &
       & file_position_type, report_type
    use plydyn_base_text, only : text
    use testing, only : begin, check, finish
@@ -18,20 +18,20 @@ program test_deck_report
    do i = 1, 100
       call report%refuse(place, "node "//text(i)//" is not defined", "a node")
    end do
-   call check(report%count(grave_error), 100, "all errors are counted")
-   call check(report%count(grave_warning) == 1 .and. report%count(grave_note) == 1, &
+   call check(report%count(severity_error), 100, "all errors are counted")
+   call check(report%count(severity_warning) == 1 .and. report%count(severity_note) == 1, &
       & "each gravity by itself")
-   call check(report%shown, most_of_a_kind + 2, "some of a kind are shown")
+   call check(report%shown, max_per_kind + 2, "some of a kind are shown")
    call report%refuse(place, "'7O' is not a number", "70")
    call report%refuse(place, "'8O' is not a number", "80")
-   call check(report%kinds_met, 4, "quotations do not make a kind")
+   call check(report%kind_count, 4, "quotations do not make a kind")
    place%keyword = "*NODE"
    call report%refuse(place, "'9O' is not a number", "90")
-   call check(report%kinds_met, 5, "keywords do")
+   call check(report%kind_count, 5, "keywords do")
    do i = 1, 20
       call report%refuse(place, repeat("x", i), "y")
    end do
-   call check(report%kinds_met, 25, "there may be many kinds")
+   call check(report%kind_count, 25, "there may be many kinds")
    call check(report%findings(report%shown)%wrong == repeat("x", 20), "the last finding is last")
 
    call finish()

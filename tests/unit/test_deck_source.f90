@@ -1,6 +1,6 @@
 !> Lines of a deck and of its include files, each with its file and number.
 program test_deck_source
-   use plydyn_deck_report, only : grave_error, grave_warning, report_type
+   use plydyn_deck_report, only : severity_error, severity_warning, report_type
    use plydyn_deck_source, only : add_source, begin_source, source_type
    use testing, only : begin, check, finish
    implicit none
@@ -18,7 +18,7 @@ program test_deck_source
    call check(source%line(4) == "  1" .and. source%width(4) == 3, "blanks at the end are cut")
    call check(source%is_keyword(2) .and. .not. source%is_keyword(4), "stars make keywords")
    call check(source%ended, "the end is seen")
-   call check(report%count(grave_warning), 1, "what stands behind it makes a warning")
+   call check(report%count(severity_warning), 1, "text after it makes a warning")
 
    call begin("line ends")
    call write_file("source_2.k", char(239)//char(187)//char(191)//"*KEYWORD"//windows//"  1" &
@@ -37,7 +37,7 @@ program test_deck_source
    call write_file("source_5.k", "*NODE"//feed//"5"//feed//"*END"//feed)
    call write_file("source_6.k", "*PART"//feed//"6"//feed)
    call read_alone("source_4.k")
-   call check(report%count(grave_error), 0, "two files are found")
+   call check(report%count(severity_error), 0, "two files are found")
    call check(source%where(6) == "source_5.k:2", "the first one comes first")
    call check(source%where(9) == "source_6.k:2", "the second one comes second")
    call check(source%where(10) == "source_4.k:5", "the deck goes on behind them")
@@ -47,18 +47,18 @@ program test_deck_source
    call write_file("source_7.k", "*KEYWORD"//feed//"*INCLUDE"//feed//"source_8.k"//feed//"*END")
    call write_file("source_8.k", "*INCLUDE"//feed//"source_7.k"//feed)
    call read_alone("source_7.k")
-   call check(report%count(grave_error), 1, "a cycle is an error")
+   call check(report%count(severity_error), 1, "a cycle is an error")
    call check(source%where(report%findings(report%shown)%place%line) == "source_8.k:2", &
       & "at the line that closes it")
    call write_file("source_9.k", "*INCLUDE"//feed//"nowhere.k"//feed)
    call read_alone("source_9.k")
-   call check(report%count(grave_error), 2, "a missing file is an error")
+   call check(report%count(severity_error), 2, "a missing file is an error")
    call read_alone("nowhere.k")
-   call check(report%count(grave_error), 3, "also as the deck itself")
+   call check(report%count(severity_error), 3, "also as the deck itself")
    call check(source%ended, "whose end nobody misses")
    call write_file("source_10.k", char(137)//"HDF"//windows//char(26))
    call read_alone("source_10.k")
-   call check(report%count(grave_error), 4, "so is a restart file in place of a deck")
+   call check(report%count(severity_error), 4, "so is a restart file in place of a deck")
 
    call finish()
 

@@ -21,7 +21,7 @@ program test_input_keywords
       associate (keyword => keywords(i))
          call check(.not. any([(keywords(k)%name == keyword%name, k=1, i - 1)]), &
             & keyword%name//" is declared once")
-         if (keyword%fate /= is_read) cycle
+         if (keyword%status /= is_read) cycle
          call check(len(keyword%sentence) > 0, keyword%name//" says what it is for")
          do card = 1, size(keyword%cards)
             call check_card(keyword%name, keyword%cards(card)%fields)
@@ -61,7 +61,7 @@ contains
       type(keyword_row_type), intent(in) :: row
 
       associate (keyword => row%declaration)
-         if (keyword%fate /= is_read) then
+         if (keyword%status /= is_read) then
             call check(.not. associated(row%read), keyword%name//" has no reader")
          else if (has_content(keyword)) then
             call check(associated(row%read), keyword%name//" has a reader")

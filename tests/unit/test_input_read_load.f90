@@ -46,7 +46,7 @@ program test_input_read_load
    call check(all(model%body_loads%direction == [1, 3]), "directions")
    call check(model%body_loads(2)%scale, 9810.0_wp, 0.0_wp, "factor")
    call read_plate(curve//"*LOAD_BODY_Z|3,|*LOAD_BODY_Z|3,|")
-   call check_error(error, "stands in the deck twice", "one direction twice")
+   call check_error(error, "occurs twice in the deck", "one direction twice")
    call read_plate("*LOAD_BODY_Z|0,|")
    call check_error(error, "LCID cannot be 0", "no curve")
 

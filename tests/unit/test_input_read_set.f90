@@ -28,7 +28,7 @@ program test_input_read_set
    call read_plate("*SET_NODE_GENERAL|1,|ALL|*BOUNDARY_SPC_SET|1,0,1|")
    call check(size(model%holds(1)%nodes), 4, "all nodes")
    call read_plate("*SET_NODE_GENERAL|1,|PART,7|*BOUNDARY_SPC_SET|1,0,1|")
-   call check_error(error, "'PART' is no OPTION", "an option that is not supported")
+   call check_error(error, "'PART' is not a value of OPTION", "an option that is not supported")
    call read_plate("*SET_NODE_GENERAL|1,|NODE|*BOUNDARY_SPC_SET|1,0,1|")
    call check_error(error, "the rule names nothing", "a rule without numbers")
 
