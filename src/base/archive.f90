@@ -1,4 +1,4 @@
-!> Decks kept word for word, so that a run can go on without the files it began with.
+!> Verbatim copies of the decks of a run, for restarts without the original files.
 module plydyn_base_archive
    implicit none
    private
@@ -7,7 +7,7 @@ module plydyn_base_archive
    type :: document_type
       !> Path, as the deck or the user wrote it
       character(:), allocatable :: path
-      !> Everything in it
+      !> Its content
       character(:), allocatable :: content
    end type document_type
 
@@ -20,7 +20,7 @@ module plydyn_base_archive
       procedure :: add_document
    end type bundle_type
 
-   !> The deck that began a run, and those that changed it on restarts, in their order
+   !> The deck of a run and the decks of its restarts, in their order
    type, public :: archive_type
       !> The decks
       type(bundle_type), allocatable :: bundles(:)
@@ -32,7 +32,7 @@ module plydyn_base_archive
 
 contains
 
-   !> Place of a file; 0 when it is not there
+   !> Index of a file; 0 when there is none of that path
    pure integer function find(self, path) result(i)
       class(bundle_type), intent(in) :: self
       !> Path of the file
@@ -49,13 +49,13 @@ contains
       class(bundle_type), intent(inout) :: self
       !> Path of the file
       character(*), intent(in) :: path
-      !> Everything in it
+      !> Its content
       character(*), intent(in) :: content
 
       type(document_type), allocatable :: longer(:)
       integer :: i
 
-      ! one by one: gfortran 12 frees texts twice that an array constructor copies
+      ! element by element: gfortran 12 frees texts copied by an array constructor twice
       allocate (longer(size(self%documents) + 1))
       do i = 1, size(self%documents)
          call move_alloc(self%documents(i)%path, longer(i)%path)

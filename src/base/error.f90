@@ -1,4 +1,4 @@
-!> Errors are values: made where the cause is known, printed by `main` only.
+!> Errors as values: created where the cause is known, printed by `main` only.
 module plydyn_base_error
    implicit none
    private
@@ -9,9 +9,9 @@ module plydyn_base_error
    integer, parameter, public :: exit_normal = 0, exit_usage = 1, exit_input = 2, &
       & exit_run = 3, exit_stopped = 4, exit_output = 5
 
-   !> What went wrong, and what would be right
+   !> An error with its remedy
    type, public :: error_type
-      !> Text for the user, with the place in the deck when there is one
+      !> Text for the user, with the position in the deck if there is one
       character(:), allocatable :: message
       !> Exit code of the program
       integer :: code = exit_run
@@ -19,9 +19,9 @@ module plydyn_base_error
 
 contains
 
-   !> Make an error
+   !> Create an error
    subroutine fail(error, code, message)
-      !> The error made
+      !> The new error
       type(error_type), allocatable, intent(out) :: error
       !> Exit code of the program
       integer, intent(in) :: code

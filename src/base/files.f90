@@ -1,7 +1,6 @@
-!> Files as the operating system sees them: safe on the disk, renamed, cut short, removed.
+!> File operations of POSIX that Fortran lacks: synchronise, rename, truncate, remove.
 !>
-!> Fortran has no words for these. The calls are those of POSIX, none of them with a variable number
-!> of arguments.
+!> None of the calls has a variable number of arguments, which `bind(c)` does not support.
 module plydyn_base_files
    use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_null_char, &
       & c_ptr
@@ -11,7 +10,7 @@ module plydyn_base_files
 
    public :: cut_file, has_room, is_same_path, remove_file, rename_file, secure_file
 
-   !> Longest path that the operating system knows
+   !> Longest path of the operating system
    integer, parameter :: longest_path = 4096
 
    interface
@@ -107,14 +106,13 @@ module plydyn_base_files
 
 contains
 
-   !> Give a file another name in one stroke, in place of a file that has it; the new name is on the
-   !> disk afterwards
+   !> Rename a file atomically, replacing an existing one, and synchronise the directory
    subroutine rename_file(from, to, good)
       !> Path of the file
       character(*), intent(in) :: from
-      !> Its new path, on the same disk
+      !> Its new path, on the same file system
       character(*), intent(in) :: to
-      !> True when all went well
+      !> Whether it succeeded
       logical, intent(out) :: good
 
       type(c_ptr) :: folder
@@ -124,12 +122,12 @@ contains
       if (.not. good) return
       folder = c_opendir(to(:index(to, "/", back=.true.))//"."//c_null_char)
       if (.not. c_associated(folder)) return
-      ! some file systems have no such call for folders: then the name is as safe as it gets
+      ! the result is ignored: some file systems do not support this call for directories
       status = c_fsync(c_dirfd(folder))
       status = c_closedir(folder)
    end subroutine rename_file
 
-   !> Whether two paths name the same file, there or not, in whatever words
+   !> Whether two paths, of files that may not exist, name the same file
    logical function is_same_path(one, other)
       !> Paths; their folders must exist
       character(*), intent(in) :: one, other
@@ -143,7 +141,7 @@ contains
       is_same_path = all(whole_path(one(:name - 1)//".") == whole_path(other(:other_name - 1)//"."))
    end function is_same_path
 
-   !> Path of a folder from the root on, without links; blank when there is none
+   !> Absolute path of a folder without links; blank when it does not exist
    function whole_path(folder)
       character(*), intent(in) :: folder
       character(kind=c_char) :: whole_path(longest_path)
@@ -158,11 +156,11 @@ contains
       whole_path(last + 1:) = " "
    end function whole_path
 
-   !> Wait until all that was written to a file is on the disk
+   !> Synchronise a file with the disk
    subroutine secure_file(path, good)
       !> Path of the file
       character(*), intent(in) :: path
-      !> True when all went well
+      !> Whether it succeeded
       logical, intent(out) :: good
 
       type(c_ptr) :: stream
@@ -176,16 +174,17 @@ contains
       good = all(status == 0)
    end subroutine secure_file
 
-   !> Whether the disk has room for so many bytes behind the end of a file, which stays as it is.
-   !> The end is asked of the file once it is open: what a file system on a network says of its name
-   !> may be older than what other ranks wrote
+   !> Whether the disk has space for some bytes after the end of a file, which is left unchanged
+   !>
+   !> The length is taken from the open file: on a network file system the directory entry may be
+   !> older than the last write of another rank.
    logical function has_room(path, length)
       !> Path of the file
       character(*), intent(in) :: path
       !> Bytes, at least one
       integer(int64), intent(in) :: length
 
-      !> As POSIX numbers the end of a file
+      !> SEEK_END of POSIX
       integer(c_int), parameter :: from_end = 2
       type(c_ptr) :: stream
       integer(c_int) :: descriptor, status(3)
@@ -205,26 +204,26 @@ contains
       has_room = all(status == 0)
    end function has_room
 
-   !> Cut a file behind some byte
+   !> Truncate a file
    subroutine cut_file(path, length, good)
       !> Path of the file
       character(*), intent(in) :: path
-      !> Bytes that stay
+      !> New length, bytes
       integer(int64), intent(in) :: length
-      !> True when all went well
+      !> Whether it succeeded
       logical, intent(out) :: good
 
       good = c_truncate(path//c_null_char, int(length, c_int64_t)) == 0
    end subroutine cut_file
 
-   !> Remove a file; one that is not there is no matter
+   !> Remove a file, if it exists
    subroutine remove_file(path)
       !> Path of the file
       character(*), intent(in) :: path
 
       integer(c_int) :: status
 
-      ! C tells whether there was a file: nobody asks
+      ! the result is ignored: the file may not exist
       status = c_remove(path//c_null_char)
    end subroutine remove_file
 

@@ -1,9 +1,8 @@
-!> Where the C library puts large arrays.
+!> Memory allocator of the C library: pages of their own for large arrays.
 !>
-!> Arrays of motion, force and history begin 16 bytes behind a line of the cache (`front` in the
-!> domain counts on it) where they are large enough for pages of their own. The library learns from
-!> what is given back to put larger and larger arrays among the small ones instead, anywhere in a
-!> line: then vectors lie across two, and passes over them take longer.
+!> Arrays with pages of their own begin 16 bytes after a cache line, on which the alignment offset
+!> of the domain relies. The threshold for this is dynamic in glibc: it grows when arrays are freed.
+!> Larger arrays would then start anywhere in a cache line, and vector loads would cross two lines.
 module plydyn_base_memory
    use, intrinsic :: iso_c_binding, only : c_int
    implicit none
@@ -11,8 +10,8 @@ module plydyn_base_memory
 
    public :: keep_arrays_on_pages
 
-   !> Number of the option in glibc, M_MMAP_THRESHOLD, and the value that it has before it learns
-   integer(c_int), parameter :: threshold = -3_c_int, first_value = 131072_c_int
+   !> Number of the option M_MMAP_THRESHOLD of glibc, and its initial value, bytes
+   integer(c_int), parameter :: threshold = -3_c_int, initial_value = 131072_c_int
 
    interface
       integer(c_int) function c_mallopt(option, value) bind(c, name="mallopt")
@@ -24,12 +23,12 @@ module plydyn_base_memory
 
 contains
 
-   !> From now on all arrays of 128 KiB and more have pages of their own
+   !> Fix the threshold: all arrays of 128 KiB and more have pages of their own
    subroutine keep_arrays_on_pages()
-      integer(c_int) :: done
+      integer(c_int) :: status
 
-      ! where it cannot be set nothing is wrong but the speed
-      done = c_mallopt(threshold, first_value)
+      ! the result is ignored: without the option only speed is lost
+      status = c_mallopt(threshold, initial_value)
    end subroutine keep_arrays_on_pages
 
 end module plydyn_base_memory

@@ -1,4 +1,4 @@
-!> The one kind of real number, and the width of a batch.
+!> Kind of real numbers, and the width of a batch.
 module plydyn_base_precision
    use, intrinsic :: iso_fortran_env, only : real64
    implicit none
@@ -6,7 +6,7 @@ module plydyn_base_precision
 
    !> Working precision
    integer, parameter, public :: wp = real64
-   !> Cells that run through one kernel side by side: first extent of every batch array
+   !> SIMD lanes of a kernel: first extent of every batch array
    integer, parameter, public :: lanes = 8
 
 end module plydyn_base_precision

@@ -1,7 +1,7 @@
-!> Signals of the operating system that ask a run to end: they are caught and looked at later.
+!> Handling of signals that request the end of a run.
 !>
-!> This module has the only variable of the program outside of any procedure: a handler of signals
-!> has no other place to leave its mark.
+!> A handler only stores the number of the signal; run control asks for it between steps. The module
+!> variable is the only one of the program: a signal handler takes no other arguments.
 module plydyn_base_signals
    use, intrinsic :: iso_c_binding, only : c_funloc, c_funptr, c_int
    implicit none
@@ -12,10 +12,10 @@ module plydyn_base_signals
    !> Numbers of the signals on Linux, and their names
    integer(c_int), parameter :: numbers(3) = [15_c_int, 10_c_int, 12_c_int]
    character(*), parameter :: names(3) = [character(7) :: "SIGTERM", "SIGUSR1", "SIGUSR2"]
-   !> SIGXFSZ: a file has come to the largest size that is allowed, which whoever writes is told
-   integer(c_int), parameter :: file_is_full = 25_c_int
+   !> SIGXFSZ: a file has reached the largest size allowed; the write fails with an error
+   integer(c_int), parameter :: file_size_exceeded = 25_c_int
 
-   !> The signal caught last; 0 for none
+   !> Last signal caught; 0 for none
    integer(c_int), volatile :: latest = 0_c_int
 
    interface
@@ -29,40 +29,40 @@ module plydyn_base_signals
 
 contains
 
-   !> From now on the signals leave a mark, and do nothing else
+   !> Install the signal handlers
    subroutine catch_signals()
-      type(c_funptr) :: before
+      type(c_funptr) :: previous
       integer :: i
 
       do i = 1, size(numbers)
-         before = c_signal(numbers(i), c_funloc(note_signal))
+         previous = c_signal(numbers(i), c_funloc(store_signal))
       end do
-      before = c_signal(file_is_full, c_funloc(do_nothing))
+      previous = c_signal(file_size_exceeded, c_funloc(ignore_signal))
    end subroutine catch_signals
 
-   !> Called by the operating system where somebody else hears of it, too
-   subroutine do_nothing(number) bind(c)
+   !> Handler of a signal whose cause is reported elsewhere
+   subroutine ignore_signal(number) bind(c)
       !> The signal
       integer(c_int), value :: number
 
       associate (unused => number)
       end associate
-   end subroutine do_nothing
+   end subroutine ignore_signal
 
-   !> Called by the operating system at any moment
-   subroutine note_signal(number) bind(c)
+   !> Handler: store the signal
+   subroutine store_signal(number) bind(c)
       !> The signal
       integer(c_int), value :: number
 
       latest = number
-   end subroutine note_signal
+   end subroutine store_signal
 
-   !> Whether there was a signal
+   !> Whether a signal has been caught
    logical function has_caught_signal()
       has_caught_signal = latest /= 0
    end function has_caught_signal
 
-   !> Name of the signal caught last, empty without one
+   !> Name of the last signal caught, empty without one
    function caught_signal() result(name)
       character(:), allocatable :: name
 

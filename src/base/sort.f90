@@ -1,4 +1,4 @@
-!> Sorting.
+!> Stable merge sort.
 module plydyn_base_sort
    implicit none
    private
@@ -7,7 +7,7 @@ module plydyn_base_sort
 
 contains
 
-   !> Places of some keys in rising order; equal keys keep their order
+   !> Indices of keys in ascending order; equal keys keep their order
    pure function sorted_order(key) result(order)
       !> The keys
       integer, intent(in) :: key(:)

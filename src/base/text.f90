@@ -1,4 +1,4 @@
-!> Numbers as text, and text without case.
+!> Numbers as text, and conversion of case.
 module plydyn_base_text
    use plydyn_base_precision, only : wp
    implicit none
@@ -6,13 +6,13 @@ module plydyn_base_text
 
    public :: text, fixed_text, lower_case, upper_case
 
-   !> Shortest reading text of a number
+   !> Text of a number
    interface text
       module procedure :: text_of_integer
       module procedure :: text_of_real
    end interface text
 
-   !> Distance between the cases in ASCII
+   !> Offset between the cases in ASCII
    integer, parameter :: case_shift = iachar("a") - iachar("A")
 
 contains
@@ -28,7 +28,7 @@ contains
       string = trim(buffer)
    end function text_of_integer
 
-   !> Text of a real, with as many digits as a reader wants (default 6)
+   !> Text of a real with some significant digits (default 6)
    pure function text_of_real(number, digits) result(string)
       !> Number to write
       real(wp), intent(in) :: number
@@ -46,12 +46,12 @@ contains
       string = trim(adjustl(buffer))
    end function text_of_real
 
-   !> Text of a real with some digits behind the point, and one at least before it; no point without
+   !> Text of a real with some digits after the point and at least one before it; no point for zero
    !> digits
    pure function fixed_text(number, digits) result(string)
       !> Number to write
       real(wp), intent(in) :: number
-      !> Digits behind the point
+      !> Digits after the point
       integer, intent(in) :: digits
       character(:), allocatable :: string
 
