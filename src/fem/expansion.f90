@@ -7,21 +7,21 @@ module plydyn_fem_expansion
 
    public :: lagrange, new_expansion, thickness_nodes
 
-   !> Expansion of one order, as the tables that kernels use; the layer spans -1 to 1
+   !> Tables of an expansion of one order; the layer spans -1 to 1
    type, public :: expansion_type
       !> Polynomial order; there are order + 1 nodes
       integer :: order = 0
-      !> Heights of the nodes, from the bottom up
+      !> Coordinates of the nodes, from bottom to top
       real(wp), allocatable :: node(:)
-      !> Shares of the layer's mass at the nodes: integrals of the polynomials over 2 (row sums)
+      !> Fraction of the layer's mass at each node: row sums of the consistent mass matrix
       real(wp), allocatable :: mass_share(:)
-      !> Node values to coefficients of orthonormal Legendre modes, (modes, nodes)
+      !> Nodal values to coefficients of orthonormal Legendre modes, (modes, nodes)
       real(wp), allocatable :: to_mode(:, :)
       !> Coefficients of the modes to those of their derivative, (modes, modes)
       real(wp), allocatable :: mode_slope(:, :)
-      !> Heights and weights of the Gauss points
+      !> Coordinates and weights of the Gauss points
       real(wp), allocatable :: gauss(:), weight(:)
-      !> Node values to values at the Gauss points, (points, nodes)
+      !> Nodal values to values at the Gauss points, (points, nodes)
       real(wp), allocatable :: to_gauss(:, :)
       !> Values at the Gauss points to derivatives there, (points, points)
       real(wp), allocatable :: gauss_slope(:, :)
@@ -29,7 +29,7 @@ module plydyn_fem_expansion
 
 contains
 
-   !> Make the tables of one order
+   !> Compute the tables of one order
    pure function new_expansion(order, lobatto) result(self)
       !> Polynomial order, 1 or more
       integer, intent(in) :: order
@@ -78,7 +78,7 @@ contains
       self%mode_slope(:, :) = matmul(transpose(mode), mode_prime)
    end subroutine make_modes
 
-   !> Heights of the nodes of an expansion
+   !> Coordinates of the nodes of an expansion, from bottom to top
    pure function thickness_nodes(order, lobatto) result(z)
       !> Polynomial order, 1 or more
       integer, intent(in) :: order
@@ -94,11 +94,11 @@ contains
       end if
    end function thickness_nodes
 
-   !> Lagrange polynomials of some nodes and their derivatives at one place
+   !> Lagrange polynomials of some nodes and their derivatives at a coordinate
    pure subroutine lagrange(node, z, value, slope)
       !> Abscissae of the nodes
       real(wp), intent(in) :: node(:)
-      !> Place
+      !> Coordinate
       real(wp), intent(in) :: z
       !> F(z) and dF/dz of each node
       real(wp), intent(out) :: value(:), slope(:)

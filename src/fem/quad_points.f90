@@ -1,4 +1,4 @@
-!> Points of an interface over a quad.
+!> Integration points of an interface over a quad.
 module plydyn_fem_quad_points
    use plydyn_base_precision, only : wp
    use plydyn_fem_quadrature, only : gauss_points
@@ -10,11 +10,11 @@ module plydyn_fem_quad_points
 
 contains
 
-   !> Their positions in the plane, along xi first, then eta, (2, nodes)
+   !> Positions of the points in the plane, along xi first, then eta, (2, nodes), length
    pure function quad_points(position, nodal) result(point)
-      !> Positions of the nodes in the order of the deck, (2, nodes)
+      !> Positions of the nodes in the order of the deck, (2, nodes), length
       real(wp), intent(in) :: position(:, :)
-      !> The points are the nodes, else Gauss points, as many in each direction
+      !> Points at the nodes, else as many Gauss points
       logical, intent(in) :: nodal
       real(wp) :: point(2, size(position, 2))
 

@@ -8,7 +8,7 @@ module plydyn_fem_quadrature
 
 contains
 
-   !> Legendre polynomial and its derivative (Bonnet's recursion)
+   !> Legendre polynomial and its derivative, by Bonnet's recursion
    pure subroutine legendre(degree, x, value, slope)
       !> Degree, 0 or more
       integer, intent(in) :: degree
@@ -31,9 +31,9 @@ contains
       end do
    end subroutine legendre
 
-   !> Points that integrate polynomials of degree 2n - 1, from left to right, by Newton's method
+   !> Points of the Gauss-Legendre rule, in ascending order: zeros of the Legendre polynomial
    pure function gauss_points(n) result(x)
-      !> How many
+      !> Number of points
       integer, intent(in) :: n
       real(wp) :: x(n)
 
@@ -53,7 +53,7 @@ contains
 
    !> Weights of the Gauss points; their sum is 2
    pure function gauss_weights(n) result(w)
-      !> How many
+      !> Number of points
       integer, intent(in) :: n
       real(wp) :: w(n)
 
@@ -67,9 +67,9 @@ contains
       end do
    end function gauss_weights
 
-   !> The ends and the extrema of the Legendre polynomial between them, from left to right
+   !> Points of the Gauss-Lobatto rule, in ascending order: ends and extrema of the polynomial
    pure function lobatto_points(n) result(x)
-      !> How many, 2 or more
+      !> Number of points, 2 or more
       integer, intent(in) :: n
       real(wp) :: x(n)
 

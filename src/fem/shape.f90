@@ -8,11 +8,11 @@ module plydyn_fem_shape
 
    public :: local_nodes, shape_functions
 
-   !> Numbers of nodes that a quad can have
+   !> Number of nodes of a quad
    integer, parameter, public :: bilinear_nodes = 4, biquadratic_nodes = 9
 
-   !> Place of each node along xi and along eta: -1, 0, 1
-   integer, parameter :: place(2, biquadratic_nodes) = reshape( &
+   !> Local coordinates of each node along xi and eta: -1, 0, 1
+   integer, parameter :: node_coordinate(2, biquadratic_nodes) = reshape( &
       & [-1, -1, 1, -1, 1, 1, -1, 1, 0, -1, 1, 0, 0, 1, -1, 0, 0, 0], [2, biquadratic_nodes])
 
 contains
@@ -21,11 +21,11 @@ contains
    pure subroutine shape_functions(nodes, xi, eta, n, dn)
       !> Nodes of the quad, 4 or 9
       integer, intent(in) :: nodes
-      !> Place in the quad, each from -1 to 1
+      !> Local coordinates, each from -1 to 1
       real(wp), intent(in) :: xi, eta
       !> Value of each shape function
       real(wp), intent(out) :: n(nodes)
-      !> Derivatives of each along xi and along eta
+      !> Derivatives of each with respect to xi and eta
       real(wp), intent(out) :: dn(2, nodes)
 
       real(wp) :: a(-1:1), da(-1:1), b(-1:1), db(-1:1)
@@ -34,9 +34,9 @@ contains
       call line_functions(nodes, xi, a, da)
       call line_functions(nodes, eta, b, db)
       do i = 1, nodes
-         n(i) = a(place(1, i))*b(place(2, i))
-         dn(1, i) = da(place(1, i))*b(place(2, i))
-         dn(2, i) = a(place(1, i))*db(place(2, i))
+         n(i) = a(node_coordinate(1, i))*b(node_coordinate(2, i))
+         dn(1, i) = da(node_coordinate(1, i))*b(node_coordinate(2, i))
+         dn(2, i) = a(node_coordinate(1, i))*db(node_coordinate(2, i))
       end do
    end subroutine shape_functions
 
@@ -46,16 +46,16 @@ contains
       integer, intent(in) :: nodes
       real(wp) :: coordinates(2, nodes)
 
-      coordinates(:, :) = real(place(:, :nodes), wp)
+      coordinates(:, :) = real(node_coordinate(:, :nodes), wp)
    end function local_nodes
 
-   !> Lagrange polynomials along a line and their slopes, by place of the node: -1, 0, 1
+   !> Lagrange polynomials along a line and their derivatives, for nodes at -1, 0 and 1
    pure subroutine line_functions(nodes, x, value, slope)
       !> Nodes of the quad, 4 or 9
       integer, intent(in) :: nodes
-      !> Place on the line, from -1 to 1
+      !> Local coordinate, from -1 to 1
       real(wp), intent(in) :: x
-      !> Values; zero at place 0 of a line of two nodes
+      !> Values; zero for node 0 of a line of two nodes
       real(wp), intent(out) :: value(-1:1)
       !> Derivatives
       real(wp), intent(out) :: slope(-1:1)
