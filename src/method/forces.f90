@@ -132,7 +132,7 @@ contains
 
       if (domain%chunks%outer == 0) return
       !$omp master
-      call domain%chunks%halo%push_on(force, team%messages)
+      call domain%chunks%halo%progress(force, team%messages)
       !$omp end master
    end subroutine progress_messages
 

@@ -1,7 +1,7 @@
-!> Columns of numbers that ranks send each other where they meet: of forces, or of strains.
+!> Halo exchange of columns of forces or strains between neighbouring ranks.
 !>
-!> Columns lie in one array, each in one piece; they are sent from their place and received into it,
-!> without any copy.
+!> Each column is contiguous in one array. MPI data types describe the columns of each neighbour, so
+!> that messages are sent from the array and received into it without copies.
 module plydyn_parallel_halo
    use mpi_f08, only : mpi_comm_world, mpi_datatype, mpi_double_precision, mpi_irecv, mpi_isend, &
       & mpi_request, mpi_statuses_ignore, mpi_testall, mpi_type_commit, &
@@ -15,41 +15,41 @@ module plydyn_parallel_halo
    !> Tag of the messages
    integer, parameter :: tag = 1
 
-   !> What one rank exchanges with the others
+   !> Exchange lists of one rank
    type, public :: halo_type
-      !> Bytes that this rank sends in a step
+      !> Bytes sent by this rank in one exchange
       integer :: bytes = 0
-      !> Ranks that get columns from here, and those that send some
+      !> Ranks that receive columns from this one, and ranks that send columns to it
       integer, allocatable, private :: to(:), from(:)
-      !> Where the columns are, one for each of these ranks
+      !> Data type of the columns of each of these ranks
       type(mpi_datatype), allocatable, private :: sent(:), received(:)
    contains
       procedure :: is_empty
       procedure :: neighbours
       procedure :: start
-      procedure :: push_on
+      procedure :: progress
       procedure :: finish
    end type halo_type
 
-   !> Messages on their way
+   !> Pending messages of an exchange
    type, public :: messages_type
       type(mpi_request), allocatable, private :: request(:)
-      !> Whether all have come and gone
+      !> Whether all have been sent and received
       logical, private :: are_done = .true.
    end type messages_type
 
 contains
 
-   !> What is to be exchanged
+   !> Build the exchange lists
    function new_halo(ranks, height, sent, received) result(self)
-      !> How many ranks there are
+      !> Number of ranks
       integer, intent(in) :: ranks
       !> Length of a column
       integer, intent(in) :: height
-      !> Rank that gets a column, and the first place of the column in the array less 1, in the
-      !> order in which that rank expects them, (2, columns)
+      !> Receiving rank and offset in the array of each column, in the order in which that rank
+      !> receives them, (2, columns)
       integer, intent(in) :: sent(:, :)
-      !> Rank that sends a column, and where it goes, in the same order, (2, columns)
+      !> Sending rank and offset in the array of each column, in the same order, (2, columns)
       integer, intent(in) :: received(:, :)
       type(halo_type) :: self
 
@@ -58,20 +58,20 @@ contains
       call set_types(ranks, height, received, self%from, self%received)
    end function new_halo
 
-   !> A type of messages for each of the other ranks
+   !> Data types of the messages with each of the other ranks
    subroutine set_types(ranks, height, columns, partner, kind)
       integer, intent(in) :: ranks, height, columns(:, :)
       integer, allocatable, intent(out) :: partner(:)
       type(mpi_datatype), allocatable, intent(out) :: kind(:)
 
-      integer, allocatable :: place(:)
+      integer, allocatable :: offset(:)
       integer :: i, r
 
       partner = pack([(r, r=0, ranks - 1)], [(any(columns(1, :) == r), r=0, ranks - 1)])
       allocate (kind(size(partner)))
       do i = 1, size(partner)
-         place = pack(columns(2, :), columns(1, :) == partner(i))
-         call mpi_type_create_indexed_block(size(place), height, place, mpi_double_precision, &
+         offset = pack(columns(2, :), columns(1, :) == partner(i))
+         call mpi_type_create_indexed_block(size(offset), height, offset, mpi_double_precision, &
             & kind(i))
          call mpi_type_commit(kind(i))
       end do
@@ -85,7 +85,7 @@ contains
       if (allocated(self%from)) is_empty = size(self%from) == 0
    end function is_empty
 
-   !> How many ranks this one meets
+   !> Number of neighbouring ranks
    pure integer function neighbours(self)
       class(halo_type), intent(in) :: self
 
@@ -93,12 +93,12 @@ contains
       if (allocated(self%from)) neighbours = size(self%from)
    end function neighbours
 
-   !> Send this rank's columns, and begin to wait for those of the others
+   !> Start to send and receive columns (non-blocking)
    subroutine start(self, force, messages)
       class(halo_type), intent(in) :: self
-      !> The forces; what is sent must stay as it is until `finish`
+      !> Array of columns; columns that are sent must not change before `finish`
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
-      !> Messages on their way
+      !> Pending messages of an exchange
       type(messages_type), intent(inout) :: messages
 
       integer :: i
@@ -117,25 +117,25 @@ contains
       end associate
    end subroutine start
 
-   !> Let messages get on: without a call now and then MPI may leave long ones where they are
-   subroutine push_on(self, force, messages)
+   !> Progress messages: without calls MPI may not transfer long ones
+   subroutine progress(self, force, messages)
       class(halo_type), intent(in) :: self
-      !> The forces
+      !> Array of columns
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
-      !> Messages on their way
+      !> Pending messages of an exchange
       type(messages_type), intent(inout) :: messages
 
       if (messages%are_done) return
       call mpi_testall(size(messages%request), messages%request, messages%are_done, &
          & mpi_statuses_ignore)
-   end subroutine push_on
+   end subroutine progress
 
-   !> Wait until all columns have come and gone
+   !> Wait until all columns have been sent and received
    subroutine finish(self, force, messages)
       class(halo_type), intent(in) :: self
-      !> The forces, with the columns of the other ranks
+      !> Array of columns, complete on return
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
-      !> Messages on their way
+      !> Pending messages of an exchange
       type(messages_type), intent(inout) :: messages
 
       if (messages%are_done) return
