@@ -27,6 +27,7 @@ from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, strengths_of, unused
+from plydyn_pre.translate import translate
 from plydyn_pre.version import VERSION
 
 #: Exit code of an error in what the user wrote, as that of the solver
@@ -157,6 +158,27 @@ def materials(
         out.print(f"{card.name} ({card.kind}): {card.note}", markup=False, soft_wrap=True)
         for key, value, source in source_lines(card):
             out.print(f"  {key:<20} {value:<18} {source}", markup=False, soft_wrap=True)
+
+
+@app.command(name="translate")
+def translate_deck(
+    deck: Annotated[Path, typer.Argument(help="A deck of LS-DYNA.", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="The deck; else DECK_plydyn.k, here.")
+    ] = None,
+    like: Annotated[
+        str, typer.Option(help="A ply of the library, for toughnesses that a card has not.")
+    ] = "",
+) -> None:
+    """Translate a deck of LS-DYNA, with a page that tells what became of every field."""
+    path = output or Path(f"{deck.stem}_plydyn.k")
+    lines, page, notes = translate(deck, path, like)
+    write_deck(lines, path)
+    write_deck(iter(page.splitlines()), path.with_suffix(".md"))
+    for note in notes:
+        err.print(f"note: {note}", markup=False, soft_wrap=True)
+    _tell("deck", path)
+    _tell("page", path.with_suffix(".md"))
 
 
 @app.command()

@@ -1,0 +1,209 @@
+"""Decks of LS-DYNA: what they become, and what the page tells."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from deck_cards import cards_of, split_columns
+from user_decks import Layout, cohesive, composite, thick
+
+from plydyn_pre.translate import TranslateError, translate
+
+DECKS = {"composite": composite, "cohesive": cohesive, "thick": thick}
+LAYOUTS: tuple[Layout, ...] = ("fixed", "comma", "long")
+LIKE = "HTS40/977-2"
+
+
+def translated(folder: Path, text: str, like: str = LIKE) -> tuple[str, str]:
+    """The deck and the page of a deck."""
+    (folder / "user.k").write_text(text, encoding="utf-8")
+    lines, page, _ = translate(folder / "user.k", folder / "job.k", like)
+    return "\n".join(lines) + "\n", page
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("name", DECKS)
+def test_a_deck_is_the_same_in_every_layout(name: str, layout: Layout, tmp_path: Path) -> None:
+    own, _ = translated(tmp_path, DECKS[name]())
+    assert translated(tmp_path, DECKS[name](layout))[0] == own
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_a_translated_deck_runs_to_its_end(name: str, solver: str, tmp_path: Path) -> None:
+    (tmp_path / "user.k").write_text(DECKS[name](), encoding="utf-8")
+    command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k", "--like", LIKE]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "user_plydyn.md").is_file()
+    for word in ("check", "run"):
+        result = subprocess.run(
+            [solver, word, "user_plydyn.k"],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        assert result.returncode == 0, result.stdout + result.stderr
+    assert "normal end" in result.stdout
+    history = (tmp_path / "user_plydyn.impactor_1.csv").read_text().splitlines()
+    forces = [float(line.split(",")[1]) for line in history[1:]]
+    # the gap of 0.01 mm is closed at 2 m/s after 5 us
+    assert max(forces) > 1.0 and forces[3] == 0.0
+
+
+def test_a_composite_keeps_its_plies_turned_by_the_axes_of_its_material(tmp_path: Path) -> None:
+    cards = cards_of(translated(tmp_path, composite())[0])
+    plies = [line.split() for line in cards["PART_COMPOSITE_LONG"][2:]]
+    assert [float(ply[1]) for ply in plies] == [0.25] * 4
+    # the axis a of the material is along y
+    assert [float(ply[2]) for ply in plies] == [135.0, 45.0, 180.0, 90.0]
+    assert "INTERFACE_COHESIVE" not in cards
+
+
+def test_minor_ratios_become_major_ones_and_strengths_are_kept(tmp_path: Path) -> None:
+    cards = cards_of(translated(tmp_path, composite())[0])["MAT_PLY_CODAM2_TITLE+"]
+    rows = [[float(word) for word in line.split()] for line in cards[1:5]]
+    elastic = [1, 1.6e-9, 153000, 10300, 10300, 0.0202 * 153000 / 10300]
+    assert rows[0] == pytest.approx([*elastic, elastic[-1], 0.4], rel=1e-12)
+    assert rows[1] == [6000, 6000, 3700]
+    assert rows[2][:5] == [2537, 1580, 82, 236, 90]
+    assert rows[3][:4] == [91.6, 79.9, 0.22, 1.1]
+
+
+def test_without_toughnesses_a_ply_is_elastic_and_the_page_says_so(tmp_path: Path) -> None:
+    deck, page = translated(tmp_path, composite(), like="")
+    assert "*MAT_PLY_ELASTIC" in deck and "*MAT_PLY_CODAM2" not in deck
+    assert "It is elastic in the new deck, for no toughness is known" in page
+    assert re.search(r"\| XT \| 2537 \| lost: no toughness", page)
+
+
+def test_cohesive_bricks_between_shells_are_interfaces(tmp_path: Path) -> None:
+    cards = cards_of(translated(tmp_path, cohesive())[0])
+    assert len(cards["PART_COMPOSITE_LONG"]) == 2 + 3
+    rows = [line.split()[:4] for line in cards["INTERFACE_COHESIVE"]]
+    assert rows == [["1", "1", "1", "2"], ["1", "2", "2", "2"]]
+    law = cards["MAT_COHESIVE_MIXED_MODE_TITLE"]
+    first, second = ([float(word) for word in line.split()] for line in law[1:3])
+    assert first[4:] == [1e6, 5e5, 0.28, 0.79]
+    assert second[:3] == [-1.634, 62.3, 92.3]
+    # toughnesses of MAT_262 are its own: fibres and matrix, in tension and compression
+    codam = cards["MAT_PLY_CODAM2_TITLE+"]
+    assert [float(word) for word in codam[4].split()[:4]] == [91.6, 79.9, 0.22, 1.1]
+    # shells of 0.5 at 0, 0.5 and 1: from -0.25 to 1.25, the middle at 0.5
+    heights = {line[40:56].strip() for line in cards["NODE"]}
+    assert heights == {"0.5"}
+
+
+def test_a_tiebreak_between_thick_shells_is_an_interface(tmp_path: Path) -> None:
+    cards = cards_of(translated(tmp_path, thick())[0])
+    assert [line.split()[:4] for line in cards["INTERFACE_COHESIVE"]] == [["1", "2", "2", "2"]]
+    law = cards["MAT_COHESIVE_MIXED_MODE_TITLE"]
+    assert [float(word) for word in law[1].split()[4:]] == [1e6, 5e5, 0.28, 0.79]
+
+
+@pytest.mark.parametrize(("make", "top"), [(composite, 0.5), (cohesive, 1.25), (thick, 1.0)])
+def test_a_meshed_ball_is_a_sphere(make: Callable[[], str], top: float, tmp_path: Path) -> None:
+    text = translated(tmp_path, make())[0]
+    _, place, motion = cards_of(text)["IMPACTOR_SPHERE_TITLE"]
+    radius, mass, x, y, z = (float(word) for word in split_columns(place, 10)[1:6])
+    assert (radius, mass, x, y) == (6.0, 2.0e-4, 10.0, 10.0)
+    assert z == pytest.approx(top + 0.01 + 6.0, abs=1e-5)
+    assert motion.split()[:4] == ["0.0", "0.0", "-2000.0", "1"]
+
+
+def test_quads_are_raised_and_edges_held_with_their_mid_sides(tmp_path: Path) -> None:
+    cards = cards_of(translated(tmp_path, composite())[0])
+    assert len(cards["NODE"]) == (2 * 4 + 1) ** 2
+    assert len(cards["ELEMENT_PLATE_Q9"]) == 2 * 16
+    held = [word for line in cards["SET_NODE_LIST_TITLE"][2:] for word in line.split()]
+    assert len(set(held)) == 8 * 4
+
+
+@pytest.mark.parametrize("name", DECKS)
+def test_every_keyword_and_every_filled_field_is_on_the_page(name: str, tmp_path: Path) -> None:
+    text = DECKS[name]("comma")
+    _, page = translated(tmp_path, text)
+    parts = page.split("### ")[1:]
+    names = [line[1:] for line in text.splitlines() if line.startswith("*")]
+    names = [each for each in names if not each.startswith(("KEYWORD", "END"))]
+    assert [part.split(",")[0][1:] for part in parts] == names
+    blocks = re.split(r"^\*.*\n", text, flags=re.M)[2:-1]
+    for keyword, part, block in zip(names, parts, blocks, strict=True):
+        lines = [line for line in block.splitlines() if not line.startswith("$")]
+        rows = re.findall(r"^\| (?!field|---)(.*?) \| (.*?) \| (taken|replaced|lost)", part, re.M)
+        titled = keyword in ("TITLE",) or keyword.endswith(("_ID", "_TITLE"))
+        if keyword.startswith(("NODE", "ELEMENT", "SET", "PART")) or titled:
+            assert rows
+            continue
+        filled = sum(bool(word.strip()) for line in lines for word in line.split(","))
+        assert len(rows) == filled, keyword
+
+
+def test_an_unknown_keyword_is_lost_with_all_that_it_says(tmp_path: Path) -> None:
+    extra = "*LOAD_THERMAL_CONSTANT\n         1      23.5\n*END"
+    _, page = translated(tmp_path, composite().replace("*END", extra))
+    part = page.split("### *LOAD_THERMAL_CONSTANT")[1]
+    assert "| card 1 field 1 | 1 | lost: plydyn has nothing like it |" in part
+    assert "| card 1 field 2 | 23.5 | lost: plydyn has nothing like it |" in part
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("1,0.5,90.0", "1,0.5,9O.0", "B1: '9O.0' was given, a number is needed"),
+        ("1,0.5,90.0", "1,-0.5,90.0", "THICK1: -0.5 must be above zero"),
+        ("1,0.5,90.0", "9,0.5,90.0", "MID1: there is no material 9"),
+        ("1.0,4.0,7.0", "1.0,4.0,7.0,1,1", "'1' is a field too many"),
+        ("2e-05,,,,", "", "ENDTIM: missing; a value is needed"),
+        ("2e-05,,,,", "-1.0", "ENDTIM: -1 was given, a number above zero is needed"),
+        ("7,0,1,1,1,1,1,1", "8,0,1,1,1,1,1,1", "NSID: there is no set of nodes 8"),
+        ("7,0,1,1,1,1,1,1", "7,3,1,1,1,1,1,1", "CID: directions of their own"),
+        ("7,0,1,1,1,1,1,1", "7,0,1.5,1,1,1,1,1", "DOFX: '1.5' was given, a whole number"),
+        ("1,1,1,2,7,6", "1,1,1,2,7,999999", "N4: there is no node 999999"),
+        ("1,1,1,2,7,6", "1,1,6,7,2,1", "runs clockwise seen from above"),
+        ("1,1,1,2,7,6", "1,1,1,2,7,7", "has triangles"),
+        ("1,0.0,0.0,0.0\n", "1,0.0,0.0,0.5\n", "plates of plydyn are flat"),
+        ("1.6e-09,153000.0", "-1.6e-09,153000.0", "RO: -1.6e-09 was given, a number above zero"),
+        ("1.6e-09,153000.0", "1.6e-09,&young", "EA: there is no parameter 'young'"),
+        ("20,0.0,0.0,-2000.0", "20,0.0,0.0,-2000.0,0,0,0,0,1", "'1' is a field too many"),
+        ("1000000.0,500000.0,0.28", "1000000.0,500000.0,0.0001", "as a material of plydyn: GIC"),
+        ("6000.0,3700.0,6000.0,0.0", "6000.0,3700.0,6000.0,-5.0", "AOPT: -5 is not translated"),
+    ],
+)
+def test_nonsense_is_told_with_its_line_and_field(
+    old: str, new: str, words: str, tmp_path: Path
+) -> None:
+    text = cohesive("comma")
+    assert old in text
+    line = text[: text.index(old)].count("\n") + 1
+    with pytest.raises(TranslateError, match=re.escape(words)) as caught:
+        translated(tmp_path, text.replace(old, new, 1))
+    place = re.match(r".*user\.k:(\d+): \*", str(caught.value))
+    # the line itself, or that of the keyword that it is about
+    assert place and 0 < int(place[1]) <= max(line, text.count("\n"))
+
+
+def test_nonsense_is_an_exit_code_and_no_input_is_replaced(tmp_path: Path) -> None:
+    command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k"]
+
+    def said(text: str, *words: str) -> str:
+        (tmp_path / "user.k").write_text(text, encoding="utf-8")
+        result = subprocess.run(
+            [*command, *words], cwd=tmp_path, capture_output=True, text=True, check=False
+        )
+        assert result.returncode == 2, result.stdout
+        assert "Traceback" not in result.stderr
+        assert [path.name for path in tmp_path.iterdir()] == ["user.k"]
+        return result.stderr
+
+    assert "user.k:1: *KEYWORD: missing" in said("no deck\n")
+    assert "no plate; *PART_COMPOSITE" in said("*KEYWORD\n*TITLE\nx\n*END\n")
+    assert "give another name" in said(composite(), "-o", "user.k")
+    assert "there is no such file" in said("*INCLUDE\nnone.k\n*END\n")
+    assert "include each other" in said("*INCLUDE\nuser.k\n*END\n")
+    assert "'nothing' is not in the library" in said(composite(), "--like", "nothing")
