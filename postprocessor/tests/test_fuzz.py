@@ -11,7 +11,7 @@ import pytest
 from plydyn_post import style
 
 # Mutants in the tests; python tests/fuzz_results.py tries as many as asked for
-COUNT, SEEDS = 40, range(8)
+COUNT, SEEDS = 30, range(8)
 
 
 @pytest.fixture

@@ -160,7 +160,7 @@ def _legend(
         rows.append((Patch(facecolor=colour), f"{_depth(scan, one)}{one.words}{between}{area}"))
     words = f"projected {area_words(scan.areas.projected, unit)}"
     if scan.areas.failed is not None:
-        words += f",  completely failed {area_words(scan.areas.failed, unit)}"
+        words += f"\n    completely failed {area_words(scan.areas.failed, unit)}"
     words += f"\nall together {area_words(scan.areas.total, unit)}"
     rows.append((Line2D([], [], linestyle="none"), words))
     mirror = words_of(results)
