@@ -188,6 +188,47 @@ def test_nonsense_is_told_with_its_line_and_field(
     assert place and 0 < int(place[1]) <= max(line, text.count("\n"))
 
 
+LAWS = {
+    "022": "1,1.6e-9,153000,10300,,.02,.02,.4\n6000,3700,6000,0,0\n,,\n,,\n90,2537,82,236,0",
+    "055": "1,1.6e-9,153000,10300,,0,0,.4\n6000,3700,6000,0,3\n0\n0,1,0\n0\n1580,2537,236,82,90",
+    "219": (
+        "1,1.6e-9,153000,10300,,.0202,,.4\n6000,,,1\n,,,1,0,0,2\n,,,0,1,0\n0\n"
+        ".008,.0166,.02,,.05,.03,.03\n.023,.0103,.02,,.08,.03,.03"
+    ),
+    "001": "1,2.7e-9,70000,.3",
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_other_laws_of_plies_are_accepted_by_the_solver(
+    law: str, solver: str, tmp_path: Path
+) -> None:
+    text = composite("comma")
+    start = text.index("*MAT_054")
+    text = f"{text[:start]}*MAT_{law}\n{LAWS[law]}\n{text[text.index('*NODE', start) :]}"
+    deck, _ = translated(tmp_path, text)
+    plies = [line.split() for line in cards_of(deck)["PART_COMPOSITE_LONG"][2:]]
+    # axes along x: of the elements (022), v x n (055), a (219)
+    assert [float(ply[2]) for ply in plies] == [45.0, -45.0, 90.0, 0.0]
+    (tmp_path / "job.k").write_text(deck, encoding="utf-8")
+    result = subprocess.run(
+        [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_the_rate_dependent_bond_keeps_its_static_numbers(tmp_path: Path) -> None:
+    text = cohesive("comma")
+    start, end = text.index("*MAT_COHESIVE"), text.index("*MAT_262")
+    bond = "*MAT_240\n11,1e-9,0,1,4000,2000,.004\n.28,,,62.3,,,\n.79,,,92.3,,,\n"
+    deck, page = translated(tmp_path, text[:start] + bond + text[end:])
+    law = cards_of(deck)["MAT_COHESIVE_MIXED_MODE_TITLE"]
+    # moduli over the thickness of the layer
+    assert [float(word) for word in law[1].split()[4:]] == [1e6, 5e5, 0.28, 0.79]
+    assert [float(word) for word in law[2].split()[:3]] == [1.0, 62.3, 92.3]
+    assert "| THICK | 0.004 | replaced: over THICK, the stiffness of the interface |" in page
+
+
 def test_nonsense_is_an_exit_code_and_no_input_is_replaced(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k"]
 

@@ -11,7 +11,7 @@ from plydyn_pre.deck.conditions import set_card
 from plydyn_pre.deck.materials import material_text
 from plydyn_pre.translate.impactor import Sphere
 from plydyn_pre.translate.joints import Joint
-from plydyn_pre.translate.plies import axis_angle, ply_material
+from plydyn_pre.translate.plies import DAMAGED, axis_angle, ply_material
 from plydyn_pre.translate.reader import REPLACED, Block
 from plydyn_pre.translate.stack import Stack
 
@@ -90,7 +90,8 @@ def _material(plate: Plate, mid: int, number: int, turns: dict[int, float]) -> s
     """The keyword of a ply material; its axis angle goes to the plies."""
     if mid not in plate.known:
         block = plate.stack.layers[0].body.block
-        raise block.fail("MID1", f"there is no material {mid}")
+        known = f"*MAT_ELASTIC, *MAT_CODAM2, *{', *'.join(DAMAGED)}"
+        raise block.fail("MID1", f"there is no material {mid} that is translated: {known}")
     block = plate.known[mid]
     by_element = isnan(plate.stack.first_edge) and block.raw("AOPT", 0.0) == 0.0
     if by_element and block.name not in ("MAT_ELASTIC", "MAT_CODAM2"):

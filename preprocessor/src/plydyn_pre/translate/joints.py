@@ -90,7 +90,10 @@ def _parts_of(blocks: list[Block], sid: int) -> set[int]:
 
 def _modulus(known: dict[int, Block], layer: Layer) -> float:
     """The modulus through the thickness of a part."""
-    block = known[layer.body.plies[0].material]
+    mid = layer.body.plies[0].material
+    if mid not in known:
+        raise layer.body.block.fail("MID1", f"there is no material {mid}")
+    block = known[mid]
     for name in ("EC", "EB", "E"):
         if block.has(name) and float(block.raw(name)) > 0.0:
             return float(block.raw(name))

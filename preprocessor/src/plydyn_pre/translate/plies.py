@@ -12,13 +12,13 @@ from plydyn_pre.study import Cohesive, Elastic, PlyCodam2, PlyElastic
 from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.reader import LOST, REPLACED, TAKEN, Block
 
-_DAMAGED = {
+#: Plies that have strengths, and their name for that of shear
+DAMAGED = {
     "MAT_COMPOSITE_DAMAGE": ("SC",),
     "MAT_ENHANCED_COMPOSITE_DAMAGE": ("SC",),
     "MAT_LAMINATED_COMPOSITE_FABRIC": ("SC",),
     "MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO": ("SL",),
 }
-PLIES = (*_DAMAGED, "MAT_ELASTIC", "MAT_CODAM2")
 #: Multiples of the modulus over the thickness beside it that an interface should have
 _STIFF = 50.0
 
@@ -51,14 +51,14 @@ def ply_material(block: Block, like: str) -> Material:
         names = ("RO", "E", "PR")
         density, young, poisson = (block.number(name, 0.0) for name in names)
         return _made(block, lambda: Elastic(density=density, E=young, nu=poisson))
-    if block.name not in _DAMAGED:
-        raise block.fail("", f"is no ply that is translated; {', '.join(PLIES)} are")
+    if block.name not in DAMAGED:
+        raise block.fail("", f"is no ply that is translated; {', '.join(DAMAGED)} are")
     elastic = _elastic(block)
-    strengths = _strengths(block, *_DAMAGED[block.name])
+    strengths = _strengths(block, *DAMAGED[block.name])
     energies = _energies(block, like)
     if energies is None or strengths is None:
         words = "no toughness is known, so the ply is elastic; --like takes them from the library"
-        block.mark(LOST, words, "XC", "XT", "YC", "YT", *_DAMAGED[block.name])
+        block.mark(LOST, words, "XC", "XT", "YC", "YT", *DAMAGED[block.name])
         block.remarks.append("It is elastic in the new deck, for no toughness is known")
         return _made(block, lambda: PlyElastic(**elastic))
     return _made(block, lambda: PlyCodam2(**elastic, **strengths, **energies))

@@ -106,7 +106,11 @@ def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
             first = lowest.body.pid
             words = f"the elements of part {layer.body.pid} do not lie over those of part {first}"
             raise layer.body.block.fail("PID", f"{words}; one stack of parts is translated")
-        stack.column_of |= {nid: columns[key(nid)] for nid in layer.body.nodes}
+        for nid in layer.body.nodes:
+            if key(nid) not in columns:
+                words = f"node {nid} lies over no node of part {lowest.body.pid}"
+                raise layer.body.block.fail("PID", words)
+            stack.column_of[nid] = columns[key(nid)]
     next_id = max(nodes) + 1
     for quad in lowest.quads:
         next_id = _add_quad(stack, _turned(quad, nodes, lowest.body), next_id)
