@@ -2,7 +2,7 @@
 !>
 !> In the plane and through the thickness the values at the Gauss points are interpolated, but for
 !> the shear across the plate: along its own direction it is projected onto polynomials of one
-!> degree less, in the axes of the quad. That takes out the ripple that full integration leaves
+!> degree less, in the axes of the quad. That removes the oscillation that full integration leaves
 !> there between the best points (Barlow, 1976), by the sampling of the MITC elements (Bathe and
 !> Dvorkin, 1986).
 module plydyn_element_recover_anywhere

@@ -15,7 +15,7 @@ module plydyn_io_job
       character(:), allocatable :: path
       !> Path of the deck, and version of the program
       character(:), allocatable :: deck, version
-      !> Units of the line of life and of the listing
+      !> Units of the progress line and of the listing
       integer :: screen = no_unit, listing = no_unit
       !> Decks, word for word
       type(archive_type) :: archive

@@ -1,4 +1,4 @@
-!> The line of life: its text, durations, and the distance of lines.
+!> The progress line: its text, durations, and the interval of lines.
 program test_io_listing_progress_line
    use plydyn_base_precision, only : wp
    use plydyn_io_listing_progress_line, only : duration_text, progress_headers, progress_line, &

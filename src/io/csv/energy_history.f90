@@ -19,7 +19,8 @@ module plydyn_io_csv_energy_history
    !> argument
    character(20), parameter :: names(*) = [character(20) :: "cycle", "time", "step", "kinetic", &
       & "internal", "dissipated", "impactor", "damping", "external", "contact", mechanism_names, &
-      & "hourglass", "ripple", "total", "error", "momentum x", "momentum y", "momentum z"]
+      & "hourglass", "half-step correction", "total", "error", "momentum x", "momentum y", &
+      & "momentum z"]
 
    !> The history
    type, public, extends(history_recorder_type) :: energy_history_type

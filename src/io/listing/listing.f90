@@ -318,9 +318,9 @@ contains
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
             & "  added     ", e%added, trim(u%energy), &
-            & "  ripple    ", e%half_step_correction - e%step_change, trim(u%energy), &
+            & "  half-step correction ", e%half_step_correction - e%step_change, trim(u%energy), &
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
-         write (unit, "(a,es10.2)") "share out of balance ", e%error()
+         write (unit, "(a,es10.2)") "energy error ", e%error()
       end associate
       call write_interface_losses(unit, model, domain, lost)
       flush (unit)

@@ -57,7 +57,8 @@ def struck(share: float, linear: bool, folder: Path) -> float:
     deck.add("LOAD_FACE_PRESSURE", (0, TOP, curve, 1000.0))
     deck.intervals(glstat=end / 200.0, binary_d3plot=end)
     energy = run(deck, folder).table("energy")
-    stored = (energy["kinetic"] + energy["internal"] - energy["ripple"]) / energy["external"][-1]
+    stored = energy["kinetic"] + energy["internal"] - energy["half-step correction"]
+    stored = stored / energy["external"][-1]
     return float(stored[len(stored) // 2 :].mean())
 
 

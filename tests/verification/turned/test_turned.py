@@ -93,7 +93,7 @@ def as_seen(table: Table, turn: Array, side: int) -> Array:
 def check_same(first: Table, other: Array) -> None:
     """Every column agrees with the largest of its kind in mind."""
     for column, name in enumerate(first.names):
-        if name in ("step", "error", "contacts", "ripple", "penetration"):
+        if name in ("step", "error", "contacts", "half-step correction", "penetration"):
             continue
         kind = name[-2:-1] if name[-1] in "xyz" else name
         alike = [c for c, n in enumerate(first.names) if n == name or n[-2:-1] == kind]
