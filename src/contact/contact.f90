@@ -11,6 +11,7 @@ module plydyn_contact_contact
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_contact_patch, only : contact_patch_type, new_patch, point_areas
    use plydyn_contact_solve_constraint, only : constraints_type, gap_change, new_constraints
    use plydyn_contact_solve_correction, only : correction_type, new_correction
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
@@ -68,9 +69,12 @@ module plydyn_contact_contact
       type(node_set_type), private :: nodes
       type(constraints_type), private :: rows
       type(active_set_type), private :: active_set
+      !> Tributary area of the surface points at the start, length squared
+      real(wp), allocatable, private :: point_area(:)
    contains
       procedure :: enforce
       procedure :: initial_gap
+      procedure :: patch => last_patch
       procedure :: save
       procedure :: restore
    end type contact_pair_type
@@ -101,6 +105,7 @@ contains
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
+      self%point_area = point_areas(facet, position)
       if (setup%exact_sphere) then
          call refuse_passage(setup%radius, &
             & point_distance(self%surface, position, centre, setup%radius), error)
@@ -109,6 +114,18 @@ contains
             & error)
       end if
    end subroutine new_contact
+
+   !> The patch in contact at the end of the last step
+   pure type(contact_patch_type) function last_patch(self, position, dt) result(patch)
+      !> The pair
+      class(contact_pair_type), intent(in) :: self
+      !> Trial positions of the last step, as for `enforce`
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> The last step
+      real(wp), intent(in) :: dt
+
+      patch = new_patch(self%rows, self%point_area, position, self%correction, dt)
+   end function last_patch
 
    !> Refuse a sphere that fits between four points of the plate: its contact would be missed
    subroutine refuse_passage(radius, distance, error)

@@ -228,7 +228,8 @@ contains
       call list%add(database("DATABASE_BINARY_D3PLOT", standard, "field states", &
          & "LCDT BEAM NPLTC PSETID"), &
          & read_database_binary_d3plot, stage_output)
-      call list%add(database("DATABASE_IMPACTOR", ours, "impactor histories", ""), &
+      call list%add(database("DATABASE_IMPACTOR", ours, &
+         & "lines of the impactor and contact histories", ""), &
          & read_database_impactor, stage_output, check=check_database_impactor)
       call list%add(database_history_node(), read_database_history_node, stage_output)
       call list%add(database_history_node_set(), read_database_history_node_set, stage_output)

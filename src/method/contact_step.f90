@@ -5,6 +5,7 @@ module plydyn_method_contact_step
    use plydyn_base_text, only : text
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
+   use plydyn_contact_patch, only : contact_patch_type
    use plydyn_contact_solve_correction, only : correction_type
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
@@ -46,6 +47,7 @@ module plydyn_method_contact_step
    contains
       procedure :: predict
       procedure :: correct
+      procedure :: patch
       procedure :: save
       procedure :: restore
    end type contacts_type
@@ -198,6 +200,24 @@ contains
          call mark_reached(self%pairs(i), self%reached)
       end do
    end subroutine correct
+
+   !> The patch in contact with an impactor at the end of the last step
+   pure type(contact_patch_type) function patch(self, domain, impactor, step)
+      class(contacts_type), intent(in) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Index of the impactor
+      integer, intent(in) :: impactor
+      !> The last step
+      real(wp), intent(in) :: step
+
+      integer :: i
+
+      do i = 1, size(self%pairs)
+         if (domain%contact%contacts(i)%impactor /= impactor) cycle
+         call patch%add(self%pairs(i)%pair%patch(self%pairs(i)%position, step))
+      end do
+   end function patch
 
    !> Trial motion of an impactor
    subroutine move_impactor(domain, i, state)

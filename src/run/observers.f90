@@ -2,6 +2,7 @@
 module plydyn_run_observers
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_io_csv_contact_history, only : contact_history_type
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
    use plydyn_io_csv_impactor_history, only : new_impactor_history
@@ -54,6 +55,7 @@ contains
          call add(new_profile_file(i))
       end do
       call add(delamination_history_type())
+      call add(contact_history_type())
       call add(field_output_type())
       call add(new_progress_monitor())
       call add_other(new_stability_monitor())

@@ -14,7 +14,9 @@ from collections.abc import Mapping
 RENAMED_FILES: dict[str, str] = {}
 
 #: Files that only one of the builds writes, and why
-ADDED_FILES: dict[str, str] = {}
+ADDED_FILES: dict[str, str] = {
+    r"job\.contact\.csv": "area, pressure and centre of pressure of the contact",
+}
 DROPPED_FILES: dict[str, str] = {}
 
 #: Columns of histories, `ending: header`, that only one of the builds writes, and why

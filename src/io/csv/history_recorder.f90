@@ -27,7 +27,8 @@ module plydyn_io_csv_history_recorder
    contains
       procedure(record_lines), deferred :: record
       procedure :: due
-      procedure :: begin
+      procedure :: begin => record_due
+      procedure :: record_due
       procedure :: notify
       procedure :: mark => mark_file
       procedure :: mark_file
@@ -65,8 +66,8 @@ contains
       if (due) due = is_last .or. self%schedule%due(time)
    end function due
 
-   !> The lines of the beginning
-   subroutine begin(self, domain, contacts, state, error)
+   !> Write the lines, if they are due
+   subroutine record_due(self, domain, contacts, state, error)
       class(history_recorder_type), intent(inout) :: self
       !> As in `observer_type`
       type(domain_type), intent(in) :: domain
@@ -77,7 +78,7 @@ contains
       if (.not. self%due(state%time, state%cycle, state%is_finished())) return
       call self%record(domain, contacts, state, error)
       call self%schedule%advance(state%time)
-   end subroutine begin
+   end subroutine record_due
 
    !> The lines of a step
    subroutine notify(self, domain, contacts, state, requests, error)
@@ -89,7 +90,7 @@ contains
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      call self%begin(domain, contacts, state, error)
+      call self%record_due(domain, contacts, state, error)
    end subroutine notify
 
    !> Put all lines on the disk, and add how far the file has been written
