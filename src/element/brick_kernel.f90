@@ -6,6 +6,8 @@ module plydyn_element_brick_kernel
       & unfelt_motion
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
       & turn_strain, turn_stress
+   use plydyn_element_plate_layers, only : c33
+   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, volume_ratio
    implicit none
    private
 
@@ -98,6 +100,7 @@ contains
       call strain_of(h, large, e)
       call elastic_stress(c, e, s)
       call to_flux(h, large, shape%volume(:, 1), s, p)
+      if (large > 0.0_wp) call add_barrier(c(c33), shape%volume(:, 1), h, p)
       call unfelt_motion(u, h, shape%bent, q)
       call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
       call spread_unfelt(pull, shape%bent, p, f)
@@ -120,6 +123,7 @@ contains
          call strain_of(h, large, e)
          call find_stress(bricks, step, e, history, s)
          call to_flux(h, large, shape%volume(:, 1), s, p)
+         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, 1), h, p)
          if (bricks%drag > 0.0_wp) then
             call gather(bricks%place(:, :, batch), velocity, v)
             call gradient_of(v, shape%gradient(:, :, :, 1), rate)
@@ -159,9 +163,33 @@ contains
       f(:, :, :) = 0.0_wp
       do m = 1, corners
          call to_flux(h(:, :, :, m), large, shape%volume(:, m), s(:, :, m), p)
+         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, m), &
+            & h(:, :, :, m), p)
          call integrate(p, shape%gradient(:, :, :, m), f)
       end do
    end subroutine full_forces
+
+   !> Add the barrier against bricks turned inside out to the flux
+   pure subroutine add_barrier(modulus, volume, h, p)
+      !> Stiffness C33
+      real(wp), intent(in) :: modulus
+      !> Volume of the point; none in lanes without a brick
+      real(wp), intent(in) :: volume(lanes)
+      !> Displacement gradient, (lanes, component, direction)
+      real(wp), intent(in) :: h(lanes, 3, 3)
+      !> First Piola-Kirchhoff stress times volume, (lanes, component, direction)
+      real(wp), intent(inout) :: p(lanes, 3, 3)
+
+      real(wp) :: stress(3, 3)
+      integer :: l
+
+      do l = 1, lanes
+         if (volume_ratio(h(l, :, :)) >= barrier_ratio) cycle
+         stress(:, :) = p(l, :, :)
+         call add_barrier_stress(modulus*volume(l), h(l, :, :), stress)
+         p(l, :, :) = stress
+      end do
+   end subroutine add_barrier
 
    !> Give all points of a brick the mean of a trace
    pure subroutine mean_volume_strain(volume, e)

@@ -7,6 +7,8 @@ module plydyn_element_brick_recover
       & turn_strain, turn_stress
    use plydyn_element_recover, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
+   use plydyn_element_plate_layers, only : c33
+   use plydyn_law_compression_barrier, only : barrier_stress
    implicit none
    private
 
@@ -89,17 +91,18 @@ contains
       call turn_strain(bricks%turn, turned)
       turned(:, 4:) = 0.5_wp*turned(:, 4:)
       values(:, ply_stress_at + 1:scalars_at) = turned
-      if (large) call to_cauchy(h, s)
+      if (large) call to_cauchy(bricks%stiffness(c33), h, s)
       values(:, stress_at + 1:ply_strain_at) = s
    end subroutine point_values
 
-   !> Second Piola-Kirchhoff to Cauchy stress, in place: F S F^T / det F
-   pure subroutine to_cauchy(h, s)
-      real(wp), intent(in) :: h(lanes, 3, 3)
+   !> Second Piola-Kirchhoff to Cauchy stress, in place: F S F^T / det F, with that
+   !> of the barrier against compression
+   pure subroutine to_cauchy(modulus, h, s)
+      real(wp), intent(in) :: modulus, h(lanes, 3, 3)
       real(wp), intent(inout) :: s(lanes, 6)
 
       integer, parameter :: first(6) = [1, 2, 3, 1, 1, 2], second(6) = [1, 2, 3, 2, 3, 3]
-      real(wp) :: f(3, 3), p(lanes, 3, 3), unit(lanes), volume
+      real(wp) :: f(3, 3), p(lanes, 3, 3), unit(lanes), ratio
       integer :: i, l
 
       unit(:) = 1.0_wp
@@ -109,12 +112,13 @@ contains
          do i = 1, 3
             f(i, i) = f(i, i) + 1.0_wp
          end do
-         volume = f(1, 1)*(f(2, 2)*f(3, 3) - f(3, 2)*f(2, 3)) &
+         ratio = f(1, 1)*(f(2, 2)*f(3, 3) - f(3, 2)*f(2, 3)) &
             & - f(2, 1)*(f(1, 2)*f(3, 3) - f(3, 2)*f(1, 3)) &
             & + f(3, 1)*(f(1, 2)*f(2, 3) - f(2, 2)*f(1, 3))
          do i = 1, 6
-            s(l, i) = dot_product(p(l, first(i), :), f(second(i), :))/volume
+            s(l, i) = dot_product(p(l, first(i), :), f(second(i), :))/ratio
          end do
+         s(l, :3) = s(l, :3) + barrier_stress(modulus, ratio)
       end do
    end subroutine to_cauchy
 

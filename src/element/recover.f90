@@ -5,6 +5,7 @@ module plydyn_element_recover
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_law_ply_elastic, only : strain_rotation
    use plydyn_law_law, only : scalars
+   use plydyn_law_compression_barrier, only : barrier_stress, volume_ratio
    implicit none
    private
 
@@ -63,7 +64,7 @@ contains
                stress(:) = matmul(stiffness, strain)
             end if
             values(ply_stress_at + 1:scalars_at, q, m) = matmul(stress_rotation, stress)
-            if (large) stress(:) = cauchy(h(:, :, q, m), stress)
+            if (large) stress(:) = cauchy(stiffness(3, 3), h(:, :, q, m), stress)
             values(stress_at + 1:ply_strain_at, q, m) = stress
          end do
       end do
@@ -173,24 +174,23 @@ contains
       strain(:) = [0.5_wp*e(1, 1), 0.5_wp*e(2, 2), 0.5_wp*e(3, 3), e(1, 2), e(1, 3), e(2, 3)]
    end function strain_of
 
-   !> Cauchy stress, F S F^T / det F
-   pure function cauchy(h, second) result(stress)
-      real(wp), intent(in) :: h(3, 3), second(6)
+   !> Cauchy stress, F S F^T / det F, with that of the barrier against compression
+   pure function cauchy(modulus, h, second) result(stress)
+      real(wp), intent(in) :: modulus, h(3, 3), second(6)
       real(wp) :: stress(6)
 
-      real(wp) :: f(3, 3), s(3, 3), volume
+      real(wp) :: f(3, 3), s(3, 3), ratio
       integer :: i
 
       f(:, :) = h
       do i = 1, 3
          f(i, i) = f(i, i) + 1.0_wp
       end do
-      volume = f(1, 1)*(f(2, 2)*f(3, 3) - f(2, 3)*f(3, 2)) &
-         & - f(1, 2)*(f(2, 1)*f(3, 3) - f(2, 3)*f(3, 1)) &
-         & + f(1, 3)*(f(2, 1)*f(3, 2) - f(2, 2)*f(3, 1))
+      ratio = volume_ratio(h)
       s(:, :) = reshape(second([1, 4, 5, 4, 2, 6, 5, 6, 3]), [3, 3])
-      s(:, :) = matmul(f, matmul(s, transpose(f)))/volume
+      s(:, :) = matmul(f, matmul(s, transpose(f)))/ratio
       stress(:) = [s(1, 1), s(2, 2), s(3, 3), s(1, 2), s(1, 3), s(2, 3)]
+      stress(:3) = stress(:3) + barrier_stress(modulus, ratio)
    end function cauchy
 
 end module plydyn_element_recover

@@ -57,6 +57,8 @@ module plydyn_element_plate_layers
       type(layer_batch_type), allocatable :: batches(:)
    end type plate_type
 
+   !> Place of C33 among the constants of a stiffness
+   integer, parameter, public :: c33 = 8
    !> The constants of a monoclinic stiffness that kernels use, by row and column
    integer, parameter :: row(13) = [1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 5, 6]
    integer, parameter :: column(13) = [1, 2, 3, 4, 2, 3, 4, 3, 4, 4, 5, 6, 6]
