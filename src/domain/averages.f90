@@ -10,10 +10,11 @@ module plydyn_domain_averages
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : cell_lengths
+   use plydyn_element_plate_initial_history, only : cell_lengths
    use plydyn_domain_strain_halo, only : add_loans, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : abreast, average_type
+   use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_law, only : law_type
    use plydyn_model_model, only : model_type
@@ -40,18 +41,20 @@ contains
 
       type(strain_halo_type) :: strain_halo
       type(neighbourhood_type) :: around
+      type(plate_type), allocatable :: plates(:)
       real(wp) :: reach
       integer :: a, p
 
-      allocate (domain%averaging%averages(count_averages(domain%plates)))
+      plates = plates_of(domain%groups)
+      allocate (domain%averaging%averages(count_averages(plates)))
       strain_halo = new_strain_halo()
       a = 0
-      do p = 1, size(domain%plates)
-         reach = largest_radius(domain%plates(p))
+      do p = 1, size(plates)
+         reach = largest_radius(plates(p))
          if (reach <= 0.0_wp) cycle
          around = new_neighbourhood(model%mesh, division, rank_of_chunk, domain%comm%rank, p, &
-            & domain%plates(p), reach)
-         call build_part(model, around, p, domain, a, strain_halo, error)
+            & plates(p), reach)
+         call build_part(model, around, plates(p), p, domain, a, strain_halo, error)
          if (allocated(error)) return
       end do
       domain%averaging%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%lent, &
@@ -60,11 +63,12 @@ contains
    end subroutine build_averages
 
    !> The averages of a part
-   subroutine build_part(model, around, p, domain, a, strain_halo, error)
+   subroutine build_part(model, around, plate, p, domain, a, strain_halo, error)
       type(model_type), intent(in) :: model
       !> Points of the plane
       type(neighbourhood_type), intent(in) :: around
-      !> The part
+      !> The plate of a part, and the part
+      type(plate_type), intent(in) :: plate
       integer, intent(in) :: p
       type(domain_type), intent(inout) :: domain
       !> Averages that are built
@@ -76,8 +80,8 @@ contains
       integer, allocatable :: point(:)
       integer :: b, k, length
 
-      do b = 1, size(domain%plates(p)%batches)
-         associate (plate => domain%plates(p), batch => domain%plates(p)%batches(b))
+      do b = 1, size(plate%batches)
+         associate (batch => plate%batches(b))
             do k = 1, size(batch%laws)
                if (batch%laws(k)%law%driving == 0) cycle
                a = a + 1
@@ -88,8 +92,8 @@ contains
                length = domain%histories + domain%averaging%halo_strains
                call add_loans(around, point, length, domain%averaging%averages(a), strain_halo)
                domain%averaging%halo_strains = length - domain%histories
-               call check_reach(model, domain, domain%averaging%averages(a), batch%laws(k)%law, &
-                  & error)
+               call check_reach(model, domain, plate, domain%averaging%averages(a), &
+                  & batch%laws(k)%law, error)
                if (allocated(error)) return
             end do
          end associate
@@ -145,6 +149,7 @@ contains
          self%behind_own = law%behind_own
          self%behind_mean = law%behind_mean
          self%owns(:) = law%owns
+         self%layer(:) = batch%layer(:, self%block)
       end associate
    end function new_average
 
@@ -239,9 +244,10 @@ contains
 
    !> Refuse an ellipse smaller than the cells of all Gauss points: nowhere would it reach another
    !> point along the fibres, or nowhere across them. All ranks come to the same
-   subroutine check_reach(model, domain, average, law, error)
+   subroutine check_reach(model, domain, plate, average, law, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      type(plate_type), intent(in) :: plate
       type(average_type), intent(in) :: average
       class(law_type), intent(in) :: law
       type(error_type), allocatable, intent(out) :: error
@@ -249,7 +255,7 @@ contains
       real(wp) :: each(3*lanes*domain%comm%ranks), least(3, lanes)
       integer :: l, r
 
-      least(:, :) = least_cells(domain%plates(average%plate), average, law)
+      least(:, :) = least_cells(plate, average, law)
       call domain%comm%allgather(reshape(least, [size(least)]), &
          & [(size(least), r=1, domain%comm%ranks)], each)
       do r = 1, domain%comm%ranks
@@ -318,8 +324,7 @@ contains
 
       integer :: ply
 
-      ply = domain%layers%ply(domain%plates(average%plate)%batches(average%batch)%layer(lane, &
-         & average%block))
+      ply = domain%layers%ply(average%layer(lane))
       associate (material => model%materials(model%parts(average%plate)%plies(ply)%material))
          call fail(error, exit_input, "error: "//material%radius_place//": *" &
             & //material%keyword//" R"//text(which)//": in ply "//text(ply) &
@@ -370,10 +375,7 @@ contains
       type(average_type), intent(in) :: average
       integer, intent(in) :: lane
 
-      associate (batch => domain%plates(average%plate)%batches(average%batch))
-         material = model%parts(average%plate)%plies(domain%layers%ply(batch%layer(lane, &
-            & average%block)))%material
-      end associate
+      material = model%parts(average%plate)%plies(domain%layers%ply(average%layer(lane)))%material
    end function material_of
 
 end module plydyn_domain_averages

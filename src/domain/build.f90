@@ -7,25 +7,18 @@ module plydyn_domain_build
    use plydyn_base_precision, only : wp
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
-   use plydyn_domain_brick_stable_step, only : find_brick_limit
-   use plydyn_domain_bricks, only : new_bricks
-   use plydyn_domain_build_elements, only : build_elements, build_masses, build_shapes
+   use plydyn_domain_build_groups, only : build_groups
+   use plydyn_domain_build_elements, only : build_elements, build_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : assign_held_points, set_targets
-   use plydyn_domain_columns, only : new_columns, new_solid_columns
-   use plydyn_domain_decomposition, only : column_owners, divide_bricks, divide_plane, &
-      & decomposition_type
+   use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_interfaces, only : new_interfaces
    use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
-   use plydyn_domain_plates, only : new_plate
    use plydyn_domain_subdomain, only : join_ranks, renumber_chunks, subdomain_type, take_chunks, &
       & take_columns
    use plydyn_domain_step_limit, only : find_step_limit
-   use plydyn_element_interface, only : interface_type
    use plydyn_model_layers, only : new_layers
-   use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -65,50 +58,8 @@ contains
       domain%contact%impactors = model%impactors
       domain%contact%contacts = model%contacts
       domain%layers = new_layers(model%parts(1))
-      if (size(model%mesh%brick_id) > 0) then
-         call begin_bricks(model, domain, division)
-      else
-         call begin_plates(model, domain, division)
-      end if
+      call build_groups(model, domain, division)
    end subroutine begin_domain
-
-   !> Layers and interfaces of all parts, and the chunks of the plane
-   subroutine begin_plates(model, domain, division)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(inout) :: domain
-      type(decomposition_type), intent(out) :: division
-
-      type(interface_type), allocatable :: interfaces(:)
-      logical :: side_by_side
-      integer :: k, p
-
-      associate (joint => domain%layers%joint)
-         domain%columns = new_columns(size(model%mesh%node_id), domain%layers%order)
-         domain%inertia%ties = pack([(k, k=1, size(joint))], joint == faces_tied)
-         do k = 1, size(domain%inertia%ties)
-            call domain%columns%tie(domain%inertia%ties(k), side_by_side)
-         end do
-         allocate (domain%bricks(0), domain%plates(size(model%parts)), domain%interfaces(0))
-         do p = 1, size(model%parts)
-            domain%plates(p) = new_plate(model, p, domain%columns)
-            interfaces = new_interfaces(model, p, domain%columns, joint)
-            domain%interfaces = [domain%interfaces, interfaces]
-         end do
-      end associate
-      division = divide_plane(model%mesh, size(model%parts))
-   end subroutine begin_plates
-
-   !> Which bricks there are, and their chunks
-   subroutine begin_bricks(model, domain, division)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(inout) :: domain
-      type(decomposition_type), intent(out) :: division
-
-      domain%columns = new_solid_columns(size(model%mesh%node_id))
-      allocate (domain%plates(0), domain%interfaces(0), domain%inertia%ties(0))
-      domain%bricks = new_bricks(model)
-      division = divide_bricks(model%mesh, domain%bricks)
-   end subroutine begin_bricks
 
    !> Build what one rank has. All ranks must come here
    subroutine build_share(model, division, rank_of_chunk, domain, share, error)
@@ -133,8 +84,7 @@ contains
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
-      call build_elements(model%mesh, division, numbering, domain, share)
-      call build_shapes(model, domain)
+      call build_elements(model, division, numbering, domain, share)
       call limit_step(model, domain, error)
       if (allocated(error)) return
       domain%crack_bands = find_bands(model, domain)
@@ -157,11 +107,7 @@ contains
       !> Says that there is none; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (size(domain%bricks) > 0) then
-         domain%limit = find_brick_limit(model, domain)
-      else
-         domain%limit = find_step_limit(model, domain)
-      end if
+      domain%limit = find_step_limit(model, domain)
       domain%step = largest_step(domain)
       ! a step that does not move the time is none
       if (domain%limit%step > epsilon(1.0_wp)*domain%control%end_time) return

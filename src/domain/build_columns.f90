@@ -6,7 +6,7 @@ module plydyn_domain_build_columns
    use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_domain_pair_inertia, only : implicit_share
-   use plydyn_element_thickness, only : layer_springs, level_table
+   use plydyn_element_thickness, only : level_table
    implicit none
    private
 
@@ -89,11 +89,9 @@ contains
 
       allocate (spring(directions, size(part, 2), size(area, 1)))
       spring(:, :, :) = 0.0_wp
-      do p = 1, size(domain%plates)
+      do p = 1, size(area, 2)
          do k = 1, size(part, 2)
-            associate (home => domain%columns%home(:, k))
-               part(:, k) = layer_springs(domain%plates(p)%batches(home(1)), home(3), home(2))
-            end associate
+            part(:, k) = springs_of(domain, p, domain%columns%home(:, k))
          end do
          do n = 1, size(area, 1)
             total = sum(area(n, :))
@@ -101,6 +99,22 @@ contains
          end do
       end do
    end function node_springs
+
+   !> Stiffness of a layer of an element set through its thickness
+   pure function springs_of(domain, set, slot) result(spring)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: set
+      !> Order group, block and lane of the layer
+      integer, intent(in) :: slot(3)
+      real(wp) :: spring(directions)
+      integer :: g
+
+      spring(:) = 0.0_wp
+      do g = 1, size(domain%groups)
+         if (domain%groups(g)%item%set /= set) cycle
+         spring(:) = spring + domain%groups(g)%item%layer_springs(slot)
+      end do
+   end function springs_of
 
    !> Whether supports hold each freedom, (freedoms, 3*nodes)
    pure function held_rows(domain, self) result(held)
@@ -184,7 +198,7 @@ contains
       allocate (self%stretches(size(domain%columns%families)))
       do f = 1, size(self%stretches)
          table = -implicit_share*domain%step**2 &
-            & *level_table(domain%plates(1)%batches(f)%expansion)
+            & *level_table(domain%columns%families(f)%expansion)
          associate (family => domain%columns%families(f), stretch => self%stretches(f))
             p = family%order*(family%order + 1)/2
             stretch%level = reshape([(([s, t], s=1, t - 1), t=2, family%order + 1)], [2, p])
@@ -220,7 +234,7 @@ contains
       do k = 1, size(spring, 2)
          at = self%freedom(self%row_of(domain%columns, k, [(t, t=1, domain%columns%levels(k))]))
          added(at, at) = added(at, at) + spring(direction, k)*level_table( &
-            & domain%plates(1)%batches(domain%columns%home(1, k))%expansion)
+            & domain%columns%families(domain%columns%home(1, k))%expansion)
          if (k == size(spring, 2)) cycle
          if (joint(direction, k) <= 0.0_wp) cycle
          at = self%freedom(self%row_of(domain%columns, [k, k + 1], [domain%columns%levels(k), 1]))

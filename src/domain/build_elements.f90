@@ -1,30 +1,25 @@
-!> Quads, bricks and interfaces of the chunks of a domain, their histories, and masses of points.
+!> Elements of the chunks of a domain, their histories, and masses of points.
 module plydyn_domain_build_elements
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
-   use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_bricks, only : add_brick_masses, find_shapes, set_batches
-   use plydyn_domain_columns, only : front
+   use plydyn_base_precision, only : wp
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : chunk_type, domain_type
-   use plydyn_domain_masses, only : add_masses
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_domain_plates, only : set_quads
    use plydyn_domain_subdomain, only : subdomain_type
-   use plydyn_element_interface, only : set_plane
-   use plydyn_element_plate_layers, only : history_rows
-   use plydyn_model_mesh, only : mesh_type
+   use plydyn_element_group, only : element_group_type
+   use plydyn_fem_columns, only : front
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: build_elements, build_masses, build_shapes, whole_mass
+   public :: build_elements, build_masses, whole_mass
 
 contains
 
    !> Elements of the domain's chunks, and where their histories lie
-   subroutine build_elements(mesh, division, numbering, domain, share)
-      !> The mesh
-      type(mesh_type), intent(in) :: mesh
+   subroutine build_elements(model, division, numbering, domain, share)
+      !> The model
+      type(model_type), intent(in) :: model
       !> All elements
       type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
@@ -35,63 +30,38 @@ contains
       type(subdomain_type), intent(inout) :: share
 
       integer, allocatable :: own(:)
-      integer :: k, p
+      integer :: g, local_node(size(model%mesh%node_id))
 
+      local_node(:) = numbering%node([(g, g=1, size(local_node))])
       domain%histories = front
       allocate (share%history(3, 0))
-      do p = 1, size(division%parts)
-         own = places_of(domain%chunks%list, p)
-         associate (element => division%parts(p)%element)
-            if (size(domain%bricks) > 0) then
-               call set_batches(mesh, own, numbering, domain%columns, domain%bricks(p))
-            else
-               call set_quads(mesh, element(own), numbering, domain%plates(p))
-            end if
-            call place_part(own, size(element), p, domain, share)
-         end associate
-      end do
-      do k = 1, size(domain%interfaces)
-         associate (batch => domain%interfaces(k))
-            associate (plate => domain%plates(batch%plate))
-               call set_plane(batch, plate%quad, plate%node, domain%position)
+      do g = 1, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            own = places_of(domain%chunks%list, group%set)
+            associate (element => division%parts(group%set)%element)
+               call group%take_elements(model, element(own), local_node, domain%columns)
+               call place_group(own, size(element), group, domain%histories, share)
             end associate
-            call place_histories(places_of(domain%chunks%list, batch%plate), &
-               & lanes*batch%side**2, batch%law%histories, &
-               & size(division%parts(batch%plate)%element), batch%first_history, domain%histories, &
-               & share)
          end associate
       end do
    end subroutine build_elements
 
-   !> Geometry of the bricks of the domain's chunks
-   subroutine build_shapes(model, domain)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> Has its bricks, and its chunks still as the whole model has them
-      type(domain_type), intent(inout) :: domain
-      integer :: p
-
-      do p = 1, size(domain%bricks)
-         call find_shapes(model, places_of(domain%chunks%list, p), domain%bricks(p))
-      end do
-   end subroutine build_shapes
-
-   !> Places of the elements of a part in some chunks
-   pure function places_of(chunks, part) result(places)
+   !> Places of the elements of a set in some chunks
+   pure function places_of(chunks, set) result(places)
       type(chunk_type), intent(in) :: chunks(:)
-      integer, intent(in) :: part
+      integer, intent(in) :: set
       integer, allocatable :: places(:)
 
       integer :: c, e, n
 
       n = 0
       do c = 1, size(chunks)
-         if (chunks(c)%set == part) n = n + chunks(c)%elements(2) - chunks(c)%elements(1) + 1
+         if (chunks(c)%set == set) n = n + chunks(c)%elements(2) - chunks(c)%elements(1) + 1
       end do
       allocate (places(n))
       n = 0
       do c = 1, size(chunks)
-         if (chunks(c)%set /= part) cycle
+         if (chunks(c)%set /= set) cycle
          do e = chunks(c)%elements(1), chunks(c)%elements(2)
             n = n + 1
             places(n) = e
@@ -99,30 +69,26 @@ contains
       end do
    end function places_of
 
-   !> Let the histories of a part follow those before it
-   pure subroutine place_part(own, all, p, domain, share)
-      !> Places of the elements in the list of the part, and how long that is
+   !> Let the histories of a group follow those before it
+   pure subroutine place_group(own, all, group, histories, share)
+      !> Places of the elements in the list of the set, and how long that is
       integer, intent(in) :: own(:), all
-      !> The part
-      integer, intent(in) :: p
-      type(domain_type), intent(inout) :: domain
+      !> The group
+      class(element_group_type), intent(inout) :: group
+      !> How many histories there are before, and with it
+      integer, intent(inout) :: histories
+      !> Gets the pieces
       type(subdomain_type), intent(inout) :: share
-      integer :: b
 
-      if (size(domain%bricks) > 0) then
-         associate (bricks => domain%bricks(p))
-            call place_histories(own, lanes*bricks%histories*bricks%points, 1, all, &
-               & bricks%first_history, domain%histories, share)
-         end associate
-         return
-      end if
-      do b = 1, size(domain%plates(p)%batches)
-         associate (batch => domain%plates(p)%batches(b))
-            call place_histories(own, lanes*history_rows(batch, domain%plates(p)%side), &
-               & batch%histories, all, batch%first_history, domain%histories, share)
-         end associate
+      integer, allocatable :: blocks(:, :)
+      integer :: b, first
+
+      blocks = group%history_shape()
+      do b = 1, size(blocks, 2)
+         call place_histories(own, blocks(1, b), blocks(2, b), all, first, histories, share)
+         call group%set_history(b, first)
       end do
-   end subroutine place_part
+   end subroutine place_group
 
    !> Let the histories of some elements follow those before them, here and in the whole model: one
    !> variable of all of them after the other
@@ -174,20 +140,19 @@ contains
       type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Has its layers or all bricks, and its columns
+      !> Has its groups and columns
       type(domain_type), intent(inout) :: domain
 
-      integer :: k, p
+      integer :: g, k, local_node(size(model%mesh%node_id))
 
+      local_node(:) = numbering%node([(k, k=1, size(local_node))])
       allocate (domain%inertia%mass(domain%columns%masses))
       domain%inertia%mass(:) = 0.0_wp
-      do p = 1, size(domain%plates)
-         call add_masses(model, p, domain%plates(p), division%parts(p)%element, numbering, &
-            & domain%columns, domain%inertia%mass)
-      end do
-      do p = 1, size(domain%bricks)
-         call add_brick_masses(model, domain%bricks(p)%part, domain%bricks(p)%brick, numbering, &
-            & domain%columns, domain%inertia%mass)
+      do g = 1, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            call group%add_masses(model, division%parts(group%set)%element, local_node, &
+               & domain%columns, domain%inertia%mass)
+         end associate
       end do
       allocate (domain%inertia%inverse_mass(size(domain%inertia%mass)), &
          & domain%inertia%far_ties(2, 0))

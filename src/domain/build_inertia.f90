@@ -7,8 +7,7 @@ module plydyn_domain_build_inertia
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
-   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
-      & total_lagrangian
+   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -46,8 +45,7 @@ contains
       allocate (domain%inertia%moved_links%place(2, 0), domain%inertia%moved_links%inertia(0))
       allocate (domain%inertia%held_links%place(2, 0), domain%inertia%held_links%inertia(0))
       if (domain%control%scheme /= all_explicit) then
-         joint(:, :) = joint_stiffness(domain%interfaces, size(joint, 2), &
-            & domain%control%kinematics == total_lagrangian)
+         joint(:, :) = joint_stiffness(domain%groups, size(joint, 2))
          area = node_areas(model%mesh, division, numbering)
          domain%inertia%pairs = new_pair_inertia(domain%comm, numbering%here, domain%columns, &
             & domain%inertia%mass, &

@@ -7,7 +7,7 @@ module plydyn_domain_build_points
       & new_pressure_load, new_segment_load, order_load
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point, find_held, new_prescribed
-   use plydyn_domain_surfaces, only : collect_points, new_brick_surface, new_surface, place_points
+   use plydyn_domain_surfaces, only : collect_points, new_surface, place_points
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -96,13 +96,8 @@ contains
 
       allocate (domain%contact%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
-         point(:) = 1
-         if (size(domain%bricks) > 0) then
-            domain%contact%surfaces(i) = new_brick_surface(model%contacts(i), model%mesh)
-         else
-            point(:) = face_point(domain%layers, model%contacts(i)%face)
-            domain%contact%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
-         end if
+         point(:) = face_point(domain%layers, model%contacts(i)%face)
+         domain%contact%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
          call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, &
             & domain%contact%surfaces(i))
          call set_resistance(domain, point, domain%contact%surfaces(i))

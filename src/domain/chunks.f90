@@ -2,14 +2,14 @@
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_columns, only : columns_type, front
+   use plydyn_fem_columns, only : columns_type, front
    use plydyn_domain_domain, only : chunk_type, domain_type, surface_type
-   use plydyn_element_brick, only : bricks_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: nodes_of_columns, divide_quads, assign_shared_nodes, assign_held_points, find_contributors, list_chunks, &
+   public :: nodes_of_columns, divide_quads, assign_shared_nodes, assign_held_points, &
+      & find_contributors, list_chunks, &
       & quad_centres, set_targets
 
    !> Most quads of a chunk: large enough that few nodes are shared, small enough that chunks
@@ -97,26 +97,23 @@ contains
 
    !> Let all elements add to the columns of their chunks
    pure subroutine set_targets(domain)
-      !> The domain; its chunks have their columns, plates and bricks get their targets
+      !> The domain; its chunks have their columns and get their groups, which get their targets
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, k, target(domain%columns%count)
+      integer :: c, g, target(domain%columns%count)
       integer, allocatable :: node(:)
 
       node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
       do c = 1, size(domain%chunks%list)
          associate (chunk => domain%chunks%list(c))
             target(node(chunk%column)) = chunk%column
-            if (size(domain%bricks) > 0) then
-               call aim_bricks(domain%columns%height, chunk, target, domain%bricks(chunk%set))
-            else
-               call aim_quads(chunk, target, domain%plates(chunk%set)%node, &
-                  & domain%plates(chunk%set)%target)
-            end if
+            chunk%groups = pack([(g, g=1, size(domain%groups))], &
+               & [(domain%groups(g)%item%set == chunk%set, g=1, size(domain%groups))])
+            do g = 1, size(chunk%groups)
+               call domain%groups(chunk%groups(g))%item%set_targets(chunk%elements, &
+                  & domain%columns%height, target)
+            end do
          end associate
-      end do
-      do k = 1, size(domain%interfaces)
-         domain%interfaces(k)%target(:, :) = abs(domain%plates(domain%interfaces(k)%plate)%target)
       end do
    end subroutine set_targets
 
@@ -273,47 +270,5 @@ contains
       end do
       chunk(:) = mover(column)
    end function chunks_of
-
-   !> Columns that take the forces of a chunk of quads. The first quad at one begins its forces: the
-   !> layers of a quad fill the columns of its nodes
-   pure subroutine aim_quads(chunk, column, node, target)
-      type(chunk_type), intent(in) :: chunk
-      !> That of each node
-      integer, intent(in) :: column(:)
-      !> Nodes of each quad
-      integer, intent(in) :: node(:, :)
-      integer, intent(inout) :: target(:, :)
-
-      integer :: e, i
-      logical :: is_new(size(column))
-
-      is_new(:) = .true.
-      do e = chunk%elements(1), chunk%elements(2)
-         do i = 1, size(node, 1)
-            target(i, e) = merge(-1, 1, is_new(node(i, e)))*column(node(i, e))
-            is_new(node(i, e)) = .false.
-         end do
-      end do
-   end subroutine aim_quads
-
-   !> Places that take the forces of a chunk of bricks: the same ones in other columns
-   pure subroutine aim_bricks(height, chunk, column, bricks)
-      !> Length of a column
-      integer, intent(in) :: height
-      type(chunk_type), intent(in) :: chunk
-      integer, intent(in) :: column(:)
-      type(bricks_type), intent(inout) :: bricks
-
-      integer :: b, n
-
-      do b = chunk%elements(1), chunk%elements(2)
-         do n = 1, size(bricks%place, 2)
-            associate (place => bricks%place(:, n, b) - front - 1)
-               bricks%target(:, n, b) = front + 1 + mod(place, height) &
-                  & + height*(column(1 + place/height) - 1)
-            end associate
-         end do
-      end do
-   end subroutine aim_bricks
 
 end module plydyn_domain_chunks

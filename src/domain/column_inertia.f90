@@ -8,7 +8,7 @@
 !> area of the node, so columns of the same layers share it; those held in part have their own.
 module plydyn_domain_column_inertia
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    implicit none
    private
 

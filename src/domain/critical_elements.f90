@@ -11,37 +11,33 @@ module plydyn_domain_critical_elements
    !> Most elements that are named
    integer, parameter :: most_named = 20
    !> Numbers of an element that ranks tell each other
-   integer, parameter :: numbers = 3
+   integer, parameter :: numbers = 4
 
 contains
 
    !> The elements with the largest eigenvalues, the largest first; of equal ones the first of the
    !> mesh. All ranks must come here, and get the same
-   function find_slowest(comm, element, rate, layer) result(slowest)
+   function find_slowest(comm, elements) result(slowest)
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> Elements of this rank, indices in the mesh
-      integer, intent(in) :: element(:)
-      !> Their largest eigenvalues
-      real(wp), intent(in) :: rate(:)
-      !> The user's number of what they are a piece of
-      integer, intent(in) :: layer(:)
+      !> Elements of this rank
+      type(critical_element_type), intent(in) :: elements(:)
       type(critical_element_type), allocatable :: slowest(:)
 
       type(critical_element_type), allocatable :: own(:)
       real(wp) :: all(numbers*most_named*comm%ranks), part(numbers, most_named)
       integer :: e, r
 
-      own = foremost([(critical_element_type(element(e), layer(e), rate(e)), e=1, size(element))])
+      own = foremost(elements)
       part(:, :) = 0.0_wp
       do e = 1, size(own)
-         part(:, e) = [real(own(e)%element, wp), real(own(e)%layer, wp), own(e)%rate]
+         part(:, e) = [real([own(e)%group, own(e)%element, own(e)%layer], wp), own(e)%rate]
       end do
       call comm%allgather(reshape(part, [size(part)]), [(size(part), r=1, comm%ranks)], all)
       allocate (slowest(most_named*comm%ranks))
       do e = 1, size(slowest)
          associate (told => all(numbers*(e - 1) + 1:numbers*e))
-            slowest(e) = critical_element_type(nint(told(1)), nint(told(2)), told(3))
+            slowest(e) = critical_element_type(nint(told(1)), nint(told(2)), nint(told(3)), told(4))
          end associate
       end do
       slowest = foremost(pack(slowest, slowest%element > 0))

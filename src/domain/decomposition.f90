@@ -15,14 +15,12 @@ module plydyn_domain_decomposition
    use plydyn_domain_chunks, only : divide_quads, quad_centres
    use plydyn_domain_domain, only : chunk_type
    use plydyn_element_brick, only : bricks_type
+   use plydyn_element_brick_make, only : most_batches
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
    public :: column_owners, divide_bricks, divide_plane
-
-   !> Batches of bricks in a chunk, but for the last one of a part
-   integer, parameter, public :: most_batches = 256
 
    !> Elements of a part in the order of their chunks: quads, or batches of bricks
    type, public :: elements_type

@@ -1,21 +1,19 @@
-!> Energy that has been dissipated, mechanism by mechanism, from the histories of all points.
+!> Energies that elements have dissipated or that control of them has taken, from all histories.
 module plydyn_domain_dissipation
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
-   use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_brick_energies, only : count_brick_dissipation
+   use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : delamination_type, interface_losses
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate_layers, only : layer_batch_type
    use plydyn_law_law, only : by_delamination, by_friction, mechanisms
    implicit none
    private
 
-   public :: dissipated_energies
+   public :: dissipated_energies, hourglass_energy
 
 contains
 
-   !> Sums over all points of plies, bricks and interfaces of what each mechanism has dissipated.
-   !> All ranks must come here, and get those of the whole model
+   !> Sums over all points of what each mechanism has dissipated. All ranks must come here, and get
+   !> those of the whole model
    function dissipated_energies(domain, history, lost) result(energy)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -27,17 +25,11 @@ contains
       real(wp) :: energy(mechanisms)
 
       type(exact_sums_type) :: sums
-      integer :: b, i, p
+      integer :: g, i
 
       sums = new_exact_sums(mechanisms)
-      call count_brick_dissipation(domain, history, sums)
-      do p = 1, size(domain%plates)
-         associate (plate => domain%plates(p))
-            do b = 1, size(plate%batches)
-               call count_batch(plate%batches(b), plate%metric, &
-                  & history(plate%batches(b)%first_history:), sums)
-            end do
-         end associate
+      do g = 1, size(domain%groups)
+         call domain%groups(g)%item%add_dissipation(history, sums)
       end do
       call domain%comm%sum(sums%limb)
       energy(:) = [(sums%value(i), i=1, mechanisms)]
@@ -45,40 +37,22 @@ contains
          & + interface_losses(lost)
    end function dissipated_energies
 
-   !> The share of a batch of layers, quad by quad
-   pure subroutine count_batch(batch, metric, history, sums)
-      type(layer_batch_type), intent(in) :: batch
-      !> Geometry of each quad, area of a Gauss point last
-      real(wp), intent(in) :: metric(:, :, :)
-      !> History of the batch, thickness before plane
-      real(wp), intent(in) :: history(lanes, size(batch%expansion%weight), size(metric, 2), &
-         & batch%blocks, size(metric, 3), batch%histories)
-      type(exact_sums_type), intent(inout) :: sums
+   !> Energy that hourglass control has stored or taken. All ranks must come here
+   real(wp) function hourglass_energy(domain, displacement, history) result(energy)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in) :: displacement(:), history(:)
 
-      real(wp) :: energy(mechanisms), h(lanes, batch%histories)
-      integer :: e, i, k, m, q
+      type(exact_sums_type) :: sums
+      integer :: g
 
-      do k = 1, size(batch%laws)
-         associate (block => batch%laws(k)%block, law => batch%laws(k)%law, &
-            & weight => batch%expansion%weight)
-            do e = 1, size(metric, 3)
-               energy(:) = 0.0_wp
-               do q = 1, size(metric, 2)
-                  do m = 1, size(weight)
-                     h(:, :) = history(:, m, q, block, e, :)
-                     do i = 1, mechanisms
-                        if (law%energy_at(i) == 0) cycle
-                        energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
-                           & *sum(batch%half_thickness(:, block)*law%spent(i, h), law%owns)
-                     end do
-                  end do
-               end do
-               do i = 1, mechanisms
-                  if (law%energy_at(i) /= 0) call sums%add(i, energy(i))
-               end do
-            end do
-         end associate
+      sums = new_exact_sums(1)
+      do g = 1, size(domain%groups)
+         call domain%groups(g)%item%add_hourglass_energy(displacement, history, sums)
       end do
-   end subroutine count_batch
+      call domain%comm%sum(sums%limb)
+      energy = sums%value(1)
+   end function hourglass_energy
 
 end module plydyn_domain_dissipation

@@ -2,14 +2,12 @@
 module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
-   use plydyn_domain_columns, only : columns_type, front
+   use plydyn_fem_columns, only : columns_type, front
    use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_average, only : average_type
-   use plydyn_element_brick, only : bricks_type
-   use plydyn_element_interface, only : interface_type
-   use plydyn_element_plate_layers, only : plate_type
-   use plydyn_law_ply_crack_band, only : modes
+   use plydyn_element_crack_bands, only : crack_band_type
+   use plydyn_element_group, only : group_item_type
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type
@@ -71,21 +69,10 @@ module plydyn_domain_domain
       integer, allocatable :: facet(:, :)
    end type surface_type
 
-   !> Crack bands of a material, each for fibres and for matrix
-   type, public :: crack_band_type
-      !> Narrowest and widest
-      real(wp) :: narrowest(2) = huge(1.0_wp), widest(2) = 0.0_wp
-      !> Quad or brick of the mesh, and ply from the bottom of its part, where the widest is: the
-      !> first such quad, and its lowest ply
-      integer :: quad(2) = 0, ply(2) = 0
-      !> Gauss points, and those of them where the band is too wide, by mode
-      integer :: points = 0, too_wide(modes) = 0
-   end type crack_band_type
-
    !> An element and the eigenvalue that its stable step comes from
    type, public :: critical_element_type
-      !> Index in the mesh
-      integer :: element = 0
+      !> Element group, and index in the mesh
+      integer :: group = 0, element = 0
       !> The user's number of its weakest ply, or of the part of a brick
       integer :: layer = 0
       !> Largest eigenvalue, 1/time squared: the step is 2/sqrt(rate)
@@ -96,12 +83,12 @@ module plydyn_domain_domain
    type, public :: step_limit_type
       !> Stable step of central differences
       real(wp) :: step = huge(1.0_wp)
-      !> The user's numbers of the quad and the ply with the largest eigenvalue, or of the brick
-      !> and its part
-      integer :: quad = 0, ply = 0
-      !> Largest eigenvalue of the plies and that of the interfaces, 1/time squared
-      real(wp) :: ply_rate = 0.0_wp, interface_rate = 0.0_wp
-      !> Bound of the quad with the former, if its thickness were implicit
+      !> The user's number of the element with the largest eigenvalue, the first of `slowest`
+      integer :: element_id = 0
+      !> Largest eigenvalue of the elements and that of the interfaces, 1/time squared
+      real(wp) :: element_rate = 0.0_wp, interface_rate = 0.0_wp
+      !> Bound of the element with the former, if its thickness were implicit; 0 where that does not
+      !> apply
       real(wp) :: plane_rate = 0.0_wp
       !> What is left of the latter where interfaces are implicit; all of it where not
       real(wp) :: interface_rest = 0.0_wp
@@ -111,8 +98,9 @@ module plydyn_domain_domain
 
    !> Elements of one set that a thread computes at a time; see `plydyn_domain_decomposition`
    type, public :: chunk_type
-      !> The element set
+      !> The element set, and the groups that lie over it
       integer :: set = 0
+      integer, allocatable :: groups(:)
       !> First and last element of that set
       integer :: elements(2) = 0
       !> Columns that take its forces and those of no other chunk
@@ -214,12 +202,8 @@ module plydyn_domain_domain
       type(layers_type) :: layers
       !> Where the points lie
       type(columns_type) :: columns
-      !> One plate for each part
-      type(plate_type), allocatable :: plates(:)
-      !> Bricks of each part; a domain has plates or bricks
-      type(bricks_type), allocatable :: bricks(:)
-      !> Interfaces between layers
-      type(interface_type), allocatable :: interfaces(:)
+      !> Element groups, those that set forces before those that add to them
+      type(group_item_type), allocatable :: groups(:)
       !> Length of the history variables of all Gauss points together
       integer :: histories = front
       !> Averages over neighbours

@@ -2,7 +2,7 @@
 module plydyn_domain_loads
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_domain, only : load_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point

@@ -1,7 +1,7 @@
 !> Memory that a run takes, counted from the arrays that grow with the mesh.
 module plydyn_domain_memory
    use plydyn_base_precision, only : wp
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_domain, only : domain_type
    implicit none
    private
@@ -15,7 +15,7 @@ module plydyn_domain_memory
 
 contains
 
-   !> Motion, masses, geometry of quads and interfaces, averages, chunks, supports, loads and faces
+   !> Motion, masses, geometry of elements, averages, chunks, supports, loads and faces
    pure real(wp) function mesh_bytes(domain) result(bytes)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -31,18 +31,8 @@ contains
       integers = real(size(domain%node_id) + size(domain%chunks%shared_nodes), wp) &
          & + size(domain%supports%held) + size(domain%supports%holder) &
          & + size(domain%inertia%far_ties)
-      do i = 1, size(domain%plates)
-         associate (plate => domain%plates(i))
-            reals = reals + size(plate%metric)
-            integers = integers + size(plate%node) + size(plate%target) + size(plate%quad)
-         end associate
-      end do
-      do i = 1, size(domain%bricks)
-         integers = integers + size(domain%bricks(i)%place) + size(domain%bricks(i)%target)
-      end do
-      do i = 1, size(domain%interfaces)
-         reals = reals + size(domain%interfaces(i)%metric)
-         integers = integers + size(domain%interfaces(i)%node) + size(domain%interfaces(i)%target)
+      do i = 1, size(domain%groups)
+         call domain%groups(i)%item%add_memory(reals, integers)
       end do
       do a = 1, size(domain%averaging%averages)
          reals = reals + size(domain%averaging%averages(a)%weight)
@@ -74,7 +64,7 @@ contains
       any_history = domain%histories > front
    end function any_history
 
-   !> Histories of all Gauss points, and what is halo_strains of other ranks
+   !> Histories of all Gauss points, and received strains of other ranks
    pure real(wp) function history_bytes(domain) result(bytes)
       !> The domain
       type(domain_type), intent(in) :: domain

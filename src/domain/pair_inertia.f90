@@ -5,10 +5,10 @@
 !> points of a pair and nothing else: the sum of their momenta does not feel it.
 module plydyn_domain_pair_inertia
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
-   use plydyn_element_interface, only : interface_type
+   use plydyn_element_group, only : group_item_type
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
@@ -50,28 +50,18 @@ module plydyn_domain_pair_inertia
 
 contains
 
-   !> Stiffness of the springs between each layer and the next along x, y, z; zero without any.
-   !> With large displacement they turn: then the stiffer one stands for all directions
-   pure function joint_stiffness(interfaces, joints, large) result(stiffness)
-      !> Interfaces between layers
-      type(interface_type), intent(in) :: interfaces(:)
+   !> Stiffness of the springs between each layer and the next along x, y, z; zero without any
+   pure function joint_stiffness(groups, joints) result(stiffness)
+      !> Element groups
+      type(group_item_type), intent(in) :: groups(:)
       !> Number of layers less one
       integer, intent(in) :: joints
-      !> Large displacement
-      logical, intent(in) :: large
       real(wp) :: stiffness(3, joints)
-
-      integer :: k, l
+      integer :: g
 
       stiffness(:, :) = 0.0_wp
-      do k = 1, size(interfaces)
-         associate (both => interfaces(k)%law%stiffness)
-            do l = 1, lanes
-               if (interfaces(k)%lower(l) == 0) cycle
-               stiffness(:, interfaces(k)%lower(l)) = [both(2), both(2), both(1)]
-               if (large) stiffness(:, interfaces(k)%lower(l)) = maxval(both)
-            end do
-         end associate
+      do g = 1, size(groups)
+         call groups(g)%item%add_joint_stiffness(stiffness)
       end do
    end function joint_stiffness
 

@@ -1,28 +1,21 @@
 !> Which rank gets which chunk.
 module plydyn_domain_rank_partition
-   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
-   use plydyn_element_plate_layers, only : plate_type
-   use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_partition, only : divide_graph
    implicit none
    private
 
    public :: divide_ranks
 
-   !> Work at a Gauss point of eight plies with linear strain, with large displacement, and with a
-   !> law, and at one of eight interfaces: nanoseconds as tests/bench measures them
-   real(wp), parameter :: linear_work = 20.0_wp, large_work = 30.0_wp, law_work = 40.0_wp, &
-      & interface_work = 15.0_wp
-
 contains
 
    !> Rank of each chunk, from 0: like work for all ranks, and few nodes where they meet. Of more
    !> ranks than chunks the last ones have nothing to do
    subroutine divide_ranks(domain, division, ranks, rank_of_chunk)
-      !> The domain; its layers and interfaces are known
+      !> The domain; its groups are known
       type(domain_type), intent(in) :: domain
       !> Its chunks
       type(decomposition_type), intent(in) :: division
@@ -113,47 +106,24 @@ contains
 
    !> Work of each chunk in a step, nanoseconds
    pure function chunk_works(domain, chunks) result(work)
-      !> The domain; its layers and interfaces are known
+      !> The domain; its groups are known
       type(domain_type), intent(in) :: domain
       !> The chunks
       type(chunk_type), intent(in) :: chunks(:)
       integer :: work(size(chunks))
 
-      real(wp) :: quad
-      integer :: c, k
+      real(wp) :: element
+      integer :: c, g
 
       do c = 1, size(chunks)
-         associate (chunk => chunks(c))
-            quad = real(lanes, wp)
-            if (size(domain%plates) > 0) then
-               quad = plate_work(domain%plates(chunk%set), &
-                  & domain%control%kinematics == total_lagrangian)
-            end if
-            do k = 1, size(domain%interfaces)
-               if (domain%interfaces(k)%plate /= chunk%set) cycle
-               quad = quad + interface_work*domain%interfaces(k)%side**2
-            end do
-            work(c) = max(1, nint(quad*(chunk%elements(2) - chunk%elements(1) + 1)))
-         end associate
+         element = 0.0_wp
+         do g = 1, size(domain%groups)
+            associate (group => domain%groups(g)%item)
+               if (group%set == chunks(c)%set) element = element + group%work()
+            end associate
+         end do
+         work(c) = max(1, nint(element*(chunks(c)%elements(2) - chunks(c)%elements(1) + 1)))
       end do
    end function chunk_works
-
-   !> Work of a quad in all its plies
-   pure real(wp) function plate_work(plate, large) result(work)
-      type(plate_type), intent(in) :: plate
-      logical, intent(in) :: large
-
-      real(wp) :: point
-      integer :: b
-
-      work = 0.0_wp
-      do b = 1, size(plate%batches)
-         associate (batch => plate%batches(b))
-            point = merge(large_work, linear_work, large)
-            if (size(batch%laws) > 0) point = law_work
-            work = work + point*batch%blocks*(batch%expansion%order + 1)*plate%side**2
-         end associate
-      end do
-   end function plate_work
 
 end module plydyn_domain_rank_partition

@@ -5,7 +5,7 @@
 !> chunks of the whole model (`plydyn_domain_decomposition`). The rank of its first chunk counts it.
 module plydyn_domain_subdomain
    use plydyn_domain_chunks, only : nodes_of_columns, assign_shared_nodes, find_contributors
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_local_to_global, only : local_to_global_type
@@ -91,7 +91,7 @@ contains
       !> Has chunks of the whole model
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, i, last(max(size(domain%plates), size(domain%bricks)))
+      integer :: c, i, last(maxval([0, domain%chunks%list%set]))
 
       last(:) = 0
       do c = 1, size(domain%chunks%list)

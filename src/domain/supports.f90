@@ -1,7 +1,7 @@
 !> Supports and prescribed motions as places in the arrays of motion.
 module plydyn_domain_supports
    use plydyn_base_precision, only : wp
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_domain, only : prescribed_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_layers, only : layers_type

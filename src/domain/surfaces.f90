@@ -1,8 +1,8 @@
-!> Faces of the plate that impactors may touch: whole on every rank, since contact is not divided.
+!> Faces that impactors may touch: whole on every rank, since contact is not divided.
 module plydyn_domain_surfaces
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point
@@ -14,55 +14,24 @@ module plydyn_domain_surfaces
    implicit none
    private
 
-   public :: collect_points, new_brick_surface, new_surface, place_points
+   public :: collect_points, new_surface, place_points
 
 contains
 
-   !> The face of a contact, as the whole model numbers its nodes
+   !> The face of a contact, as the whole model numbers its nodes: quads on the outer layer of a
+   !> laminate, or outer faces of bricks
    pure function new_surface(contact, mesh, layers) result(self)
       !> As the deck says
       type(contact_type), intent(in) :: contact
-      !> Nodes and quads
+      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       type(surface_type) :: self
 
-      logical :: in_part(size(mesh%node_id))
-      integer :: e, i, number(size(mesh%node_id)), point(2)
-      integer, allocatable :: node(:)
-
-      in_part(:) = .false.
-      do e = 1, size(mesh%quad_id)
-         if (mesh%quad_part(e) == contact%part) in_part(mesh%quad_node(:, e)) = .true.
-      end do
-      point(:) = face_point(layers, contact%face)
-      node = pack([(i, i=1, size(in_part))], in_part)
-      self%node = node
-      number(:) = 0
-      number(node) = [(i, i=1, size(node))]
-      self%position = mesh%position(:, node)
-      self%position(3, :) = self%position(3, :) + layers%height(point(1), point(2))
-      allocate (self%facet(size(mesh%quad_node, 1), count(mesh%quad_part == contact%part)))
-      i = 0
-      do e = 1, size(mesh%quad_id)
-         if (mesh%quad_part(e) /= contact%part) cycle
-         i = i + 1
-         self%facet(:, i) = number(mesh%quad_node(:, e))
-      end do
-   end function new_surface
-
-   !> The outer faces of bricks that a contact is on
-   pure function new_brick_surface(contact, mesh) result(self)
-      !> As the deck says
-      type(contact_type), intent(in) :: contact
-      !> Nodes and bricks
-      type(mesh_type), intent(in) :: mesh
-      type(surface_type) :: self
-
-      integer :: f, i, number(size(mesh%node_id))
-      integer, allocatable :: faces(:, :), node(:)
       logical :: met(size(mesh%node_id))
+      integer :: f, i, number(size(mesh%node_id)), point(2)
+      integer, allocatable :: faces(:, :), node(:)
 
       faces = faces_of_part(mesh, contact%part, contact%face)
       met(:) = .false.
@@ -73,12 +42,16 @@ contains
       self%node = node
       number(:) = 0
       number(node) = [(i, i=1, size(node))]
+      point(:) = face_point(layers, contact%face)
       self%position = mesh%position(:, node)
-      allocate (self%facet(4, size(faces, 2)))
+      if (layers%order(point(1)) > 0) then
+         self%position(3, :) = self%position(3, :) + layers%height(point(1), point(2))
+      end if
+      allocate (self%facet(size(faces, 1), size(faces, 2)))
       do f = 1, size(faces, 2)
          self%facet(:, f) = number(faces(:, f))
       end do
-   end function new_brick_surface
+   end function new_surface
 
    !> Find the points of a face that a rank has in the arrays of motion
    pure subroutine place_points(point, numbering, owner, ranks, columns, self)

@@ -21,8 +21,9 @@ module plydyn_element_average
       !> Strains that are averaged; the history variables of a point's own and of the averages are
       !> those behind these
       integer :: strains = 0, behind_own = 0, behind_mean = 0
-      !> Lanes that have the law
+      !> Lanes that have the law, and their layers
       logical :: owns(lanes) = .false.
+      integer :: layer(lanes) = 0
       !> Place in the lists of the first neighbour of each point of the plane, those of a quad one
       !> after the other; one more at the end
       integer, allocatable :: first(:)

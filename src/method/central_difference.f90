@@ -1,7 +1,7 @@
 !> The central difference scheme (de Borst et al., 2012), column by column.
 module plydyn_method_central_difference
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : couple_column

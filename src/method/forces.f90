@@ -2,13 +2,9 @@
 module plydyn_method_forces
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_average, only : average_points
-   use plydyn_element_brick_kernel, only : add_brick_forces
-   use plydyn_element_interface_kernel, only : add_face_forces
-   use plydyn_element_plate, only : add_layer_forces
-   use plydyn_model_control, only : total_lagrangian
    use plydyn_parallel_halo, only : messages_type
    use plydyn_method_supports, only : add_support_power
    use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
@@ -16,7 +12,7 @@ module plydyn_method_forces
    implicit none
    private
 
-   public :: add_borders, add_external_power, add_interface_forces, add_loads, await_forces, &
+   public :: add_borders, add_external_power, add_group_forces, add_loads, await_forces, &
       & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
 
 contains
@@ -163,21 +159,36 @@ contains
       real(wp), intent(inout), contiguous :: history(:)
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
-      associate (chunk => domain%chunks%list(number))
-         if (size(domain%bricks) > 0) then
-            call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
-            associate (bricks => domain%bricks(chunk%set))
-               call add_brick_forces(bricks, chunk%elements, &
-                  & domain%control%kinematics == total_lagrangian, step, displacement, velocity, &
-                  & history(bricks%first_history:), force)
-            end associate
-         else
-            call add_ply_forces(domain, chunk, step, displacement, history, force)
-            call add_interface_forces(domain, chunk, displacement, history, force)
-         end if
-      end associate
+      call add_group_forces(domain, domain%chunks%list(number), step, displacement, velocity, &
+         & history, force)
       call team%note_forces(number)
    end subroutine make_chunk_forces
+
+   !> Subtract the internal forces of all groups over a chunk
+   pure subroutine add_group_forces(domain, chunk, step, displacement, velocity, history, force)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The chunk
+      type(chunk_type), intent(in) :: chunk
+      !> The step just made
+      real(wp), intent(in) :: step
+      !> Displacement of all points, and their velocity half a step before
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      !> History of all Gauss points
+      real(wp), intent(inout), contiguous :: history(:)
+      !> Force on all points, those of the columns behind
+      real(wp), intent(inout), contiguous :: force(:)
+
+      integer :: g
+
+      if (.not. domain%groups(chunk%groups(1))%item%sets_forces) then
+         call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
+      end if
+      do g = 1, size(chunk%groups)
+         call domain%groups(chunk%groups(g))%item%add_forces(chunk%elements, step, displacement, &
+            & velocity, history, force)
+      end do
+   end subroutine add_group_forces
 
    !> Set some columns to zero
    pure subroutine clear_columns(height, column, force)
@@ -219,45 +230,6 @@ contains
          force(:, border(1)) = force(:, border(1)) + force(:, i)
       end do
    end subroutine add_columns
-
-   !> Subtract the internal forces of the plies over a chunk of quads
-   pure subroutine add_ply_forces(domain, chunk, step, displacement, history, force)
-      type(domain_type), intent(in) :: domain
-      type(chunk_type), intent(in) :: chunk
-      real(wp), intent(in) :: step
-      real(wp), intent(in), contiguous :: displacement(:)
-      real(wp), intent(inout), contiguous :: history(:), force(:)
-
-      integer :: b
-
-      do b = 1, size(domain%plates(chunk%set)%batches)
-         call add_layer_forces(domain%plates(chunk%set), b, chunk%elements, &
-            & domain%control%kinematics == total_lagrangian, step, displacement, history, force)
-      end do
-   end subroutine add_ply_forces
-
-   !> Subtract the internal forces of the interfaces over a chunk of quads
-   pure subroutine add_interface_forces(domain, chunk, displacement, history, force)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> The chunk
-      type(chunk_type), intent(in) :: chunk
-      !> Displacement of all points
-      real(wp), intent(in), contiguous :: displacement(:)
-      !> History of all Gauss points
-      real(wp), intent(inout), contiguous :: history(:)
-      !> Force on all points, those of the borders behind
-      real(wp), intent(inout), contiguous :: force(:)
-
-      integer :: k
-
-      do k = 1, size(domain%interfaces)
-         if (domain%interfaces(k)%plate /= chunk%set) cycle
-         call add_face_forces(domain%interfaces(k), chunk%elements, &
-            & domain%control%kinematics == total_lagrangian, displacement, &
-            & history(domain%interfaces(k)%first_history:), force)
-      end do
-   end subroutine add_interface_forces
 
    !> Add the loads at some time. All threads come here together
    subroutine add_loads(domain, time, factor, force)

@@ -1,4 +1,4 @@
-!> Faces of bricks that no other brick has.
+!> Faces of a part that something may touch: its quads, or faces of bricks that no other brick has.
 module plydyn_model_outer_faces
    use plydyn_base_precision, only : wp
    use plydyn_model_mesh, only : mesh_type
@@ -16,8 +16,28 @@ module plydyn_model_outer_faces
 
 contains
 
-   !> Outer faces of a part that look up or down, counter-clockwise seen from above, (4, faces)
+   !> Quads of a part, in the order of the deck, or its outer faces that look up or down,
+   !> counter-clockwise seen from above, (nodes, faces)
    pure function faces_of_part(mesh, part, side) result(faces)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> Index of the part
+      integer, intent(in) :: part
+      !> `bottom_face` or `top_face`
+      integer, intent(in) :: side
+      integer, allocatable :: faces(:, :)
+
+      integer :: e
+
+      if (any(mesh%quad_part == part)) then
+         faces = mesh%quad_node(:, pack([(e, e=1, size(mesh%quad_part))], mesh%quad_part == part))
+      else
+         faces = brick_faces(mesh, part, side)
+      end if
+   end function faces_of_part
+
+   !> Outer faces of a part of bricks that look up or down
+   pure function brick_faces(mesh, part, side) result(faces)
       !> The bricks
       type(mesh_type), intent(in) :: mesh
       !> Index of the part
@@ -45,7 +65,7 @@ contains
          end do
       end do
       faces = corner(:, :kept)
-   end function faces_of_part
+   end function brick_faces
 
    !> Which faces of all bricks belong to one brick only, face by face
    pure subroutine find_outer(mesh, outer)

@@ -2,8 +2,7 @@
 module plydyn_run_initial_state
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : start_histories
-   use plydyn_domain_initial_damage, only : set_initial_damage
+   use plydyn_domain_initial_history, only : set_initial_damage, start_histories
    use plydyn_model_model, only : model_type
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type

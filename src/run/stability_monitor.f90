@@ -244,7 +244,7 @@ contains
       character(:), allocatable :: words
 
       words = axis(self%direction)//" at node "//text(self%node_id)
-      if (size(domain%bricks) > 0) return
+      if (all(domain%layers%order == 0)) return
       words = words//", ply "//text(domain%layers%ply(self%layer))//" from the bottom"
    end function point_name
 

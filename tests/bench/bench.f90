@@ -11,7 +11,7 @@ program bench
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
-   use plydyn_method_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_method_forces, only : find_internal_forces
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_run_threads, only : set_threads
@@ -71,7 +71,7 @@ contains
       if (law == "plastic") call yield_laws(domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
-         & nano*best_time(internal)/real(lanes*size(domain%plates(1)%quad), wp)
+         & nano*best_time(internal)/real(lanes*size(domain%groups(1)%item%element), wp)
    end subroutine time_plates
 
    !> Print the time of an interface element
@@ -86,7 +86,7 @@ contains
       call plate_case(side, in_cache, 2, linear_strain, .true., domain)
       call rest()
       write (*, "(2a,f0.3)") trim(line), ",", &
-         & nano*best_time(joints)/real((lanes - 1)*size(domain%plates(1)%quad), wp)
+         & nano*best_time(joints)/real((lanes - 1)*size(domain%groups(1)%item%element), wp)
    end subroutine time_interfaces
 
    !> Print the parts of a step of 192 quads of nine nodes, order 2, joined by springs, in
@@ -124,6 +124,8 @@ contains
       !> Which
       integer, intent(in) :: work
 
+      integer :: g
+
       select case (work)
       case (probe)
          call multiply_add(vectors)
@@ -134,7 +136,11 @@ contains
          call find_internal_forces(domain, work_space%team, 0.0_wp, displacement, displacement, &
             & history, force)
       case (joints)
-         call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
+         do g = 1, size(domain%groups)
+            if (.not. domain%groups(g)%item%has_springs()) cycle
+            call domain%groups(g)%item%add_forces(domain%chunks%list(1)%elements, 0.0_wp, &
+               & displacement, displacement, history, force)
+         end do
       case (acceleration)
          call apply_masses(domain, work_space, state)
          call add_chunk_sums(work_space%chunk_sums, reduction)

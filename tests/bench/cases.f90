@@ -3,7 +3,7 @@ module plydyn_bench_cases
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
@@ -13,6 +13,7 @@ module plydyn_bench_cases
    use plydyn_model_model, only : model_type
    use ply_point, only : paper_ply
    use sample, only : rectangle_mesh, rectangle_model
+   use plydyn_element_plate_group, only : plate_group_type
    implicit none
    private
 
@@ -85,15 +86,18 @@ contains
       type(domain_type), intent(inout) :: domain
       class(law_type), intent(in) :: law
 
-      associate (batch => domain%plates(1)%batches(1))
-         deallocate (batch%laws)
-         allocate (batch%laws(1))
-         batch%laws(1)%block = 1
-         allocate (batch%laws(1)%law, source=law)
-         batch%histories = law%histories
-         batch%first_history = front + 1
-         domain%histories = front + lanes*batch%histories*batch%pitch
-      end associate
+      select type (group => domain%groups(1)%item)
+      type is (plate_group_type)
+         associate (batch => group%plate%batches(1))
+            deallocate (batch%laws)
+            allocate (batch%laws(1))
+            batch%laws(1)%block = 1
+            allocate (batch%laws(1)%law, source=law)
+            batch%histories = law%histories
+            batch%first_history = front + 1
+            domain%histories = front + lanes*batch%histories*batch%pitch
+         end associate
+      end select
    end subroutine give_law
 
 end module plydyn_bench_cases

@@ -3,7 +3,7 @@ program test_base_memory
    use, intrinsic :: iso_c_binding, only : c_intptr_t, c_loc
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use testing, only : begin, check, finish
    implicit none
 

@@ -12,6 +12,8 @@ program test_domain_averages
    use ply_point, only : paper_ply
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> Quads along x and y, and their size
@@ -82,6 +84,7 @@ contains
 
    !> Against all pairs of points of a distorted mesh, with each ply's own axes
    subroutine test_weights()
+      type(plate_type) :: plate
       type(domain_type) :: domain
       real(wp), allocatable :: field(:, :), history(:), points(:, :), shares(:)
       real(wp) :: worst
@@ -90,9 +93,10 @@ contains
       call begin("weights")
       call build(averaged(0.05_wp), domain, history)
       points = gauss_points_of(domain, 1)
+      plate = plate_of(domain, 1)
       worst = 0.0_wp
       do a = 1, size(domain%averaging%averages)
-         associate (average => domain%averaging%averages(a), plate => domain%plates(1))
+         associate (average => domain%averaging%averages(a))
             field = reshape(sin([(real(i, wp), i=1, lanes*size(points, 2))]), &
                & [lanes, size(points, 2)])
             do level = 1, average%levels
@@ -337,7 +341,7 @@ contains
       real(wp), intent(inout) :: history(:)
 
       associate (average => domain%averaging%averages(a))
-         call average_points(average, [1, size(domain%plates(average%plate)%quad)], &
+         call average_points(average, [1, (size(average%first) - 1)/average%plane], &
             & history(average%first_history:))
       end associate
    end subroutine apply
@@ -391,8 +395,7 @@ contains
       integer, intent(in) :: a
 
       associate (average => domain%averaging%averages(a))
-         lane = maxloc(merge(1, 0, .not. average%owns .and. domain%plates(average%plate)%batches( &
-            & average%batch)%layer(:, average%block) > 0), 1)
+         lane = maxloc(merge(1, 0, .not. average%owns .and. average%layer > 0), 1)
       end associate
    end function other_lane
 
@@ -402,9 +405,11 @@ contains
       integer, intent(in) :: p
       real(wp), allocatable :: points(:, :)
 
+      type(plate_type) :: plate
       integer :: e, i, q
 
-      associate (plate => domain%plates(p))
+      plate = plate_of(domain, p)
+      associate (nodes => plate%node)
          allocate (points(2, size(plate%node)))
          i = 0
          do e = 1, size(plate%node, 2)

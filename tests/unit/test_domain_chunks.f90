@@ -10,6 +10,8 @@ program test_domain_chunks
    use plydyn_model_support, only : top_face
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    call test_division()
@@ -46,6 +48,7 @@ contains
    !> No two chunks share a column, and every node finds all that belong to it
    subroutine test_targets()
       type(domain_type) :: domain
+      type(plate_type) :: plate
       type(error_type), allocatable :: error
       integer, allocatable :: begun(:), node_of(:), summed(:), taken(:)
       integer :: c, e, i
@@ -53,6 +56,7 @@ contains
       call begin("new_chunks")
       call build_domain(rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), &
          & [0.0_wp, 90.0_wp], 0.25_wp, [2, 2]), domain, error)
+      plate = plate_of(domain, 1)
       call check(.not. allocated(error), "the domain is built")
       allocate (taken(domain%columns%forces/domain%columns%height))
       allocate (node_of(size(taken)))
@@ -65,7 +69,7 @@ contains
       begun(:) = 0
       taken(:) = 0
       do c = 1, size(domain%chunks%list)
-         associate (chunk => domain%chunks%list(c), plate => domain%plates(1))
+         associate (chunk => domain%chunks%list(c))
             taken(chunk%column) = taken(chunk%column) + 1
             do e = chunk%elements(1), chunk%elements(2)
                call check(all(node_of(abs(plate%target(:, e))) == plate%node(:, e)), &
@@ -99,6 +103,7 @@ contains
    !> A chunk needs the forces of all chunks with a quad at one of its nodes
    subroutine test_makers()
       type(domain_type) :: domain
+      type(plate_type) :: plate
       type(error_type), allocatable :: error
       integer :: c, i, k
       logical :: meets
@@ -106,12 +111,13 @@ contains
       call begin("find_contributors")
       call build_domain(rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), &
          & [0.0_wp], 0.25_wp, [1]), domain, error)
+      plate = plate_of(domain, 1)
       do c = 1, size(domain%chunks%list)
          do k = 1, size(domain%chunks%list)
-            associate (own => domain%chunks%list(c)%owned_columns, makers &
-               & => domain%chunks%list(c)%contributors, &
+            associate (own => domain%chunks%list(c)%owned_columns, &
+               & makers => domain%chunks%list(c)%contributors, &
                & quads => domain%chunks%list(k)%elements)
-               meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == own(i)), &
+               meets = any([(any(plate%node(:, quads(1):quads(2)) == own(i)), &
                   & i=1, size(own))])
                call check(count(makers == k), merge(1, 0, meets), "each that meets it, once")
             end associate
@@ -122,6 +128,7 @@ contains
    !> The chunks at a facet are those with a quad at one of its nodes
    subroutine test_face()
       type(domain_type) :: domain
+      type(plate_type) :: plate
       type(error_type), allocatable :: error
       type(model_type) :: model
       integer, allocatable :: last(:), list(:)
@@ -135,6 +142,7 @@ contains
          & centre=[4.0_wp, 3.0_wp, 9.0_wp])]
       model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face)]
       call build_domain(model, domain, error)
+      plate = plate_of(domain, 1)
       call check(.not. allocated(error), "the domain is built")
       associate (surface => domain%contact%surfaces(1))
          call list_chunks(domain, surface, last, list)
@@ -142,7 +150,7 @@ contains
             do k = 1, size(domain%chunks%list)
                associate (node => surface%node(surface%facet(:, f)), &
                   & quads => domain%chunks%list(k)%elements)
-                  meets = any([(any(domain%plates(1)%node(:, quads(1):quads(2)) == node(i)), &
+                  meets = any([(any(plate%node(:, quads(1):quads(2)) == node(i)), &
                      & i=1, size(node))])
                   call check(count(list(last(f - 1) + 1:last(f)) == k), merge(1, 0, meets), &
                      & "each that meets it, once")

@@ -16,6 +16,8 @@ program test_domain_dissipation
    use plydyn_method_forces, only : find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> Size of the plate, and thickness of a ply
@@ -141,8 +143,10 @@ contains
       integer, intent(in) :: layer
       real(wp), intent(in) :: strain, history(:)
       real(wp), allocatable :: values(:, :)
+      type(plate_type) :: plate
 
-      associate (home => domain%columns%home(:, layer), plate => domain%plates(1))
+      plate = plate_of(domain, 1)
+      associate (home => domain%columns%home(:, layer))
          values = reshape(layer_values(plate, home(1), home(2), home(3), 2, .false., &
             & stretched(domain, strain), history), &
             & [recovered, size(plate%node, 1)*(domain%layers%order(layer) + 1)])

@@ -16,6 +16,8 @@ program test_domain_initial_history
    use ply_point, only : paper_ply
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> Quads of 1.5 by 0.9, and a ply at 90 degrees below an elastic one and one at atan(3/4)
@@ -119,6 +121,7 @@ contains
 
       type(domain_type) :: domain
       type(error_type), allocatable :: error
+      type(plate_type) :: own
       real(wp), allocatable :: history(:), values(:, :)
 
       call build_domain(model, domain, error)
@@ -126,7 +129,8 @@ contains
       allocate (history(domain%histories))
       history(:) = 0.0_wp
       call start_histories(domain, history)
-      associate (home => domain%columns%home(:, layer), own => domain%plates(1))
+      own = plate_of(domain, 1)
+      associate (home => domain%columns%home(:, layer))
          values = point_history(own, own%batches(home(1)), home(2), 1, point, 2, history)
          widths(:) = values(home(3), [fibre_gate, matrix_gate])
       end associate

@@ -9,7 +9,7 @@ program test_domain_interfaces
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_method_forces, only : add_interface_forces
+   use groups, only : add_spring_forces, spring_groups
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
    implicit none
@@ -53,7 +53,7 @@ contains
          model%control%kinematics = kinematics
          call build_domain(model, domain, error)
          call check(.not. allocated(error), "the domain is built")
-         call check(size(domain%interfaces), batches, "they fill as few batches as they can")
+         call check(spring_groups(domain), batches, "they fill as few batches as they can")
          allocate (displacement(domain%columns%freedoms), force(domain%columns%freedoms))
          allocate (history(domain%histories))
          force(:) = 0.0_wp
@@ -66,7 +66,7 @@ contains
                end do
             end do
          end do
-         call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
+         call add_spring_forces(domain, 1, displacement, history, force)
          do layer = 1, size(joint)
             pull(:) = 0.0_wp
             if (joint(layer) > 0) pull(:) = 24.0_wp*real(2*layer + 1, wp)*jump &

@@ -9,12 +9,15 @@ program test_domain_neighbourhood
    use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> Ranks, and how far points are averaged: about one quad
    integer, parameter :: ranks = 3
    real(wp), parameter :: reach = 1.1_wp
    type(decomposition_type) :: division
+   type(plate_type) :: plate
    type(domain_type) :: domain, whole
    type(error_type), allocatable :: error
    type(model_type) :: model
@@ -29,10 +32,12 @@ program test_domain_neighbourhood
    call build_domain(model, whole, error)
 
    call begin("one rank")
-   everywhere = new_neighbourhood(model%mesh, division, 0*rank_of_chunk, 0, 1, domain%plates(1), &
+   everywhere = new_neighbourhood(model%mesh, division, 0*rank_of_chunk, 0, 1, &
+      & plate_of(domain, 1), &
       & reach)
    call check(size(everywhere%rank), 96, "has all quads")
-   call check(all_same(reshape(whole%plates(1)%metric(5, :, :), [9*96]), everywhere%area), &
+   plate = plate_of(whole, 1)
+   call check(all_same(reshape(plate%metric(5, :, :), [9*96]), everywhere%area), &
       & "in the order of its plate")
 
    do rank = 0, ranks - 1
@@ -51,7 +56,7 @@ contains
       integer, intent(in) :: rank
       type(neighbourhood_type) :: self
 
-      self = new_neighbourhood(model%mesh, division, rank_of_chunk, rank, 1, domain%plates(1), &
+      self = new_neighbourhood(model%mesh, division, rank_of_chunk, rank, 1, plate_of(domain, 1), &
          & reach)
    end function around
 

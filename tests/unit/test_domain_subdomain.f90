@@ -3,7 +3,7 @@ program test_domain_subdomain
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : begin_domain, build_domain, build_share
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
@@ -12,6 +12,8 @@ program test_domain_subdomain
    use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> From one island to the same point of the other, mm
@@ -28,6 +30,8 @@ contains
    subroutine test_one_rank()
       type(decomposition_type) :: division
       type(domain_type) :: domain, whole
+      type(plate_type) :: plate
+      integer, allocatable :: target(:, :)
       type(subdomain_type) :: share
       integer :: i
 
@@ -39,7 +43,10 @@ contains
       call check(all(share%own), "all of them counted")
       call check(all(abs(domain%inertia%mass - whole%inertia%mass) <= 0.0_wp), "with their masses")
       call check(domain%columns%forces, whole%columns%forces, "and room for all forces")
-      call check(all(domain%plates(1)%target == whole%plates(1)%target), "which quads find")
+      plate = plate_of(whole, 1)
+      target = plate%target
+      plate = plate_of(domain, 1)
+      call check(all(plate%target == target), "which quads find")
       call check(domain%chunks%halo%is_empty(), "nothing to exchange")
    end subroutine test_one_rank
 
@@ -47,6 +54,7 @@ contains
    subroutine test_islands()
       type(decomposition_type) :: division
       type(domain_type) :: domain, whole
+      type(plate_type) :: plate
       type(subdomain_type) :: share
       integer, allocatable :: island(:)
       integer :: c, counted, rank
@@ -54,8 +62,8 @@ contains
 
       call begin("build_share, islands")
       call build(islands(2), whole)
-      island = [(int(whole%position(1, whole%plates(1)%node(1, &
-         & whole%chunks%list(c)%elements(1)))/apart), &
+      plate = plate_of(whole, 1)
+      island = [(int(whole%position(1, plate%node(1, whole%chunks%list(c)%elements(1)))/apart), &
          & c=1, size(whole%chunks%list))]
       counted = 0
       mass = 0.0_wp
@@ -71,7 +79,8 @@ contains
          mass = mass + sum(domain%inertia%mass)
       end do
       call check(counted, whole%columns%count, "every node is counted once")
-      call check(mass, sum(whole%inertia%mass), 1.0e-14_wp*sum(whole%inertia%mass), "no mass is lost")
+      call check(mass, sum(whole%inertia%mass), 1.0e-14_wp*sum(whole%inertia%mass), &
+         & "no mass is lost")
    end subroutine test_islands
 
    !> What a rank has takes its part of the memory, and no more
@@ -79,6 +88,7 @@ contains
       integer, parameter :: ranks(3) = [2, 4, 8]
       type(decomposition_type) :: division
       type(domain_type) :: domain, whole
+      type(plate_type) :: plate
       type(subdomain_type) :: share
       integer, allocatable :: island(:)
       integer :: c, i, rank
@@ -86,8 +96,8 @@ contains
 
       call begin("build_share, memory")
       call build(islands(8), whole)
-      island = [(int(whole%position(1, whole%plates(1)%node(1, &
-         & whole%chunks%list(c)%elements(1)))/apart), &
+      plate = plate_of(whole, 1)
+      island = [(int(whole%position(1, plate%node(1, whole%chunks%list(c)%elements(1)))/apart), &
          & c=1, size(whole%chunks%list))]
       do i = 1, size(ranks)
          part = (mesh_bytes(whole) + history_bytes(whole))/ranks(i)
@@ -122,18 +132,18 @@ contains
    !> Quads are numbered one after the other, and read at nodes of the rank
    subroutine check_quads(domain)
       type(domain_type), intent(in) :: domain
+      type(plate_type) :: plate
       integer :: c, last
 
       last = 0
-      associate (plate => domain%plates(1))
-         do c = 1, size(domain%chunks%list)
-            call check(domain%chunks%list(c)%elements(1), last + 1, "chunks follow each other")
-            last = domain%chunks%list(c)%elements(2)
-         end do
-         call check(size(plate%node, 2), last, "to the last quad")
-         call check(all(plate%node >= 1 .and. plate%node <= domain%columns%count), &
-            & "nodes of quads are here")
-      end associate
+      plate = plate_of(domain, 1)
+      do c = 1, size(domain%chunks%list)
+         call check(domain%chunks%list(c)%elements(1), last + 1, "chunks follow each other")
+         last = domain%chunks%list(c)%elements(2)
+      end do
+      call check(size(plate%node, 2), last, "to the last quad")
+      call check(all(plate%node >= 1 .and. plate%node <= domain%columns%count), &
+         & "nodes of quads are here")
    end subroutine check_quads
 
    !> Squares of 4 by 4 quads, far from each other

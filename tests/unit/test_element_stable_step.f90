@@ -14,6 +14,8 @@ program test_element_stable_step
    use plydyn_state_state, only : motion_sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : plate_of
+   use plydyn_element_plate_layers, only : plate_type
    implicit none
 
    !> LAPACK: eigenvalues of a general matrix
@@ -63,6 +65,7 @@ contains
 
       real(wp), parameter :: surface_density = 4.25e-10_wp
       type(domain_type) :: domain
+      type(plate_type) :: plate
       type(error_type), allocatable :: error
       type(model_type) :: model
       real(wp), allocatable :: corner(:, :, :), density(:, :), each(:, :, :), lambda(:, :, :)
@@ -77,7 +80,8 @@ contains
          & e=1, 12)], [2, side**2, 12])
       ! the first quad once more, behind all others
       corner = reshape([corner, corner(:, :, 1) + 64.0_wp], [2, side**2, 13])
-      associate (batch => domain%plates(1)%batches(1))
+      plate = plate_of(domain, 1)
+      associate (batch => plate%batches(1))
          density = merge(surface_density, 0.0_wp, batch%layer > 0)
          allocate (lambda(size(density, 1), size(density, 2), 13))
          allocate (each, mold=lambda)

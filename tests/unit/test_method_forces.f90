@@ -13,9 +13,11 @@ program test_method_forces
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
-   use plydyn_method_forces, only : add_interface_forces, find_internal_forces
+   use plydyn_method_forces, only : find_internal_forces
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
+   use groups, only : add_spring_forces, plate_of
+   use plydyn_element_plate_group, only : plate_group_type
    implicit none
 
    !> Displacement gradient of the patch tests
@@ -71,7 +73,7 @@ contains
          & [0.34_wp, 0.34_wp, 0.5_wp], [5.6e3_wp, 5.6e3_wp, 2.8e3_wp]), &
          & matmul(strain_rotation(30.0_wp), strain))
       home(:) = domain%columns%home(:, 3)
-      values(:, :, :) = layer_values(domain%plates(1), home(1), home(2), home(3), 2, &
+      values(:, :, :) = layer_values(plate_of(domain, 1), home(1), home(2), home(3), 2, &
          & kinematics == total_lagrangian, displacement, history)
       call check(maxval(abs(values(ply_stress_at + 1:ply_stress_at + 6, :, :) &
          & - spread(spread(expected, 2, side*side), 3, orders(3) + 1))) &
@@ -161,20 +163,24 @@ contains
       type(orthotropic_type) :: law
       integer :: b, l
 
-      associate (batch => domain%plates(1)%batches(1))
-         deallocate (batch%laws)
-         allocate (batch%laws(batch%blocks))
-         do b = 1, batch%blocks
-            law = orthotropic_type()
-            do l = 1, lanes
-               if (batch%layer(l, b) == 0) cycle
-               call law%set_lane(l, [165.0e3_wp, 9.0e3_wp, 9.0e3_wp], [0.34_wp, 0.34_wp, 0.5_wp], &
-                  & [5.6e3_wp, 5.6e3_wp, 2.8e3_wp])
+      select type (group => domain%groups(1)%item)
+      type is (plate_group_type)
+         associate (batch => group%plate%batches(1))
+            deallocate (batch%laws)
+            allocate (batch%laws(batch%blocks))
+            do b = 1, batch%blocks
+               law = orthotropic_type()
+               do l = 1, lanes
+                  if (batch%layer(l, b) == 0) cycle
+                  call law%set_lane(l, [165.0e3_wp, 9.0e3_wp, 9.0e3_wp], &
+                     & [0.34_wp, 0.34_wp, 0.5_wp], &
+                     & [5.6e3_wp, 5.6e3_wp, 2.8e3_wp])
+               end do
+               batch%laws(b)%block = b
+               allocate (batch%laws(b)%law, source=law)
             end do
-            batch%laws(b)%block = b
-            allocate (batch%laws(b)%law, source=law)
-         end do
-      end associate
+         end associate
+      end select
    end subroutine set_laws
 
    !> Springs pull the faces of two plies together: resultants of a uniform jump
@@ -202,15 +208,15 @@ contains
          displacement(domain%columns%freedom(2, 1, c, [(n, n=1, domain%columns%nodes)])) = jump(c)
       end do
       allocate (history(domain%histories))
-      call add_interface_forces(domain, domain%chunks%list(1), displacement, history, force)
+      call add_spring_forces(domain, 1, displacement, history, force)
       do c = 1, 3
          total(c) = sum(force(domain%columns%freedom(1, 3, c, [(n, n=1, domain%columns%nodes)])))
       end do
       call check(total, 24.0_wp*[400.0_wp, 400.0_wp, 1000.0_wp]*jump, 1.0e-10_wp, &
          & "stiffness times area times jump acts on the lower face")
       call check(sum(force), 0.0_wp, 1.0e-10_wp, "and its opposite on the upper")
-      call check(2.0_wp/domain%limit%step**2*2.0_wp, domain%limit%ply_rate &
-         & + domain%limit%interface_rate, 1.0e-6_wp*domain%limit%ply_rate, &
+      call check(2.0_wp/domain%limit%step**2*2.0_wp, domain%limit%element_rate &
+         & + domain%limit%interface_rate, 1.0e-6_wp*domain%limit%element_rate, &
          & "the springs take part in the stable step")
    end subroutine test_interface
 

@@ -10,7 +10,7 @@ program test_method_implicit_pair_inertia
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_method_forces, only : add_interface_forces
+   use groups, only : add_spring_forces
    use plydyn_state_state, only : motion_sums_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish
@@ -177,7 +177,7 @@ contains
       do i = 0, steps
          opening(i) = u(domain%columns%freedom(2, 1, 3, 8)) - u(domain%columns%freedom(1, 3, 3, 8))
          a(:) = 0.0_wp
-         call add_interface_forces(domain, domain%chunks%list(1), u, history, a)
+         call add_spring_forces(domain, 1, u, history, a)
          call accelerate_points(domain, domain%step, v, a, sums)
          v(:) = v + merge(0.5_wp, 1.0_wp, i == 0)*domain%step*a
          u(:) = u + domain%step*v
@@ -197,7 +197,7 @@ contains
 
       call begin("step")
       domain = spring_domain([2, 2, 2])
-      call check(domain%limit%step, 2.0_wp/sqrt(domain%limit%ply_rate), &
+      call check(domain%limit%step, 2.0_wp/sqrt(domain%limit%element_rate), &
          & 1.0e-12_wp*domain%limit%step, "interfaces do not bound it")
       model = spring_model([2, 2, 2], implicit_interfaces, 0.05_wp)
       model%control%kinematics = total_lagrangian

@@ -4,7 +4,7 @@
 !> One rank alone has its arrays in the order of the whole model: nothing is divided.
 module plydyn_io_checkpoint_state_layout
    use plydyn_base_precision, only : wp
-   use plydyn_domain_columns, only : front
+   use plydyn_fem_columns, only : front
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_io_hdf5_output, only : hyperslab_type

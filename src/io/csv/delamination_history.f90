@@ -2,9 +2,9 @@
 !> fail.
 module plydyn_io_csv_delamination_history
    use plydyn_base_error, only : error_type
-   use plydyn_base_precision, only : lanes, wp
+   use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : delamination, delamination_type, interface_ply, &
+   use plydyn_domain_delamination, only : delamination, delamination_type, failing_interfaces, &
       & projected_area
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
@@ -14,8 +14,6 @@ module plydyn_io_csv_delamination_history
    use plydyn_state_state, only : state_type
    implicit none
    private
-
-   public :: failing_interfaces
 
    !> The history
    type, public, extends(history_recorder_type) :: delamination_history_type
@@ -28,26 +26,6 @@ module plydyn_io_csv_delamination_history
    end type delamination_history_type
 
 contains
-
-   !> Interfaces that can fail, counted from the bottom
-   pure function failing_interfaces(domain) result(interfaces)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      integer, allocatable :: interfaces(:)
-
-      logical :: fails(maxval(domain%layers%ply))
-      integer :: b, k, l
-
-      fails(:) = .false.
-      do b = 1, size(domain%interfaces)
-         if (domain%interfaces(b)%law%histories == 0) cycle
-         do l = 1, lanes
-            if (domain%interfaces(b)%lower(l) == 0) cycle
-            fails(interface_ply(domain, domain%interfaces(b), l)) = .true.
-         end do
-      end do
-      interfaces = pack([(k, k=1, size(fails))], fails)
-   end function failing_interfaces
 
    !> Create the file, if something can fail
    subroutine open_delamination(self, job, model, domain, error)

@@ -2,9 +2,8 @@
 module plydyn_io_csv_energy_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_brick_energies, only : held_energy
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
-   use plydyn_domain_dissipation, only : dissipated_energies
+   use plydyn_domain_dissipation, only : dissipated_energies, hourglass_energy
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
@@ -68,7 +67,7 @@ contains
       allocate (lost(0))
       if (can_fail(domain)) lost = delamination(domain, state%history)
       dissipated(:) = dissipated_energies(domain, state%history, lost)
-      hourglass = held_energy(domain, state%displacement, state%history)
+      hourglass = hourglass_energy(domain, state%displacement, state%history)
       associate (e => state%energies)
          call self%write_line([real(state%cycle, wp), state%time, state%step_before, e%kinetic, &
             & e%internal, sum(dissipated), e%impactor, e%damping, e%external, e%contact, &

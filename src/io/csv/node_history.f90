@@ -47,8 +47,8 @@ contains
 
       if (size(model%request%nodes) == 0) return
       allocate (self%freedom(0))
-      ! a brick's node is one point
-      faces = merge(1, 2, size(domain%bricks) > 0)
+      ! the node of an element in space is one point
+      faces = merge(2, 1, any(domain%layers%order > 0))
       do i = 1, size(model%request%nodes)
          do face = 1, faces
             self%freedom = [self%freedom, places_of(domain, &

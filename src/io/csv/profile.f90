@@ -7,6 +7,7 @@ module plydyn_io_csv_profile
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_group, only : plate_group_type
    use plydyn_element_quad, only : plane_table
    use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
@@ -123,19 +124,22 @@ contains
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: position(2)
 
-      integer :: e, p
+      integer :: e, g
       logical :: found
       real(wp) :: local(2)
 
       allocate (self%quad(2, 0), self%local(2, 0))
-      do p = 1, size(domain%plates)
-         do e = 1, size(domain%plates(p)%quad)
-            call find_local(domain%plates(p), domain%position(1:2, domain%plates(p)%node(:, e)), &
-               & position, local, found)
-            if (.not. found) cycle
-            self%quad = reshape([self%quad, p, e], [2, size(self%quad, 2) + 1])
-            self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
-         end do
+      do g = 1, size(domain%groups)
+         select type (group => domain%groups(g)%item)
+         type is (plate_group_type)
+            do e = 1, size(group%element)
+               call find_local(group%plate, domain%position(1:2, group%plate%node(:, e)), &
+                  & position, local, found)
+               if (.not. found) cycle
+               self%quad = reshape([self%quad, g, e], [2, size(self%quad, 2) + 1])
+               self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
+            end do
+         end select
       end do
    end subroutine find_quads
 
@@ -150,7 +154,8 @@ contains
 
       call domain%comm%allgather([real(size(own), wp)], [(1, r=1, size(counts))], counts)
       self%all_quads = nint(sum(counts))
-      own(:) = [(real(domain%plates(self%quad(1, i))%quad(self%quad(2, i)), wp), i=1, size(own))]
+      own(:) = [(real(domain%groups(self%quad(1, i))%item%element(self%quad(2, i)), wp), &
+         & i=1, size(own))]
       allocate (all_ranks(self%all_quads))
       call domain%comm%allgather(own, nint(counts), all_ranks)
       all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
@@ -249,10 +254,14 @@ contains
       is_known(:, :, :, :) = .false.
       is_known(:, self%number, :, :) = .true.
       do q = 1, size(self%number)
-         shares = new_plane_shares(domain%plates(self%quad(1, q))%side, self%local(:, q:q))
-         do k = 1, size(values, 4)
-            values(:, self%number(q), :, k) = layer_profile(self, domain, state, q, k, shares)
-         end do
+         select type (group => domain%groups(self%quad(1, q))%item)
+         type is (plate_group_type)
+            shares = new_plane_shares(group%plate%side, self%local(:, q:q))
+            do k = 1, size(values, 4)
+               values(:, self%number(q), :, k) = layer_profile(self, domain, group%plate, state, &
+                  & q, k, shares)
+            end do
+         end select
       end do
       flat = reshape(values, [size(values)])
       call domain%comm%merge(reshape(is_known, [size(values)]), flat)
@@ -260,9 +269,10 @@ contains
    end subroutine find_values
 
    !> Displacement, stress, strain and ply stress of a quad at the points of a layer
-   function layer_profile(self, domain, state, q, layer, shares) result(values)
+   function layer_profile(self, domain, plate, state, q, layer, shares) result(values)
       type(profile_file_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
+      type(plate_type), intent(in) :: plate
       type(state_type), intent(in) :: state
       !> The quad among those of this rank at the place
       integer, intent(in) :: q, layer
@@ -274,8 +284,7 @@ contains
       real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
       integer :: i
 
-      associate (plate => domain%plates(self%quad(1, q)), e => self%quad(2, q), &
-         & home => domain%columns%home(:, layer))
+      associate (e => self%quad(2, q), home => domain%columns%home(:, layer))
          at_gauss = reshape(layer_values(plate, home(1), home(2), home(3), e, &
             & domain%control%kinematics == total_lagrangian, state%displacement, &
             & state%history), [recovered*size(plate%node, 1), domain%columns%levels(layer)])

@@ -2,7 +2,8 @@
 module plydyn_io_listing_damage
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_domain, only : crack_band_type, domain_type
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
    use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
       & rule_root_quad

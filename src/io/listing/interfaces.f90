@@ -2,9 +2,9 @@
 module plydyn_io_listing_interfaces
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : delamination_type
+   use plydyn_domain_delamination, only : delamination_type, failing_interfaces
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
+   use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & normal, &
       & shear
@@ -14,7 +14,6 @@ module plydyn_io_listing_interfaces
       & strength_factor
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
-   use plydyn_io_csv_delamination_history, only : failing_interfaces
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
    private

@@ -2,7 +2,7 @@
 module plydyn_io_listing_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
-   use plydyn_domain_delamination, only : delamination_type
+   use plydyn_domain_delamination, only : delamination_type, present_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_ply_laminate, only : add_ply_stiffness
@@ -222,15 +222,7 @@ contains
       integer :: i
 
       call write_section(unit, "Size and mass")
-      if (size(domain%bricks) > 0) then
-         write (unit, "(a,i0)") "nodes                         ", size(model%mesh%node_id)
-         write (unit, "(a,i0)") "bricks                        ", size(model%mesh%brick_id)
-      else
-         write (unit, "(a,i0)") "nodes of the plane            ", size(model%mesh%node_id)
-         write (unit, "(a,i0,a,i0,a)") "quads                         ", &
-            & size(model%mesh%quad_id), " of ", domain%plates(1)%side**2, " nodes"
-         write (unit, "(a,i0)") "numerical layers              ", size(domain%layers%order)
-      end if
+      call write_elements(unit, model, domain)
       write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(model, domain)
       if (domain%control%kinematics == total_lagrangian) then
          write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"
@@ -246,6 +238,29 @@ contains
             & trim(model%control%units%energy)
       end do
    end subroutine write_masses
+
+   !> Nodes, and the elements of each set that show themselves
+   subroutine write_elements(unit, model, domain)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      integer, allocatable :: node(:, :), part(:)
+      character(30) :: label
+      logical :: has_layers
+
+      has_layers = any(domain%layers%order > 0)
+      label = "nodes"
+      if (has_layers) label = "nodes of the plane"
+      write (unit, "(a,i0)") label, size(model%mesh%node_id)
+      associate (group => domain%groups(1)%item)
+         call group%list_elements(model%mesh, part, node)
+         label = group%element_kind()//"s"
+         write (unit, "(a,i0,a,i0,a)") label, size(part), " of ", size(node, 1), " nodes"
+      end associate
+      if (has_layers) write (unit, "(a,i0)") "numerical layers              ", &
+         & size(domain%layers%order)
+   end subroutine write_elements
 
    !> Freedoms without the second points of tied faces
    pure integer function independent_freedoms(model, domain) result(freedoms)
@@ -281,7 +296,7 @@ contains
       end if
       write (unit, "(3a)") "file of fields                ", &
          & fixed_text(fields_bytes(model, domain)/megabyte, 3), " MB"
-      if (size(domain%interfaces) > 0) then
+      if (size(present_interfaces(domain)) > 0) then
          write (unit, "(3a)") "file of interfaces            ", &
             & fixed_text(interfaces_bytes(model, domain)/megabyte, 3), " MB"
       end if

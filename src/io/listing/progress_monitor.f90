@@ -82,9 +82,11 @@ contains
       type(domain_type), intent(in) :: domain
 
       associate (control => domain%control, limit => domain%limit)
-         self%cause = "quad "//text(limit%quad)//" ply "//text(limit%ply)
-         if (size(domain%bricks) > 0) self%cause = "brick "//text(limit%quad)
-         if (limit%interface_rest > limit%ply_rate) self%cause = "interfaces"
+         associate (group => domain%groups(limit%slowest(1)%group)%item)
+            self%cause = group%element_kind()//" "//text(limit%element_id)//" " &
+               & //group%layer_kind()//" "//text(limit%slowest(1)%layer)
+         end associate
+         if (limit%interface_rest > limit%element_rate) self%cause = "interfaces"
          self%largest = control%step_factor*limit%step
          self%has_curve = control%step_curve > 0
          if (control%largest_step > 0.0_wp .and. control%largest_step < self%largest) then

@@ -36,8 +36,8 @@ contains
          write (unit, "(a,es12.5,a)") "stable step                  ", limit%step, time
          write (unit, "(a)") "governed by                   "//governor(domain)
          write (unit, "(a,es12.5,a)") "plies alone                  ", &
-            & 2.0_wp/sqrt(limit%ply_rate), time
-         if (domain%control%scheme /= implicit_thickness .and. size(domain%bricks) == 0) then
+            & 2.0_wp/sqrt(limit%element_rate), time
+         if (domain%control%scheme /= implicit_thickness .and. limit%plane_rate > 0.0_wp) then
             write (unit, "(a,es12.5,a)") "thickness implicit, about    ", &
                & 2.0_wp/sqrt(limit%plane_rate), time
          end if
@@ -63,15 +63,18 @@ contains
       character(:), allocatable :: words
 
       associate (limit => domain%limit)
-         words = "quad "//text(limit%quad)//", ply "//text(limit%ply)//", "
-         if (size(domain%bricks) > 0) then
-            words = "brick "//text(limit%quad)//", part "//text(limit%ply)
-         else if (limit%interface_rest > limit%ply_rate) then
+         associate (group => domain%groups(limit%slowest(1)%group)%item)
+            words = group%element_kind()//" "//text(limit%element_id)//", "//group%layer_kind() &
+               & //" "//text(limit%slowest(1)%layer)
+         end associate
+         if (limit%interface_rest > limit%element_rate) then
             words = "the springs of interfaces"
-         else if (limit%plane_rate < plane_share*limit%ply_rate) then
-            words = words//"its thickness"
+         else if (limit%plane_rate <= 0.0_wp) then
+            return
+         else if (limit%plane_rate < plane_share*limit%element_rate) then
+            words = words//", its thickness"
          else
-            words = words//"its size in the plane"
+            words = words//", its size in the plane"
          end if
       end associate
    end function governor
@@ -85,9 +88,9 @@ contains
       real(wp) :: share
 
       associate (limit => domain%limit)
-         share = 0.5_wp*domain%step*sqrt(limit%ply_rate)
-         if (domain%control%kinematics /= total_lagrangian .or. size(domain%bricks) > 0) return
-         if (limit%plane_rate >= plane_share*limit%ply_rate) return
+         share = 0.5_wp*domain%step*sqrt(limit%element_rate)
+         if (domain%control%kinematics /= total_lagrangian .or. limit%plane_rate <= 0.0_wp) return
+         if (limit%plane_rate >= plane_share*limit%element_rate) return
          if (share <= roomy_share + slack) return
       end associate
       write (unit, "(5a)") "note: large displacement, ", fixed_text(share, 3), " of the stable ", &
@@ -138,7 +141,7 @@ contains
       largest = 0.0_wp
       do f = 1, size(domain%inertia%thickness%stretches)
          associate (stretch => domain%inertia%thickness%stretches(f), &
-            & z => domain%plates(1)%batches(f)%expansion%node)
+            & z => domain%columns%families(f)%expansion%node)
             largest = max(largest, maxval(sum(reshape([(0.25_wp*(z(stretch%level(2, p)) &
                & - z(stretch%level(1, p)))**2*stretch%inertia(:, p, direction, 1), &
                & p=1, size(stretch%level, 2))], [size(stretch%inertia, 1), &
@@ -158,39 +161,19 @@ contains
 
       write (unit, "(a)") ""
       call table%start(unit)
-      call table%add_column(element_name(domain), 8, "i0")
-      call table%add_column(layer_name(domain), 6, "i0")
+      associate (group => domain%groups(domain%limit%slowest(1)%group)%item)
+         call table%add_column(group%element_kind(), 8, "i0")
+         call table%add_column(group%layer_kind(), 6, "i0")
+      end associate
       call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
       call table%write_heads()
       do i = 1, size(domain%limit%slowest)
          associate (slow => domain%limit%slowest(i))
-            if (size(domain%bricks) > 0) then
-               call table%put(model%mesh%brick_id(slow%element))
-            else
-               call table%put(model%mesh%quad_id(slow%element))
-            end if
+            call table%put(domain%groups(slow%group)%item%element_id(model%mesh, slow%element))
             call table%put(slow%layer)
             call table%put(2.0_wp/sqrt(slow%rate))
          end associate
       end do
    end subroutine write_smallest
-
-   !> What the elements of a domain are called
-   pure function element_name(domain) result(name)
-      type(domain_type), intent(in) :: domain
-      character(:), allocatable :: name
-
-      name = "quad"
-      if (size(domain%bricks) > 0) name = "brick"
-   end function element_name
-
-   !> What an element is a piece of
-   pure function layer_name(domain) result(name)
-      type(domain_type), intent(in) :: domain
-      character(:), allocatable :: name
-
-      name = "ply"
-      if (size(domain%bricks) > 0) name = "part"
-   end function layer_name
 
 end module plydyn_io_listing_time_step

@@ -7,9 +7,8 @@ module plydyn_io_vtkhdf_field_output
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
    use plydyn_io_schedule, only : schedule_type
-   use plydyn_io_vtkhdf_brick_fields, only : brick_fields_type
+   use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
-   use plydyn_io_vtkhdf_plate_fields, only : fields_type
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_observer, only : requests_type
    use plydyn_model_model, only : model_type
@@ -21,9 +20,8 @@ module plydyn_io_vtkhdf_field_output
    !> The files; each rank writes its part of them
    type, public, extends(output_type) :: field_output_type
       private
-      type(fields_type) :: fields
+      type(element_fields_type) :: fields
       type(interface_fields_type) :: interfaces
-      type(brick_fields_type) :: bricks
       !> Instants of the states
       type(schedule_type) :: schedule
       !> Time of the last state in the files
@@ -58,9 +56,6 @@ contains
       self%schedule%interval = model%request%field_interval
       call self%schedule%resume(job%places%at(self%instants))
       call self%fields%open(job%path//fields_ending, job%deck, job%version, model, domain, &
-         & job%places, error)
-      if (allocated(error)) return
-      call self%bricks%open(job%path//fields_ending, job%deck, job%version, model, domain, &
          & job%places, error)
       if (allocated(error)) return
       call self%interfaces%open(job%path//interfaces_ending, job%deck, job%version, model, domain, &
@@ -116,7 +111,6 @@ contains
 
       self%time = state%time
       call self%fields%write(domain, state, error)
-      if (.not. allocated(error)) call self%bricks%write(domain, state, error)
       if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
    end subroutine write_state
 
@@ -129,7 +123,6 @@ contains
 
       call positions%add(self%instants, self%schedule%mark(0_int64))
       call self%fields%mark(positions, error)
-      if (.not. allocated(error)) call self%bricks%mark(positions, error)
       if (.not. allocated(error)) call self%interfaces%mark(positions, error)
    end subroutine mark
 
@@ -151,8 +144,6 @@ contains
          end if
       end if
       call self%fields%close(error)
-      call self%bricks%close(each)
-      if (.not. allocated(error)) call move_alloc(each, error)
       call self%interfaces%close(each)
       if (.not. allocated(error)) call move_alloc(each, error)
    end subroutine close_files

@@ -1,11 +1,12 @@
 !> Sizes of the files of fields, before the first state is written.
 module plydyn_io_vtkhdf_field_size
-   use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_delamination, only : interface_ply
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_output_group, only : cell_type
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_components, only : field_components
-   use plydyn_io_vtkhdf_plate_grid, only : cell_corners, cell_levels, layer_levels
+   use plydyn_io_vtkhdf_element_grid, only : cells_of_sheet, field_group
    use plydyn_io_vtkhdf_interface_fields, only : interface_numbers
    use plydyn_io_vtkhdf_output_nodes, only : number_sites
    implicit none
@@ -17,8 +18,9 @@ module plydyn_io_vtkhdf_field_size
    !> or the offset of a cell, and of its kind
    real(wp), parameter :: value_bytes = 4.0_wp, position_bytes = 24.0_wp, index_bytes = 8.0_wp, &
       & kind_bytes = 1.0_wp
-   !> Numbers of a cell that do not change: of a layer, of a brick and of an interface
-   real(wp), parameter :: layer_numbers = 8.0_wp, brick_numbers = 6.0_wp, bond_numbers = 6.0_wp
+   !> Numbers of a cell that do not change: of a layer, of another element and of an
+   !> interface
+   real(wp), parameter :: layer_numbers = 8.0_wp, cell_numbers = 6.0_wp, bond_numbers = 6.0_wp
 
 contains
 
@@ -29,24 +31,21 @@ contains
       !> The domain; its layers and step are known
       type(domain_type), intent(in) :: domain
 
-      integer, allocatable :: levels(:)
-      integer :: corners, values
+      type(cell_type) :: cell
+      integer, allocatable :: levels(:), node(:, :), part(:)
+      integer :: k
 
-      values = sum(field_components(model%request%fields))
-      associate (mesh => model%mesh)
-         if (size(domain%bricks) > 0) then
-            bytes = file_bytes(sites_of(mesh%brick_part, mesh%brick_node, size(mesh%node_id)), &
-               & values*states(model, domain), real(size(mesh%brick_id), wp), &
-               & size(mesh%brick_node, 1), brick_numbers)
-            return
-         end if
-         corners = size(mesh%quad_node, 1)
-         levels = layer_levels(domain%layers%order, corners)
-         bytes = file_bytes(sum(levels)*sites_of(mesh%quad_part, mesh%quad_node, &
-            & size(mesh%node_id)), values*states(model, domain), &
-            & real(size(mesh%quad_id), wp)*sum((levels - 1)/cell_levels(corners)), &
-            & cell_corners(corners), layer_numbers)
+      bytes = 0.0_wp
+      if (field_group(domain) == 0) return
+      associate (group => domain%groups(field_group(domain))%item)
+         cell = group%find_cell()
+         levels = [(group%sheet_levels(k), k=1, group%sheets())]
+         call group%list_elements(model%mesh, part, node)
       end associate
+      bytes = file_bytes(sum(levels)*sites_of(part, node, size(model%mesh%node_id)), &
+         & sum(field_components(model%request%fields))*states(model, domain), &
+         & real(size(part), wp)*sum(cells_of_sheet(levels, cell%span)), size(cell%corner, 2), &
+         & merge(layer_numbers, cell_numbers, all(levels > 1)))
    end function fields_bytes
 
    !> Bytes of the file of interfaces, 0 if there is none
@@ -56,27 +55,15 @@ contains
       !> The domain; its layers, interfaces and step are known
       type(domain_type), intent(in) :: domain
 
-      logical :: is_there(maxval([0, domain%layers%ply]))
-      real(wp) :: cells
-      integer :: b, l
+      real(wp) :: interfaces
 
+      interfaces = real(size(present_interfaces(domain)), wp)
       bytes = 0.0_wp
-      if (size(domain%interfaces) == 0) return
-      is_there(:) = .false.
-      cells = 0.0_wp
+      if (interfaces <= 0.0_wp) return
       associate (mesh => model%mesh)
-         do b = 1, size(domain%interfaces)
-            associate (batch => domain%interfaces(b))
-               do l = 1, lanes
-                  if (batch%lower(l) == 0) cycle
-                  is_there(interface_ply(domain, batch, l)) = .true.
-                  cells = cells + count(mesh%quad_part == batch%plate)
-               end do
-            end associate
-         end do
-         bytes = file_bytes(count(is_there)*sites_of(mesh%quad_part, mesh%quad_node, &
-            & size(mesh%node_id)), interface_numbers*states(model, domain), cells, &
-            & size(mesh%quad_node, 1), bond_numbers)
+         bytes = file_bytes(interfaces*sites_of(mesh%quad_part, mesh%quad_node, &
+            & size(mesh%node_id)), interface_numbers*states(model, domain), &
+            & interfaces*size(mesh%quad_id), size(mesh%quad_node, 1), bond_numbers)
       end associate
    end function interfaces_bytes
 

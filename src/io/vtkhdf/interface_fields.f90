@@ -6,13 +6,14 @@
 module plydyn_io_vtkhdf_interface_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_delamination, only : interface_ply
+   use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_quad, only : quad_node_area, tensor_order
+   use plydyn_element_interface_group, only : interface_group_type
+   use plydyn_element_output_group, only : cell_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_field_file, only : field_file_type
-   use plydyn_io_vtkhdf_plate_grid, only : band_of_rows, plate_quads
+   use plydyn_io_vtkhdf_element_grid, only : band_of_rows, elements_of_kind, field_group
    use plydyn_io_vtkhdf_interface_values, only : at_damage, at_dissipated, at_mixity, &
       & damage_values, &
       & interface_values
@@ -33,12 +34,12 @@ module plydyn_io_vtkhdf_interface_fields
       private
       !> Layer below each interface, and its ply, from the bottom up
       integer, allocatable :: layer(:), ply(:)
-      !> Batch and lane of each interface in each plate, 0 for none, (2, interfaces, plates)
+      !> Group and lane of each interface over each element set, 0 for none, (2, interfaces, sets)
       integer, allocatable :: batch(:, :, :)
       !> Sites of the quads of this rank, nodes in tensor order
       type(accumulators_type) :: slots
-      !> Plate and quad of the plate of each of these, (2, quads)
-      integer, allocatable :: home(:, :)
+      !> Group and number in it of each of these, (2, quads)
+      integer, allocatable :: place(:, :)
       !> Interface, and quad of the mesh, of each cell that this rank writes
       integer, allocatable :: cell(:), quad(:)
    contains
@@ -59,19 +60,21 @@ contains
 
       integer, allocatable :: node(:), site(:, :)
       integer :: i
+      type(cell_type) :: cell
       type(piece_type) :: piece
 
-      if (size(domain%interfaces) == 0) return
+      if (size(present_interfaces(domain)) == 0) return
       self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
          & "dissipated"]
       self%components = components
       call arrange(self, domain)
       associate (mesh => model%mesh)
          call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
-         self%home = plate_quads(domain)
-         self%slots = new_accumulators(domain%comm, site, [(domain%plates(self%home(1, i))%quad( &
-            & self%home(2, i)), i=1, size(self%home, 2))], size(self%layer))
-         self%slots%slot(:, :) = self%slots%slot(tensor_order(domain%plates(1)%side), :)
+         self%place = elements_of_kind(domain, field_group(domain))
+         self%slots = new_accumulators(domain%comm, site, [(domain%groups(self%place(1, i))%item &
+            & %element(self%place(2, i)), i=1, size(self%place, 2))], size(self%layer))
+         cell = domain%groups(field_group(domain))%item%find_cell()
+         self%slots%slot(:, :) = self%slots%slot(cell%node_order, :)
          piece%points = self%slots%points()
          call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
             & piece%points%first + piece%points%count)), self, piece)
@@ -85,29 +88,23 @@ contains
       type(interface_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      integer :: b, k, l, layer(maxval(domain%layers%ply)), number(maxval(domain%layers%ply))
+      integer :: g, k, l, number(maxval(domain%layers%ply))
 
-      layer(:) = 0
-      do b = 1, size(domain%interfaces)
-         associate (batch => domain%interfaces(b))
-            do l = 1, lanes
-               if (batch%lower(l) == 0) cycle
-               layer(interface_ply(domain, batch, l)) = batch%lower(l)
-            end do
-         end associate
-      end do
-      self%ply = pack([(k, k=1, size(layer))], layer > 0)
-      self%layer = layer(self%ply)
+      self%ply = present_interfaces(domain)
       number(self%ply) = [(k, k=1, size(self%ply))]
-      allocate (self%batch(2, size(self%layer), size(domain%plates)))
+      allocate (self%layer(size(self%ply)))
+      allocate (self%batch(2, size(self%ply), maxval([(domain%groups(g)%item%set, &
+         & g=1, size(domain%groups))])))
       self%batch(:, :, :) = 0
-      do b = 1, size(domain%interfaces)
-         associate (batch => domain%interfaces(b))
+      do g = 1, size(domain%groups)
+         select type (group => domain%groups(g)%item)
+         type is (interface_group_type)
             do l = 1, lanes
-               if (batch%lower(l) == 0) cycle
-               self%batch(:, number(interface_ply(domain, batch, l)), batch%plate) = [b, l]
+               if (group%ply(l) == 0) cycle
+               self%layer(number(group%ply(l))) = group%batch%lower(l)
+               self%batch(:, number(group%ply(l)), group%set) = [g, l]
             end do
-         end associate
+         end select
       end do
    end subroutine arrange
 
@@ -234,10 +231,12 @@ contains
 
       real(wp) :: at_slot(6, size(self%layer), self%slots%count)
       integer :: c, i, k
+      integer, allocatable :: node(:)
 
-      do i = 1, size(self%home, 2)
-         associate (node => domain%plates(self%home(1, i))%node(:, self%home(2, i)), &
-            & slot => self%slots%slot(:, i), columns => domain%columns, u => state%displacement)
+      do i = 1, size(self%place, 2)
+         node = domain%groups(self%place(1, i))%item%element_nodes(self%place(2, i))
+         associate (slot => self%slots%slot(:, i), columns => domain%columns, &
+            & u => state%displacement)
             do k = 1, size(self%layer)
                do c = 1, 3
                   associate (below => u(columns%freedom(self%layer(k), &
@@ -267,13 +266,12 @@ contains
       integer :: i, k, q
 
       sums(:, :, :) = 0.0_wp
-      do i = 1, size(self%home, 2)
-         associate (p => self%home(1, i), e => self%home(2, i))
-            area(:) = quad_node_area(domain%plates(p)%side, &
-               & domain%position(1:2, domain%plates(p)%node(:, e)))
+      do i = 1, size(self%place, 2)
+         associate (group => domain%groups(self%place(1, i))%item, e => self%place(2, i))
+            area(:) = group%node_weights(e, domain%position(:, group%element_nodes(e)))
             do k = 1, size(self%layer)
-               if (self%batch(1, k, p) == 0) cycle
-               here(:, :) = interface_values(domain, state, [self%batch(:, k, p), e])
+               if (self%batch(1, k, group%set) == 0) cycle
+               here(:, :) = interface_values(domain, state, [self%batch(:, k, group%set), e])
                do q = 1, size(area)
                   associate (total => sums(:, k, self%slots%slot(q, i)))
                      total(:damage_values) = total(:damage_values) + area(q)*here(:, q)

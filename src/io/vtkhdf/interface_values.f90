@@ -3,6 +3,7 @@ module plydyn_io_vtkhdf_interface_values
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface, only : history_size, interface_type
+   use plydyn_element_interface_group, only : interface_group_type
    use plydyn_element_interface_axes, only : find_axes, turn_in
    use plydyn_element_quad, only : quad_node_metric
    use plydyn_law_cohesive_bilinear, only : closing_at, damage_at, fracture_at, friction_at, &
@@ -24,34 +25,37 @@ contains
 
    !> Values at the points of a quad in tensor order, the mix of modes at the nodes,
    !> (values, side**2)
-   function interface_values(domain, state, home) result(values)
+   function interface_values(domain, state, place) result(values)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
-      !> Batch, lane and quad
-      integer, intent(in) :: home(3)
-      real(wp) :: values(damage_values, domain%plates(1)%side**2)
+      !> Group, lane and quad
+      integer, intent(in) :: place(3)
+      real(wp), allocatable :: values(:, :)
 
-      values(:, :) = 0.0_wp
-      associate (batch => domain%interfaces(home(1)))
-         call find_mixity(domain, batch, home, state%displacement, values(at_mixity, :))
-         if (batch%law%histories == 0) return
-         call find_losses(batch, home, state%history(batch%first_history:batch%first_history - 1 &
-            & + history_size(batch)), values)
-      end associate
+      select type (group => domain%groups(place(1))%item)
+      type is (interface_group_type)
+         allocate (values(damage_values, group%batch%side**2), source=0.0_wp)
+         call find_mixity(domain, group%batch, place, state%displacement, values(at_mixity, :))
+         if (group%batch%law%histories == 0) return
+         associate (first => group%batch%first_history)
+            call find_losses(group%batch, place, &
+               & state%history(first:first - 1 + history_size(group%batch)), values)
+         end associate
+      end select
    end function interface_values
 
    !> Damage and energy from the history
-   subroutine find_losses(batch, home, history, values)
+   subroutine find_losses(batch, place, history, values)
       type(interface_type), intent(in) :: batch
-      integer, intent(in) :: home(3)
+      integer, intent(in) :: place(3)
       !> History of the batch
       real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
          & batch%law%histories)
       real(wp), intent(inout) :: values(:, :)
 
-      associate (h => history(home(2), :, home(3), :))
+      associate (h => history(place(2), :, place(3), :))
          values(at_damage, :) = h(:, damage_at)
          values(at_dissipated, :) = h(:, fracture_at)
          if (size(h, 2) < closing_at) return
@@ -62,10 +66,10 @@ contains
    end subroutine find_losses
 
    !> Share of shear at the nodes; 0 where the faces do not move apart
-   subroutine find_mixity(domain, batch, home, displacement, mixity)
+   subroutine find_mixity(domain, batch, place, displacement, mixity)
       type(domain_type), intent(in) :: domain
       type(interface_type), intent(in) :: batch
-      integer, intent(in) :: home(3)
+      integer, intent(in) :: place(3)
       !> Displacement of all points
       real(wp), intent(in) :: displacement(:)
       !> Share at each node, (side**2)
@@ -75,8 +79,8 @@ contains
       real(wp) :: above, axes(lanes, 3, 3, size(mixity)), below, opening, sliding
       integer :: c, q
 
-      associate (columns => domain%columns, lower => batch%lower(home(2)), &
-         & node => batch%node(:, home(3)), stiffness => batch%law%stiffness)
+      associate (columns => domain%columns, lower => batch%lower(place(2)), &
+         & node => batch%node(:, place(3)), stiffness => batch%law%stiffness)
          do q = 1, size(node)
             do c = 1, 3
                below = displacement(columns%freedom(lower, columns%levels(lower), c, node(q)))

@@ -2,7 +2,7 @@
 module plydyn_method_implicit_column_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_column_inertia, only : column_inertia_type, together
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_domain, only : surface_type
    use plydyn_state_state, only : state_type, motion_sums_type
    implicit none

@@ -1,7 +1,7 @@
 !> Inertia across interfaces at work: accelerations of free points to those of coupled pairs.
 module plydyn_method_implicit_pair_inertia
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_state_state, only : motion_sums_type
    implicit none

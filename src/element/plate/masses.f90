@@ -1,8 +1,7 @@
 !> Lumped masses: the mass of each layer shared among its points.
-module plydyn_domain_masses
+module plydyn_element_plate_masses
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_local_to_global, only : local_to_global_type
+   use plydyn_fem_columns, only : columns_type
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_layers, only : layers_type, new_layers
@@ -42,7 +41,7 @@ contains
    end function surface_density
 
    !> Add the masses of a part to those of the points that a rank has
-   subroutine add_masses(model, p, plate, quads, numbering, columns, mass)
+   subroutine add_masses(model, p, plate, quads, local_node, columns, mass)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
@@ -51,8 +50,8 @@ contains
       type(plate_type), intent(in) :: plate
       !> All quads of the part, those of other ranks too: they add to nodes where ranks meet
       integer, intent(in) :: quads(:)
-      !> Numbers of the nodes that the rank has
-      type(local_to_global_type), intent(in) :: numbering
+      !> The rank's number of each node of the mesh, 0 where it does not have it
+      integer, intent(in) :: local_node(:)
       !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
@@ -67,7 +66,7 @@ contains
             & columns%families(f)%layer)
          do e = 1, size(quads)
             node(:) = model%mesh%quad_node(tensor_order(plate%side), quads(e))
-            here(:) = numbering%node(node)
+            here(:) = local_node(node)
             if (all(here == 0)) cycle
             area(:) = quad_node_area(plate%side, model%mesh%position(1:2, node))
             do i = 1, size(area)
@@ -95,4 +94,4 @@ contains
       end subroutine add_column
    end subroutine add_masses
 
-end module plydyn_domain_masses
+end module plydyn_element_plate_masses

@@ -1,38 +1,64 @@
 !> Widths of the crack bands of bricks, and the histories of their points at time zero.
-module plydyn_domain_brick_crack_bands
+module plydyn_element_brick_crack_bands
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_crack_bands, only : add_band_points, crack_band_type
    use plydyn_element_brick, only : brick_shape_type, bricks_type, parent_slope
    use plydyn_law_ply_crack_band, only : brick_band_length
    use plydyn_law_law, only : law_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: brick_band_lengths, start_brick_histories
+   public :: add_brick_bands, start_brick_history
 
    !> Normal of the plies
    real(wp), parameter :: up(3) = [0.0_wp, 0.0_wp, 1.0_wp]
 
 contains
 
-   !> Let the laws of all bricks start their histories
-   pure subroutine start_brick_histories(domain, history)
-      !> The domain
-      type(domain_type), intent(in) :: domain
+   !> Let the law of the bricks of a part start their histories
+   pure subroutine start_brick_history(bricks, history)
+      !> The bricks
+      type(bricks_type), intent(in) :: bricks
       !> History of all points, zero in
       real(wp), intent(inout) :: history(:)
 
-      integer :: last, p
+      integer :: last
 
-      do p = 1, size(domain%bricks)
-         associate (bricks => domain%bricks(p))
-            if (size(bricks%laws) == 0) cycle
-            last = bricks%first_history - 1 &
-               & + lanes*bricks%histories*bricks%points*size(bricks%shape)
-            call start_part(bricks, history(bricks%first_history:last))
-         end associate
-      end do
-   end subroutine start_brick_histories
+      if (size(bricks%laws) == 0) return
+      last = bricks%first_history - 1 + lanes*bricks%histories*bricks%points*size(bricks%shape)
+      call start_part(bricks, history(bricks%first_history:last))
+   end subroutine start_brick_history
+
+   !> Add the bands of the bricks of a part
+   subroutine add_brick_bands(model, bricks, group, bands)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The bricks
+      type(bricks_type), intent(in) :: bricks
+      !> Index of the element group
+      integer, intent(in) :: group
+      !> Bands of each material
+      type(crack_band_type), intent(inout) :: bands(:)
+
+      real(wp) :: length(lanes, 2)
+      integer :: e, i, l, m
+
+      if (size(bricks%laws) == 0) return
+      associate (law => bricks%laws(1)%law, material => model%parts(bricks%part)%plies(1)%material)
+         if (all(law%band_rule == 0)) return
+         do i = 1, size(bricks%shape)
+            do m = 1, bricks%points
+               length(:, :) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(i)), law, m)
+               do l = 1, min(lanes, size(bricks%brick) - lanes*(i - 1))
+                  e = bricks%brick(lanes*(i - 1) + l)
+                  call add_band_points(model%materials(material), [e, 0, group], length(l, :), 1, &
+                     & bands(material))
+               end do
+            end do
+         end do
+      end associate
+   end subroutine add_brick_bands
 
    !> Start the histories of the bricks of a part
    pure subroutine start_part(bricks, history)
@@ -91,4 +117,4 @@ contains
       end do
    end function brick_band_lengths
 
-end module plydyn_domain_brick_crack_bands
+end module plydyn_element_brick_crack_bands

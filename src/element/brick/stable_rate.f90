@@ -1,10 +1,7 @@
-!> The stable step of bricks: the largest eigenvalue of each geometry of each part, which bounds
-!> that of the mesh.
-module plydyn_domain_brick_stable_step
+!> Largest eigenvalues of bricks: that of each geometry of each part bounds that of the mesh.
+module plydyn_element_brick_stable_rate
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_bricks, only : brick_density
-   use plydyn_domain_domain, only : domain_type, step_limit_type
-   use plydyn_domain_critical_elements, only : find_slowest
+   use plydyn_element_brick_make, only : brick_density
    use plydyn_element_brick, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_stable_step, only : certified_bound, power_iteration
@@ -12,43 +9,18 @@ module plydyn_domain_brick_stable_step
    implicit none
    private
 
-   public :: find_brick_limit
+   public :: part_rates
 
    !> Freedoms of a brick
    integer, parameter :: freedoms = 3*corners
 
 contains
 
-   !> Step, and the brick that sets it. All ranks must come here
-   function find_brick_limit(model, domain) result(limit)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> The domain; the bricks of this rank are known
-      type(domain_type), intent(in) :: domain
-      type(step_limit_type) :: limit
-
-      real(wp), allocatable :: rates(:)
-      integer, allocatable :: elements(:)
-      integer :: p
-
-      allocate (elements(0), rates(0))
-      do p = 1, size(domain%bricks)
-         elements = [elements, domain%bricks(p)%brick]
-         rates = [rates, part_rates(model, domain%bricks(p))]
-      end do
-      limit%slowest = find_slowest(domain%comm, elements, rates, &
-         & model%parts(model%mesh%brick_part(elements))%id)
-      associate (worst => limit%slowest(1))
-         limit%ply_rate = worst%rate
-         limit%step = 2.0_wp/sqrt(worst%rate)
-         limit%quad = model%mesh%brick_id(worst%element)
-         limit%ply = worst%layer
-      end associate
-   end function find_brick_limit
-
    !> Eigenvalue of each brick of a part; batches of one geometry have that of the first of them
    function part_rates(model, bricks) result(rate)
+      !> The model
       type(model_type), intent(in) :: model
+      !> The bricks of a part
       type(bricks_type), intent(in) :: bricks
       real(wp), allocatable :: rate(:)
 
@@ -148,4 +120,4 @@ contains
       end do
    end function dense_stiffness
 
-end module plydyn_domain_brick_stable_step
+end module plydyn_element_brick_stable_rate

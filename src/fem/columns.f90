@@ -11,8 +11,9 @@
 !>
 !> Nodes where chunks of quads meet get forces from several: see `plydyn_domain_decomposition`.
 !> The first chunk adds to the node's own column, the others to columns of their own behind all.
-module plydyn_domain_columns
+module plydyn_fem_columns
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_fem_expansion, only : expansion_type
    implicit none
    private
 
@@ -26,6 +27,8 @@ module plydyn_domain_columns
    type, public :: order_group_type
       !> Order of the expansion
       integer :: order = 0
+      !> Tables of the expansion; none for bricks
+      type(expansion_type) :: expansion
       !> Blocks of as many layers as there are lanes
       integer :: blocks = 0
       !> Its first point in the column of the first node, its first mass there
@@ -232,4 +235,4 @@ contains
       levels = self%families(self%home(1, layer))%order + 1
    end function levels
 
-end module plydyn_domain_columns
+end module plydyn_fem_columns

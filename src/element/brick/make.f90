@@ -1,10 +1,8 @@
-!> Bricks as flat arrays.
-module plydyn_domain_bricks
+!> Bricks from the model.
+module plydyn_element_brick_make
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_decomposition, only : most_batches
-   use plydyn_domain_laws, only : new_laws
-   use plydyn_domain_local_to_global, only : local_to_global_type
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_element_laws, only : new_laws
    use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
    use plydyn_element_plate_layers, only : batch_stiffness
@@ -17,6 +15,8 @@ module plydyn_domain_bricks
 
    public :: add_brick_masses, brick_density, find_shapes, new_bricks, set_batches
 
+   !> Batches of bricks in a chunk, but for the last one of a part
+   integer, parameter, public :: most_batches = 256
    !> Geometries that are looked through for one that is the same
    integer, parameter :: remembered = 8
    !> Directions that are the same, degrees
@@ -99,13 +99,13 @@ contains
    end function new_group
 
    !> Leave a rank some batches of bricks, and give them their places
-   pure subroutine set_batches(mesh, batches, numbering, columns, self)
+   pure subroutine set_batches(mesh, batches, local_node, columns, self)
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> The batches, whole chunks of them
       integer, intent(in) :: batches(:)
-      !> Numbers of the nodes that the rank has
-      type(local_to_global_type), intent(in) :: numbering
+      !> The rank's number of each node of the mesh, 0 where it does not have it
+      integer, intent(in) :: local_node(:)
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> All bricks of a part in, those of the batches out; targets are the places
@@ -120,7 +120,7 @@ contains
          do l = 1, lanes
             e = self%brick(min(some(lanes*(b - 1) + l), size(self%brick)))
             self%place(l, :, b) = columns%freedom(1, 1, 1, &
-               & numbering%node(mesh%brick_node(:, e)))
+               & local_node(mesh%brick_node(:, e)))
          end do
       end do
       self%target = self%place
@@ -230,15 +230,15 @@ contains
    end function batch_positions
 
    !> Add the masses of bricks to those of the points that a rank has
-   pure subroutine add_brick_masses(model, part, bricks, numbering, columns, mass)
+   pure subroutine add_brick_masses(model, part, bricks, local_node, columns, mass)
       !> The model
       type(model_type), intent(in) :: model
       !> Their part
       integer, intent(in) :: part
       !> All of them, those of other ranks too: they add to nodes where ranks meet
       integer, intent(in) :: bricks(:)
-      !> Numbers of the nodes that the rank has
-      type(local_to_global_type), intent(in) :: numbering
+      !> The rank's number of each node of the mesh, 0 where it does not have it
+      integer, intent(in) :: local_node(:)
       !> Where their points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point
@@ -249,7 +249,7 @@ contains
 
       do i = 1, size(bricks)
          associate (node => model%mesh%brick_node(:, bricks(i)))
-            here(:) = numbering%node(node)
+            here(:) = local_node(node)
             if (all(here == 0)) cycle
             share(:) = brick_density(model, part)*brick_shares(model%mesh%position(:, node))
          end associate
@@ -261,4 +261,4 @@ contains
       end do
    end subroutine add_brick_masses
 
-end module plydyn_domain_bricks
+end module plydyn_element_brick_make

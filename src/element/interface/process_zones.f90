@@ -1,5 +1,5 @@
 !> The zones in which interfaces soften, and how finely a mesh resolves them.
-module plydyn_domain_process_zones
+module plydyn_element_interface_process_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_quad, only : quad_spacing, tensor_order
    use plydyn_law_cohesive_process_zone_length, only : strength_factor, zone_lengths
@@ -123,4 +123,4 @@ contains
       end do
    end function node_spacing
 
-end module plydyn_domain_process_zones
+end module plydyn_element_interface_process_zones

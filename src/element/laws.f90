@@ -1,5 +1,5 @@
 !> Laws of the layers, batch by batch.
-module plydyn_domain_laws
+module plydyn_element_laws
    use plydyn_base_precision, only : lanes
    use plydyn_law_law, only : block_law_type, law_type
    use plydyn_model_material, only : material_type
@@ -83,4 +83,4 @@ contains
       end do
    end subroutine make_law
 
-end module plydyn_domain_laws
+end module plydyn_element_laws

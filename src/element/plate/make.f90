@@ -1,9 +1,8 @@
-!> Plates as flat arrays.
-module plydyn_domain_plates
+!> Plates from the model.
+module plydyn_element_plate_make
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type, order_group_type
-   use plydyn_domain_laws, only : new_laws
-   use plydyn_domain_local_to_global, only : local_to_global_type
+   use plydyn_fem_columns, only : columns_type, order_group_type
+   use plydyn_element_laws, only : new_laws
    use plydyn_element_plate_layers, only : batch_stiffness, history_rows, layer_batch_type, &
       & plate_type
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
@@ -47,13 +46,13 @@ contains
    end function new_plate
 
    !> Give a plate its quads
-   pure subroutine set_quads(mesh, quads, numbering, plate)
+   pure subroutine set_quads(mesh, quads, local_node, plate)
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> The quads, indices into it
       integer, intent(in) :: quads(:)
-      !> Numbers of their nodes
-      type(local_to_global_type), intent(in) :: numbering
+      !> The rank's number of each node of the mesh, 0 where it does not have it
+      integer, intent(in) :: local_node(:)
       !> The plate; its targets are the nodes
       type(plate_type), intent(inout) :: plate
 
@@ -63,7 +62,7 @@ contains
       allocate (plate%node(size(node), size(quads)), plate%metric(5, size(node), size(quads)))
       do e = 1, size(quads)
          node(:) = mesh%quad_node(tensor_order(plate%side), quads(e))
-         plate%node(:, e) = numbering%node(node)
+         plate%node(:, e) = local_node(node)
          plate%metric(:, :, e) = quad_metric(plate%side, mesh%position(1:2, node))
       end do
       plate%target = plate%node
@@ -148,4 +147,4 @@ contains
          & ply_stiffness(material%law%young, material%law%poisson, material%law%shear), rotation))
    end function plate_stiffness
 
-end module plydyn_domain_plates
+end module plydyn_element_plate_make

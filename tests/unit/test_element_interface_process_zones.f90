@@ -1,7 +1,7 @@
 !> Zones that soften have the lengths of closed forms, the worst of the interfaces of a material.
 program test_domain_process_zones
    use plydyn_base_precision, only : wp
-   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
+   use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, normal, shear
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type

@@ -1,8 +1,8 @@
 !> Interfaces between layers as batches.
-module plydyn_domain_interfaces
+module plydyn_element_interface_make
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_columns, only : columns_type
-   use plydyn_domain_process_zones, only : new_process_zone, process_zone_type
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
    use plydyn_element_interface, only : face_type, interface_type
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & new_springs
@@ -126,4 +126,4 @@ contains
       law = new_cohesive(constants)
    end function interface_law
 
-end module plydyn_domain_interfaces
+end module plydyn_element_interface_make

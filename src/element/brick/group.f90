@@ -1,0 +1,301 @@
+!> Element group of bricks: those of a part with fibres in one direction. Its elements are batches of
+!> as many bricks as there are lanes.
+module plydyn_element_brick_group
+   use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_brick, only : bricks_type, corners
+   use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
+   use plydyn_element_brick_energies, only : add_brick_dissipation, add_control_energy
+   use plydyn_element_brick_kernel, only : add_brick_forces
+   use plydyn_element_brick_make, only : add_brick_masses, find_shapes, set_batches
+   use plydyn_element_brick_stable_rate, only : part_rates
+   use plydyn_element_brick_recover, only : brick_values
+   use plydyn_element_crack_bands, only : crack_band_type
+   use plydyn_element_group, only : element_group_type
+   use plydyn_element_output_group, only : cell_type
+   use plydyn_element_recover, only : recovered
+   use plydyn_fem_columns, only : alignment_offset => front, columns_type
+   use plydyn_model_control, only : total_lagrangian
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: new_brick_group
+
+   !> VTK's cell of eight nodes
+   integer, parameter :: hexahedron = 12
+
+   !> Bricks of a part with fibres in one direction
+   type, public, extends(element_group_type) :: brick_group_type
+      !> The bricks
+      type(bricks_type) :: bricks
+      !> The rank's number of each node of the bricks it has, (8, bricks)
+      integer, allocatable :: node(:, :)
+   contains
+      procedure :: take_elements
+      procedure :: set_targets
+      procedure :: add_masses
+      procedure :: history_shape
+      procedure :: set_history
+      procedure :: start_history
+      procedure :: add_forces
+      procedure :: find_rates
+      procedure :: add_dissipation
+      procedure :: add_hourglass_energy
+      procedure :: add_crack_bands
+      procedure :: work
+      procedure :: add_memory
+      procedure :: element_kind
+      procedure :: layer_kind
+      procedure :: element_id
+      procedure :: sheets
+      procedure :: find_cell
+      procedure :: list_elements
+      procedure :: element_nodes
+      procedure :: node_weights
+      procedure :: output_values
+      procedure :: fibre_angle
+   end type brick_group_type
+
+contains
+
+   !> A group of some bricks, still without geometry and places
+   function new_brick_group(model, bricks, number) result(self)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The bricks
+      type(bricks_type), intent(in) :: bricks
+      !> Index of the group, which is the element set
+      integer, intent(in) :: number
+      type(brick_group_type) :: self
+
+      self%set = number
+      self%part = bricks%part
+      self%large = model%control%kinematics == total_lagrangian
+      self%bricks = bricks
+   end function new_brick_group
+
+   subroutine take_elements(self, model, elements, local_node, columns)
+      class(brick_group_type), intent(inout) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:), local_node(:)
+      type(columns_type), intent(in) :: columns
+      integer :: e
+
+      call set_batches(model%mesh, elements, local_node, columns, self%bricks)
+      call find_shapes(model, elements, self%bricks)
+      self%element = self%bricks%brick
+      allocate (self%node(corners, size(self%element)))
+      do e = 1, size(self%element)
+         self%node(:, e) = local_node(model%mesh%brick_node(:, self%element(e)))
+      end do
+   end subroutine take_elements
+
+   !> Forces have the places of displacements, in the columns of the chunk
+   pure subroutine set_targets(self, elements, height, column)
+      class(brick_group_type), intent(inout) :: self
+      integer, intent(in) :: elements(2), height, column(:)
+
+      integer :: b, n
+
+      do b = elements(1), elements(2)
+         do n = 1, size(self%bricks%place, 2)
+            associate (place => self%bricks%place(:, n, b) - alignment_offset - 1)
+               self%bricks%target(:, n, b) = alignment_offset + 1 + mod(place, height) &
+                  & + height*(column(1 + place/height) - 1)
+            end associate
+         end do
+      end do
+   end subroutine set_targets
+
+   !> Masses of all bricks of the model in this group, before the rank takes its own
+   subroutine add_masses(self, model, elements, local_node, columns, mass)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:), local_node(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+
+      call add_brick_masses(model, self%part, self%bricks%brick, local_node, columns, mass)
+   end subroutine add_masses
+
+   !> One block of history, a batch after the other
+   pure function history_shape(self) result(blocks)
+      class(brick_group_type), intent(in) :: self
+      integer, allocatable :: blocks(:, :)
+
+      blocks = reshape([lanes*self%bricks%histories*self%bricks%points, 1], [2, 1])
+   end function history_shape
+
+   pure subroutine set_history(self, block, first)
+      class(brick_group_type), intent(inout) :: self
+      integer, intent(in) :: block, first
+
+      self%bricks%first_history = first
+   end subroutine set_history
+
+   pure subroutine start_history(self, history)
+      class(brick_group_type), intent(in) :: self
+      real(wp), intent(inout) :: history(:)
+
+      call start_brick_history(self%bricks, history)
+   end subroutine start_history
+
+   pure subroutine add_forces(self, elements, step, displacement, velocity, history, force)
+      class(brick_group_type), intent(in) :: self
+      integer, intent(in) :: elements(2)
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      call add_brick_forces(self%bricks, elements, self%large, step, displacement, velocity, &
+         & history(self%bricks%first_history:), force)
+   end subroutine add_forces
+
+   subroutine find_rates(self, model, implicit, rate, layer)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: implicit
+      real(wp), allocatable, intent(out) :: rate(:)
+      integer, allocatable, intent(out) :: layer(:)
+
+      rate = part_rates(model, self%bricks)
+      layer = spread(model%parts(self%part)%id, 1, size(rate))
+   end subroutine find_rates
+
+   pure subroutine add_dissipation(self, history, sums)
+      class(brick_group_type), intent(in) :: self
+      real(wp), intent(in) :: history(:)
+      type(exact_sums_type), intent(inout) :: sums
+
+      call add_brick_dissipation(self%bricks, history, sums)
+   end subroutine add_dissipation
+
+   pure subroutine add_hourglass_energy(self, displacement, history, sums)
+      class(brick_group_type), intent(in) :: self
+      real(wp), intent(in) :: displacement(:), history(:)
+      type(exact_sums_type), intent(inout) :: sums
+
+      call add_control_energy(self%bricks, self%large, displacement, history, sums)
+   end subroutine add_hourglass_energy
+
+   subroutine add_crack_bands(self, model, bands)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      type(crack_band_type), intent(inout) :: bands(:)
+
+      call add_brick_bands(model, self%bricks, self%set, bands)
+   end subroutine add_crack_bands
+
+   !> In bricks: only the shares of the groups of one model count
+   pure real(wp) function work(self)
+      class(brick_group_type), intent(in) :: self
+
+      work = real(lanes, wp)
+   end function work
+
+   pure subroutine add_memory(self, reals, integers)
+      class(brick_group_type), intent(in) :: self
+      real(wp), intent(inout) :: reals, integers
+
+      integers = integers + size(self%bricks%place) + size(self%bricks%target)
+   end subroutine add_memory
+
+   pure function element_kind(self) result(name)
+      class(brick_group_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = "brick"
+   end function element_kind
+
+   pure function layer_kind(self) result(name)
+      class(brick_group_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = "part"
+   end function layer_kind
+
+   pure integer function element_id(self, mesh, element) result(id)
+      class(brick_group_type), intent(in) :: self
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: element
+
+      id = mesh%brick_id(element)
+   end function element_id
+
+   !> Nodes are points
+   pure integer function sheets(self)
+      class(brick_group_type), intent(in) :: self
+
+      sheets = 1
+   end function sheets
+
+   pure function find_cell(self) result(cell)
+      class(brick_group_type), intent(in) :: self
+      type(cell_type) :: cell
+      integer :: i
+
+      cell%kind = hexahedron
+      cell%node_order = [(i, i=1, corners)]
+      cell%corner = reshape([(i, 0, i=1, corners)], [2, corners])
+   end function find_cell
+
+   pure subroutine list_elements(self, mesh, part, node)
+      class(brick_group_type), intent(in) :: self
+      type(mesh_type), intent(in) :: mesh
+      integer, allocatable, intent(out) :: part(:), node(:, :)
+
+      part = mesh%brick_part
+      node = mesh%brick_node
+   end subroutine list_elements
+
+   pure function element_nodes(self, element) result(node)
+      class(brick_group_type), intent(in) :: self
+      integer, intent(in) :: element
+      integer, allocatable :: node(:)
+
+      node = self%node(:, element)
+   end function element_nodes
+
+   !> The volume of the brick
+   pure function node_weights(self, element, position) result(weight)
+      class(brick_group_type), intent(in) :: self
+      integer, intent(in) :: element
+      real(wp), intent(in) :: position(:, :)
+      real(wp) :: weight(size(position, 2))
+
+      associate (batch => (element - 1)/lanes + 1, lane => mod(element - 1, lanes) + 1)
+         weight(:) = sum(self%bricks%shapes(self%bricks%shape(batch))%volume(lane, :))
+      end associate
+   end function node_weights
+
+   !> The mean over the points of the brick at all its nodes
+   pure function output_values(self, place, has_tensors, displacement, history) result(values)
+      class(brick_group_type), intent(in) :: self
+      integer, intent(in) :: place(2)
+      logical, intent(in) :: has_tensors
+      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), allocatable :: values(:, :, :)
+
+      real(wp) :: batch(lanes, recovered)
+      integer :: last
+
+      associate (bricks => self%bricks)
+         last = bricks%first_history - 1 &
+            & + lanes*bricks%histories*bricks%points*size(bricks%shape)
+         batch(:, :) = brick_values(bricks, (place(1) - 1)/lanes + 1, self%large, displacement, &
+            & history(bricks%first_history:last))
+      end associate
+      values = spread(spread(batch(mod(place(1) - 1, lanes) + 1, :), 2, 1), 3, corners)
+   end function output_values
+
+   pure real(wp) function fibre_angle(self, model, element, ply) result(angle)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: element, ply
+
+      angle = model%mesh%brick_angle(element)
+   end function fibre_angle
+
+end module plydyn_element_brick_group

@@ -1,0 +1,137 @@
+!> Histories of the Gauss points of plies at time zero, and the widths of their crack bands.
+module plydyn_element_plate_initial_history
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_fem_quadrature, only : gauss_weights
+   use plydyn_law_ply_crack_band, only : band_length, rule_gauss_point, share_average, &
+      & share_bilinear, share_biquadratic
+   use plydyn_law_law, only : law_type
+   implicit none
+   private
+
+   public :: band_lengths, cell_lengths, start_histories
+
+contains
+
+   !> Let the laws of all layers of a plate start their histories
+   pure subroutine start_histories(plate, history)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> History of all Gauss points, zero in
+      real(wp), intent(inout) :: history(:)
+
+      integer :: b, last
+
+      do b = 1, size(plate%batches)
+         associate (batch => plate%batches(b))
+            last = batch%first_history - 1 + lanes*batch%histories*batch%blocks &
+               & *size(batch%expansion%weight)*size(plate%node)
+            call start_batch(plate, batch, history(batch%first_history:last))
+         end associate
+      end do
+   end subroutine start_histories
+
+   !> Start the histories of a batch of layers
+   pure subroutine start_batch(plate, batch, history)
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      !> History of the batch, thickness before plane
+      real(wp), intent(inout) :: history(lanes, size(batch%expansion%weight), &
+         & size(plate%node, 1), batch%blocks, size(plate%node, 2), batch%histories)
+
+      real(wp) :: length(lanes, 2, size(plate%node, 1)), widest(lanes)
+      integer :: e, k, m, q
+
+      do k = 1, size(batch%laws)
+         associate (block => batch%laws(k)%block, law => batch%laws(k)%law)
+            do e = 1, size(plate%node, 2)
+               do q = 1, size(plate%node, 1)
+                  length(:, :, q) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
+               end do
+               widest(:) = maxval(maxval(length, 3), 2)
+               do q = 1, size(plate%node, 1)
+                  do m = 1, size(batch%expansion%weight)
+                     call law%start_history(length(:, :, q), widest, history(:, m, q, block, e, :))
+                  end do
+               end do
+            end do
+         end associate
+      end do
+   end subroutine start_batch
+
+   !> Widths of the crack band at a Gauss point of the plane for fibres and for matrix, (lanes, 2);
+   !> 0 in lanes that do not soften
+   pure function band_lengths(plate, turn, law, q, quad) result(length)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Cosine and sine of the fibre direction of each lane
+      real(wp), intent(in) :: turn(lanes, 2)
+      !> The law of the lanes
+      class(law_type), intent(in) :: law
+      !> Gauss point of the plane, and quad
+      integer, intent(in) :: q, quad
+      real(wp) :: length(lanes, 2)
+
+      real(wp) :: area, jacobian(2, 2), share, weight(2)
+      integer :: l
+
+      weight(:) = point_weights(plate%side, q)
+      share = merge(share_biquadratic, share_bilinear, plate%side == 3)
+      area = sum(plate%metric(5, :, quad))
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
+      length(:, :) = 0.0_wp
+      do l = 1, lanes
+         if (law%band_rule(l) == 0) cycle
+         length(l, 1) = band_length(law%band_rule(l), jacobian, turn(l, :), weight, share, area)
+         length(l, 2) = band_length(law%band_rule(l), jacobian, [-turn(l, 2), turn(l, 1)], weight, &
+            & share, area)
+         ! quads far wider than the ellipse average nothing
+         length(l, :) = max(length(l, :), share_average*law%radius(l, :))
+         if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
+      end do
+   end function band_lengths
+
+   !> Lengths of the own cell of a Gauss point of the plane along the fibres and across them
+   pure function cell_lengths(plate, turn, q, quad) result(length)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Cosine and sine of the fibre direction
+      real(wp), intent(in) :: turn(2)
+      !> Gauss point of the plane, and quad
+      integer, intent(in) :: q, quad
+      real(wp) :: length(2)
+
+      real(wp) :: jacobian(2, 2), weight(2)
+
+      weight(:) = point_weights(plate%side, q)
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
+      length(1) = band_length(rule_gauss_point, jacobian, turn, weight, 1.0_wp, 1.0_wp)
+      length(2) = band_length(rule_gauss_point, jacobian, [-turn(2), turn(1)], weight, 1.0_wp, &
+         & 1.0_wp)
+   end function cell_lengths
+
+   !> Gauss weights of a point of the plane along xi and along eta
+   pure function point_weights(side, q) result(weight)
+      integer, intent(in) :: side, q
+      real(wp) :: weight(2)
+
+      real(wp) :: line(side)
+
+      line(:) = gauss_weights(side)
+      weight(:) = [line(1 + mod(q - 1, side)), line(1 + (q - 1)/side)]
+   end function point_weights
+
+   !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice the reach
+   pure function point_jacobian(reach, metric) result(jacobian)
+      real(wp), intent(in) :: reach, metric(4)
+      !> dx/dxi, dy/dxi in the first column
+      real(wp) :: jacobian(2, 2)
+
+      real(wp) :: inverse(4)
+
+      inverse(:) = 2.0_wp*reach*metric
+      jacobian(:, :) = reshape([inverse(4), -inverse(3), -inverse(2), inverse(1)], [2, 2]) &
+         & /(inverse(1)*inverse(4) - inverse(2)*inverse(3))
+   end function point_jacobian
+
+end module plydyn_element_plate_initial_history

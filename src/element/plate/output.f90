@@ -1,0 +1,185 @@
+!> Plates as cells for pictures: every layer over every quad is one cell, or more above order 2.
+module plydyn_element_plate_output
+   use plydyn_base_precision, only : wp
+   use plydyn_element_layer_scalars, only : layer_scalars
+   use plydyn_element_output_group, only : cell_type
+   use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_element_recover, only : layer_values, recovered, scalars_at
+   use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
+      & thickness_interpolation
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_fem_expansion, only : lagrange
+   implicit none
+   private
+
+   public :: layer_levels, layer_motion, node_shares, plate_cell, values_at_nodes
+
+   !> VTK's cells: 8 nodes, and 27 nodes
+   integer, parameter :: linear_cell = 12, quadratic_cell = 29
+
+   !> Place of each of the 27 nodes of a quadratic cell: node of the quad and level, 0 to 2
+   integer, parameter :: quad_place(27) = [1, 2, 3, 4, 1, 2, 3, 4, 5, 6, 7, 8, 5, 6, 7, 8, &
+      & 1, 2, 3, 4, 8, 6, 5, 7, 9, 9, 9]
+   integer, parameter :: level_place(27) = [0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0, 0, 2, 2, 2, 2, &
+      & 1, 1, 1, 1, 1, 1, 1, 1, 0, 2, 1]
+
+   !> A layer of a quad
+   type, public :: layer_place_type
+      !> Quad of the plate, layer and levels of points in it
+      integer :: quad = 0, layer = 0, levels = 0
+      !> Order group, block and lane of the layer
+      integer :: slot(3) = 0
+   end type layer_place_type
+
+contains
+
+   !> Levels of points in a layer: those of one quadratic cell or of two, or of a linear cell for
+   !> each order
+   pure integer function layer_levels(order, nodes) result(levels)
+      !> Order of the layer, and nodes of its quads
+      integer, intent(in) :: order, nodes
+
+      levels = order + 1
+      if (nodes == 9) levels = merge(3, 5, order <= 2)
+   end function layer_levels
+
+   !> The cell of a layer over a quad
+   pure function plate_cell(side) result(cell)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      type(cell_type) :: cell
+
+      cell%node_order = tensor_order(side)
+      if (side == 3) then
+         cell%kind = quadratic_cell
+         cell%span = 2
+         cell%corner = reshape([quad_place, level_place], [2, 27], order=[2, 1])
+      else
+         cell%kind = linear_cell
+         cell%span = 1
+         cell%corner = reshape([1, 2, 3, 4, 1, 2, 3, 4, 0, 0, 0, 0, 1, 1, 1, 1], [2, 8], &
+            & order=[2, 1])
+      end if
+   end function plate_cell
+
+   !> Height of a level of a layer, from -1 to 1
+   pure real(wp) function level_height(level, levels) result(height)
+      integer, intent(in) :: level, levels
+
+      height = -1.0_wp + 2.0_wp*real(level - 1, wp)/real(levels - 1, wp)
+   end function level_height
+
+   !> Displacement or velocity at some nodes at all levels of a layer, (3, levels, nodes)
+   pure function layer_motion(columns, layer, levels, node, motion) result(values)
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The layer, its levels, and nodes
+      integer, intent(in) :: layer, levels, node(:)
+      !> Displacement or velocity of all points
+      real(wp), intent(in) :: motion(:)
+      real(wp), allocatable :: values(:, :, :)
+
+      real(wp), allocatable :: share(:), slope(:)
+      integer :: c, t, tau
+
+      allocate (values(3, levels, size(node)), source=0.0_wp)
+      associate (expansion => columns%families(columns%home(1, layer))%expansion)
+         allocate (share(expansion%order + 1), slope(expansion%order + 1))
+         do t = 1, levels
+            call lagrange(expansion%node, level_height(t, levels), share, slope)
+            do c = 1, 3
+               do tau = 1, size(share)
+                  values(c, t, :) = values(c, t, :) &
+                     & + share(tau)*motion(columns%freedom(layer, tau, c, node))
+               end do
+            end do
+         end do
+      end associate
+   end function layer_motion
+
+   !> Shares of the Gauss points at the nodes of a quad, in tensor order
+   pure function node_shares(side) result(shares)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      type(plane_shares_type) :: shares
+
+      integer :: i
+      real(wp) :: line(side), place(2, side, side)
+
+      line(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
+      place(1, :, :) = spread(line, 2, side)
+      place(2, :, :) = spread(line, 1, side)
+      shares = new_plane_shares(side, reshape(place, [2, side*side]))
+   end function node_shares
+
+   !> Values of one layer of one quad at its nodes at all levels, (`recovered`, levels, nodes)
+   pure function values_at_nodes(plate, at_nodes, place, large, has_tensors, displacement, &
+      & history) result(values)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Shares of the Gauss points at the nodes of a quad
+      type(plane_shares_type), intent(in) :: at_nodes
+      !> Quad of the plate, layer and its levels
+      type(layer_place_type), intent(in) :: place
+      !> Large displacement; whether strain or stress is asked for
+      logical, intent(in) :: large, has_tensors
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), allocatable :: values(:, :, :)
+
+      real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :), here(:, :)
+      integer :: b, t
+
+      b = place%slot(1)
+      associate (block => place%slot(2), lane => place%slot(3))
+         if (has_tensors) then
+            at_gauss = layer_values(plate, b, block, lane, place%quad, large, displacement, history)
+         else
+            allocate (at_gauss(recovered, size(plate%node, 1), &
+               & plate%batches(b)%expansion%order + 1), source=0.0_wp)
+            at_gauss(scalars_at + 1:, :, :) = layer_scalars(plate, b, block, lane, place%quad, &
+               & history)
+         end if
+      end associate
+      allocate (values(recovered, place%levels, size(plate%node, 1)))
+      do t = 1, place%levels
+         at_level = level_values(at_gauss, thickness_interpolation(plate%batches(b), &
+            & level_height(t, place%levels)))
+         if (has_tensors) then
+            here = plane_values(plate, place%quad, place%layer, at_nodes, at_level)
+         else
+            here = matmul(at_level, at_nodes%full)
+         end if
+         call keep_within_cell(at_gauss, here)
+         values(:, t, :) = here
+      end do
+   end function values_at_nodes
+
+   !> Keep scalars within the range of the Gauss points of the cell, which polynomials through them
+   !> may leave
+   pure subroutine keep_within_cell(at_gauss, values)
+      real(wp), intent(in) :: at_gauss(:, :, :)
+      !> (recovered, places)
+      real(wp), intent(inout) :: values(:, :)
+      integer :: i
+
+      do i = scalars_at + 1, recovered
+         values(i, :) = min(max(values(i, :), minval(at_gauss(i, :, :))), &
+            & maxval(at_gauss(i, :, :)))
+      end do
+   end subroutine keep_within_cell
+
+   !> Values at the Gauss points of the plane at one height, (recovered, points)
+   pure function level_values(at_gauss, share) result(values)
+      real(wp), intent(in) :: at_gauss(:, :, :), share(:)
+      real(wp) :: values(size(at_gauss, 1), size(at_gauss, 2))
+      integer :: m
+
+      values(:, :) = 0.0_wp
+      do m = 1, size(share)
+         values(:, :) = values + share(m)*at_gauss(:, :, m)
+      end do
+   end function level_values
+
+end module plydyn_element_plate_output

@@ -1,0 +1,182 @@
+!> Field states of the elements of one family: displacement, velocity, strain and stress at the
+!> points of their cells.
+module plydyn_io_vtkhdf_element_fields
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_recover, only : recovered
+   use plydyn_model_model, only : model_type
+   use plydyn_io_vtkhdf_components, only : field_components, tensor_components
+   use plydyn_io_vtkhdf_element_grid, only : grid_type, new_grid
+   use plydyn_io_vtkhdf_requested_fields, only : point_fields_type
+   use plydyn_io_vtkhdf_vtkhdf, only : piece_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   !> The file of fields
+   type, public, extends(point_fields_type) :: element_fields_type
+      private
+      type(grid_type) :: grid
+      !> Weight of each element in the mean at each of its nodes, (nodes, elements)
+      real(wp), allocatable :: weight(:, :)
+      !> Node of each slot of the grid
+      integer, allocatable :: node(:)
+      !> Whether strain or stress is asked for; they take longer than the scalars of laws
+      logical :: has_tensors = .false.
+   contains
+      procedure :: create_grid
+      procedure :: add_cell_fields
+      procedure :: motion_values
+      procedure :: recovered_values
+   end type element_fields_type
+
+contains
+
+   !> Create the file, if there are elements with cells
+   subroutine create_grid(self, path, model, domain, error)
+      class(element_fields_type), intent(inout) :: self
+      character(*), intent(in) :: path
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      type(piece_type) :: piece
+
+      call new_grid(model%mesh, domain, self%grid, piece)
+      if (self%grid%group == 0) return
+      self%names = model%request%fields
+      self%components = field_components(self%names)
+      self%has_tensors = any(self%components == tensor_components)
+      call look_at_nodes(self, domain)
+      call self%file%create(path, domain%comm, piece, error)
+   end subroutine create_grid
+
+   !> Nodes of the slots, and weights of the elements at them
+   subroutine look_at_nodes(self, domain)
+      type(element_fields_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+
+      integer :: i
+      integer, allocatable :: node(:)
+
+      allocate (self%weight(size(self%grid%slots%slot, 1), size(self%grid%place, 2)))
+      allocate (self%node(self%grid%slots%count))
+      do i = 1, size(self%grid%place, 2)
+         associate (group => domain%groups(self%grid%place(1, i))%item, e => self%grid%place(2, i))
+            node = group%element_nodes(e)
+            self%node(self%grid%slots%slot(:, i)) = node
+            self%weight(:, i) = group%node_weights(e, domain%position(:, node))
+         end associate
+      end do
+   end subroutine look_at_nodes
+
+   !> What does not change: ply, part, element, angle, fibre
+   subroutine add_cell_fields(self, model, domain, error)
+      class(element_fields_type), intent(inout) :: self
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+      real(wp) :: angle(size(self%grid%sheet)), fibre(3, size(self%grid%sheet))
+      integer, dimension(size(self%grid%sheet)) :: element, part, ply, ply_id
+      integer :: i
+
+      associate (group => domain%groups(self%grid%group)%item)
+         do i = 1, size(angle)
+            associate (e => self%grid%element(i), p => self%grid%part(self%grid%element(i)))
+               ply(i) = domain%layers%ply(self%grid%sheet(i))
+               part(i) = model%parts(p)%id
+               ply_id(i) = model%parts(p)%plies(ply(i))%id
+               angle(i) = group%fibre_angle(model, e, ply(i))
+               element(i) = group%element_id(model%mesh, e)
+            end associate
+         end do
+      end associate
+      fibre(1, :) = cos(angle*degree)
+      fibre(2, :) = sin(angle*degree)
+      fibre(3, :) = 0.0_wp
+      if (self%grid%has_layers()) then
+         call self%file%add_cell_data("ply", ply, error)
+         if (.not. allocated(error)) call self%file%add_cell_data("ply_id", ply_id, error)
+         if (allocated(error)) return
+      end if
+      call self%file%add_cell_data("part", part, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("element", element, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("angle", angle, error)
+      if (.not. allocated(error)) call self%file%add_cell_data("fibre", fibre, error)
+   end subroutine add_cell_fields
+
+   !> Displacement or velocity at the points of this rank, (3, points)
+   function motion_values(self, domain, motion) result(values)
+      class(element_fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: motion(:)
+      real(wp), allocatable :: values(:, :)
+
+      real(wp) :: at_slot(3, self%grid%slots%levels, self%grid%slots%count)
+      integer :: k
+
+      associate (group => domain%groups(self%grid%group)%item)
+         do k = 1, size(self%grid%levels)
+            associate (first => self%grid%below(k) + 1, &
+               & last => self%grid%below(k) + self%grid%levels(k))
+               at_slot(:, first:last, :) = group%sheet_motion(domain%columns, k, self%node, motion)
+            end associate
+         end do
+      end associate
+      allocate (values(3, self%grid%slots%own_points()))
+      call self%grid%slots%hand_over(at_slot, values)
+   end function motion_values
+
+   !> Scalars, and strain and stress if asked for, at the points of this rank: the weighted mean of
+   !> the elements of a part that meet there, (recovered, points)
+   function recovered_values(self, domain, state) result(values)
+      class(element_fields_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      real(wp), allocatable :: values(:, :)
+
+      real(wp), allocatable :: sums(:, :, :)
+      integer :: i, k
+
+      allocate (values(recovered, self%grid%slots%own_points()))
+      do k = 1, size(self%grid%levels)
+         allocate (sums(recovered + 1, self%grid%levels(k), self%grid%slots%count))
+         sums(:, :, :) = 0.0_wp
+         do i = 1, size(self%grid%place, 2)
+            associate (g => self%grid%place(1, i), e => self%grid%place(2, i))
+               call add_element(self, i, domain%groups(g)%item%output_values([e, k], &
+                  & self%has_tensors, state%displacement, state%history), sums)
+            end associate
+         end do
+         associate (first => self%grid%slots%delivery%count*self%grid%below(k), &
+            & length => self%grid%slots%delivery%count*self%grid%levels(k))
+            call self%grid%slots%mean(sums, values(:, first + 1:first + length))
+         end associate
+         deallocate (sums)
+      end do
+   end function recovered_values
+
+   !> Add the values of one sheet of one element to its slots by weight, and the weights
+   subroutine add_element(self, i, values, sums)
+      type(element_fields_type), intent(in) :: self
+      !> The element of this rank
+      integer, intent(in) :: i
+      !> (recovered, levels, nodes)
+      real(wp), intent(in) :: values(:, :, :)
+      real(wp), intent(inout) :: sums(:, :, :)
+      integer :: n, t
+
+      do n = 1, size(values, 3)
+         do t = 1, size(values, 2)
+            associate (total => sums(:, t, self%grid%slots%slot(n, i)), w => self%weight(n, i))
+               total(:recovered) = total(:recovered) + w*values(:, t, n)
+               total(recovered + 1) = total(recovered + 1) + w
+            end associate
+         end do
+      end do
+   end subroutine add_element
+
+end module plydyn_io_vtkhdf_element_fields

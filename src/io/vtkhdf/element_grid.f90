@@ -1,0 +1,206 @@
+!> The elements of one family as cells for pictures: every sheet of every part with points of its
+!> own, so that values jump between layers and between parts, and are continuous within them.
+!>
+!> Points lie level by level, in each the sites of the nodes. Cells lie sheet by sheet from the
+!> bottom up, in each the elements of the deck. A rank writes a band of sites and a band of cells,
+!> whichever elements it has.
+module plydyn_io_vtkhdf_element_grid
+   use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_element_output_group, only : cell_type
+   use plydyn_model_layers, only : layers_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, new_accumulators, number_sites
+   use plydyn_io_vtkhdf_vtkhdf, only : hyperslab_type, piece_type
+   use plydyn_parallel_owner_reduction, only : band_start
+   implicit none
+   private
+
+   public :: band_of_rows, cells_of_sheet, elements_of_kind, field_group, new_grid
+
+   !> What a rank has of points and cells
+   type, public :: grid_type
+      !> First group of the family, which stands for all; 0 where none has cells
+      integer :: group = 0
+      !> Levels of points in each sheet, and those below it
+      integer, allocatable :: levels(:), below(:)
+      !> Part of each element of the family in the mesh
+      integer, allocatable :: part(:)
+      !> Sites of the elements of this rank, nodes in the order of the group
+      type(accumulators_type) :: slots
+      !> Group and number in it of each of these, (2, elements), as the slots have them
+      integer, allocatable :: place(:, :)
+      !> Sheet, and element of the mesh, of each cell that it writes
+      integer, allocatable :: sheet(:), element(:)
+   contains
+      procedure :: has_layers
+   end type grid_type
+
+contains
+
+   !> Divide every sheet over every element into cells
+   subroutine new_grid(mesh, domain, self, piece)
+      !> The mesh of the whole model
+      type(mesh_type), intent(in) :: mesh
+      !> The domain of this rank
+      type(domain_type), intent(in) :: domain
+      !> What this rank has
+      type(grid_type), intent(out) :: self
+      !> What it writes
+      type(piece_type), intent(out) :: piece
+
+      type(cell_type) :: cell
+      integer, allocatable :: element_node(:, :), node(:), site(:, :)
+      integer :: k
+
+      self%group = field_group(domain)
+      if (self%group == 0) return
+      associate (group => domain%groups(self%group)%item)
+         cell = group%find_cell()
+         self%levels = [(group%sheet_levels(k), k=1, group%sheets())]
+         call group%list_elements(mesh, self%part, element_node)
+      end associate
+      self%below = [(sum(self%levels(:k - 1)), k=1, size(self%levels))]
+      call number_sites(self%part, element_node, size(mesh%node_id), site, node)
+      self%place = elements_of_kind(domain, self%group)
+      self%slots = new_accumulators(domain%comm, site, [(domain%groups(self%place(1, k))%item &
+         & %element(self%place(2, k)), k=1, size(self%place, 2))], sum(self%levels))
+      self%slots%slot(:, :) = self%slots%slot(cell%node_order, :)
+      piece%points = self%slots%points()
+      call place_points(domain%layers, mesh%position(:, node(piece%points%first + 1: &
+         & piece%points%first + piece%points%count)), self, piece)
+      call make_cells(domain, cell, site, self, piece)
+   end subroutine new_grid
+
+   !> First group that has cells, 0 for none
+   pure integer function field_group(domain) result(group)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      do group = 1, size(domain%groups)
+         if (domain%groups(group)%item%sheets() > 0) return
+      end do
+      group = 0
+   end function field_group
+
+   !> Group and number in it of all elements of one kind, in the order of the mesh, (2, elements)
+   pure function elements_of_kind(domain, first) result(place)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> First group of the kind: others with cells alike follow
+      integer, intent(in) :: first
+      integer, allocatable :: place(:, :)
+
+      integer :: e, g
+      integer, allocatable :: element(:)
+
+      allocate (element(0), place(2, 0))
+      do g = first, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            if (group%sheets() /= domain%groups(first)%item%sheets()) cycle
+            if (group%element_kind() /= domain%groups(first)%item%element_kind()) cycle
+            element = [element, group%element]
+            place = reshape([place, [([g, e], e=1, size(group%element))]], [2, size(element)])
+         end associate
+      end do
+      place(:, :) = place(:, sorted_order(element))
+   end function elements_of_kind
+
+   !> Whether sheets are layers with a thickness
+   pure logical function has_layers(self)
+      class(grid_type), intent(in) :: self
+
+      has_layers = all(self%levels > 1)
+   end function has_layers
+
+   !> Cells of a sheet above an element
+   elemental integer function cells_of_sheet(levels, span) result(cells)
+      !> Levels of the sheet, and of a cell
+      integer, intent(in) :: levels, span
+
+      cells = 1
+      if (span > 0) cells = (levels - 1)/span
+   end function cells_of_sheet
+
+   !> Rows of a list that a rank writes
+   pure type(hyperslab_type) function band_of_rows(domain, rows) result(band)
+      !> The domain, which knows the rank
+      type(domain_type), intent(in) :: domain
+      !> Rows of the list
+      integer, intent(in) :: rows
+
+      associate (comm => domain%comm)
+         band%whole = rows
+         band%first = band_start(rows, comm%rank, comm%ranks)
+         band%count = band_start(rows, comm%rank + 1, comm%ranks) - band%first
+      end associate
+   end function band_of_rows
+
+   !> Positions of the points that this rank writes
+   pure subroutine place_points(layers, position, self, piece)
+      type(layers_type), intent(in) :: layers
+      !> Positions of the nodes of its sites, (3, sites)
+      real(wp), intent(in) :: position(:, :)
+      type(grid_type), intent(in) :: self
+      type(piece_type), intent(inout) :: piece
+
+      integer :: i, k, t
+      real(wp) :: part
+
+      allocate (piece%position(3, self%slots%own_points()))
+      i = 0
+      associate (sites => size(position, 2))
+         do k = 1, size(self%levels)
+            do t = 1, self%levels(k)
+               piece%position(:, i + 1:i + sites) = position
+               if (self%levels(k) > 1) then
+                  part = real(t - 1, wp)/real(self%levels(k) - 1, wp)
+                  piece%position(3, i + 1:i + sites) = position(3, :) &
+                     & + (1.0_wp - part)*layers%bottom(k) + part*layers%top(k)
+               end if
+               i = i + sites
+            end do
+         end do
+      end associate
+   end subroutine place_points
+
+   !> The cells that this rank writes
+   pure subroutine make_cells(domain, cell, site, self, piece)
+      type(domain_type), intent(in) :: domain
+      type(cell_type), intent(in) :: cell
+      !> Sites of all elements
+      integer, intent(in) :: site(:, :)
+      type(grid_type), intent(inout) :: self
+      type(piece_type), intent(inout) :: piece
+
+      integer :: corners, i, k, n
+      integer, allocatable :: level(:), sheet(:)
+
+      corners = size(cell%corner, 2)
+      ! sheet of each row of cells, and the levels of all sheets below it
+      sheet = [(spread(k, 1, cells_of_sheet(self%levels(k), cell%span)), k=1, size(self%levels))]
+      level = [([(self%below(k) + cell%span*(i - 1), &
+         & i=1, cells_of_sheet(self%levels(k), cell%span))], k=1, size(self%levels))]
+      piece%cells = band_of_rows(domain, size(sheet)*size(site, 2))
+      associate (cells => piece%cells)
+         piece%before = corners*cells%first
+         piece%all_ends = corners*cells%whole
+         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
+            & - merge(0, 1, cells%first + cells%count == cells%whole))]
+         piece%kind = spread(cell%kind, 1, cells%count)
+         allocate (piece%connectivity(corners*cells%count), self%sheet(cells%count), &
+            & self%element(cells%count))
+         do i = 1, cells%count
+            k = (cells%first + i - 1)/size(site, 2) + 1
+            self%sheet(i) = sheet(k)
+            self%element(i) = cells%first + i - size(site, 2)*(k - 1)
+            do n = 1, corners
+               piece%connectivity(corners*(i - 1) + n) = site(cell%corner(1, n), self%element(i)) &
+                  & + self%slots%sites*(level(k) + cell%corner(2, n)) - 1
+            end do
+         end do
+      end associate
+   end subroutine make_cells
+
+end module plydyn_io_vtkhdf_element_grid
