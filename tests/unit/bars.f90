@@ -1,0 +1,179 @@
+!> A small family of elements: bars of two nodes with a damper beside each, as an example of how a
+!> family extends `element_group_type`.
+module bars
+   use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_precision, only : wp
+   use plydyn_element_group, only : element_group_type
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_law_law, only : by_friction
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   !> Bars of one section along x
+   type, public, extends(element_group_type) :: bar_group_type
+      !> Nodes of each bar of the mesh, (2, bars)
+      integer, allocatable :: mesh_node(:, :)
+      !> Young's modulus, density, area, and force per velocity of the dampers
+      real(wp) :: young = 0.0_wp, density = 0.0_wp, area = 0.0_wp, damping = 0.0_wp
+      !> Length of each bar of this rank
+      real(wp), allocatable :: length(:)
+      !> Places of x in the arrays of motion and of forces, (2, bars)
+      integer, allocatable :: place(:, :), target(:, :)
+      !> First place of the energy that each damper has taken
+      integer :: first_history = 0
+   contains
+      procedure :: take_elements
+      procedure :: set_targets
+      procedure :: add_masses
+      procedure :: history_shape
+      procedure :: set_history
+      procedure :: add_forces
+      procedure :: find_rates
+      procedure :: add_dissipation
+      procedure :: element_kind
+      procedure :: layer_kind
+      procedure :: element_id
+   end type bar_group_type
+
+contains
+
+   subroutine take_elements(self, model, elements, local_node, columns)
+      class(bar_group_type), intent(inout) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:), local_node(:)
+      type(columns_type), intent(in) :: columns
+      integer :: e
+
+      self%element = elements
+      allocate (self%length(size(elements)), self%place(2, size(elements)))
+      do e = 1, size(elements)
+         associate (node => self%mesh_node(:, elements(e)))
+            self%length(e) = bar_length(model%mesh, node)
+            self%place(:, e) = columns%freedom(1, 1, 1, local_node(node))
+         end associate
+      end do
+      self%target = self%place
+   end subroutine take_elements
+
+   !> Length of a bar
+   pure real(wp) function bar_length(mesh, node) result(length)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: node(2)
+
+      length = mesh%position(1, node(2)) - mesh%position(1, node(1))
+   end function bar_length
+
+   !> One chunk has all bars: their forces go to the places of their points
+   pure subroutine set_targets(self, elements, height, column)
+      class(bar_group_type), intent(inout) :: self
+      integer, intent(in) :: elements(2), height, column(:)
+
+      self%target(:, elements(1):elements(2)) = self%place(:, elements(1):elements(2))
+   end subroutine set_targets
+
+   subroutine add_masses(self, model, elements, local_node, columns, mass)
+      class(bar_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:), local_node(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+      integer :: e, i
+
+      do e = 1, size(elements)
+         associate (node => self%mesh_node(:, elements(e)))
+            do i = 1, 2
+               associate (place => columns%mass_of(1, 1, local_node(node(i))))
+                  mass(place) = mass(place) &
+                     & + 0.5_wp*self%density*self%area*bar_length(model%mesh, node)
+               end associate
+            end do
+         end associate
+      end do
+   end subroutine add_masses
+
+   !> One number for each bar
+   pure function history_shape(self) result(blocks)
+      class(bar_group_type), intent(in) :: self
+      integer, allocatable :: blocks(:, :)
+
+      blocks = reshape([1, 1], [2, 1])
+   end function history_shape
+
+   pure subroutine set_history(self, block, first)
+      class(bar_group_type), intent(inout) :: self
+      integer, intent(in) :: block, first
+
+      self%first_history = first
+   end subroutine set_history
+
+   pure subroutine add_forces(self, elements, step, displacement, velocity, history, force)
+      class(bar_group_type), intent(in) :: self
+      integer, intent(in) :: elements(2)
+      real(wp), intent(in) :: step
+      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      real(wp) :: pull, rate
+      integer :: e
+
+      do e = elements(1), elements(2)
+         associate (from => self%place(:, e), to => self%target(:, e), &
+            & energy => history(self%first_history - 1 + e))
+            rate = velocity(from(2)) - velocity(from(1))
+            pull = self%young*self%area/self%length(e)*(displacement(from(2)) &
+               & - displacement(from(1))) + self%damping*rate
+            force(to(1)) = force(to(1)) + pull
+            force(to(2)) = force(to(2)) - pull
+            energy = energy + step*self%damping*rate**2
+         end associate
+      end do
+   end subroutine add_forces
+
+   !> Two masses of half the bar and the spring between them: 4 E/(rho L**2)
+   subroutine find_rates(self, model, implicit, rate, layer)
+      class(bar_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: implicit
+      real(wp), allocatable, intent(out) :: rate(:)
+      integer, allocatable, intent(out) :: layer(:)
+
+      rate = 4.0_wp*self%young/(self%density*self%length**2)
+      layer = spread(1, 1, size(rate))
+   end subroutine find_rates
+
+   pure subroutine add_dissipation(self, history, sums)
+      class(bar_group_type), intent(in) :: self
+      real(wp), intent(in) :: history(:)
+      type(exact_sums_type), intent(inout) :: sums
+      integer :: e
+
+      do e = 1, size(self%element)
+         call sums%add(by_friction, history(self%first_history - 1 + e))
+      end do
+   end subroutine add_dissipation
+
+   pure function element_kind(self) result(name)
+      class(bar_group_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = "bar"
+   end function element_kind
+
+   pure function layer_kind(self) result(name)
+      class(bar_group_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = "section"
+   end function layer_kind
+
+   pure integer function element_id(self, mesh, element) result(id)
+      class(bar_group_type), intent(in) :: self
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: element
+
+      id = element
+   end function element_id
+
+end module bars
