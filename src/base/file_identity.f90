@@ -12,7 +12,7 @@ module plydyn_base_file_identity
 
    !> Kinds of files
    integer, parameter, public :: no_file = 0, regular_file = 1, folder_file = 2, link_file = 3, &
-      & other_file = 4
+      & pipe_file = 4, other_file = 5
 
    !> A file as the operating system knows it
    type, public :: file_identity_type
@@ -42,7 +42,8 @@ module plydyn_base_file_identity
    integer(c_int), parameter :: current_folder = -100, no_follow = 256, basic = 2047
    !> Bits of the mode that say the kind, and the kinds
    integer, parameter :: kind_bits = int(o"170000"), regular_bits = int(o"100000"), &
-      & folder_bits = int(o"040000"), link_bits = int(o"120000"), sixteen_bits = int(z"ffff")
+      & folder_bits = int(o"040000"), link_bits = int(o"120000"), pipe_bits = int(o"010000"), &
+      & sixteen_bits = int(z"ffff")
    !> Longest path that the operating system knows
    integer, parameter :: longest_path = 4096
    !> Rights of a new folder, less what the user's mask takes away
@@ -92,6 +93,7 @@ contains
       case (regular_bits); identity%kind = regular_file
       case (folder_bits); identity%kind = folder_file
       case (link_bits); identity%kind = link_file
+      case (pipe_bits); identity%kind = pipe_file
       case default; identity%kind = other_file
       end select
    end function identity_of

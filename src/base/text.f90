@@ -4,7 +4,7 @@ module plydyn_base_text
    implicit none
    private
 
-   public :: text, fixed_text, lower_case, upper_case
+   public :: text, fixed_text, lower_case, printable, upper_case
 
    !> Text of a number
    interface text
@@ -80,6 +80,21 @@ contains
          end if
       end do
    end function lower_case
+
+   !> A text with question marks for control characters, which could steer a terminal; line feeds
+   !> and tabs stay
+   pure function printable(string) result(shown)
+      !> Any text
+      character(*), intent(in) :: string
+      character(len(string)) :: shown
+      integer :: i
+
+      shown = string
+      do i = 1, len(string)
+         if (string(i:i) == achar(9) .or. string(i:i) == achar(10)) cycle
+         if (string(i:i) < " " .or. string(i:i) == achar(127)) shown(i:i) = "?"
+      end do
+   end function printable
 
    !> The same text in upper case
    pure function upper_case(string) result(raised)

@@ -1,10 +1,15 @@
 !> Files of a deck, read as a whole, and their lines.
 module plydyn_deck_file
+   use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_file_identity, only : file_identity_type, identity_of, no_file, pipe_file, &
+      & regular_file
    implicit none
    private
 
    public :: cut_line, move_file, read_content
 
+   !> Status of a pipe that brings more than that
+   integer, parameter :: too_long = -1000
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
    !> Blank characters at the end of a line
    character(*), parameter :: blanks = " "//achar(9)
@@ -12,6 +17,8 @@ module plydyn_deck_file
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
    !> Characters read from a pipe at a time
    integer, parameter :: buffer_length = 4096
+   !> Most bytes of a file: its characters are counted in default integers
+   integer(int64), parameter :: most_bytes = 2000000000_int64
 
    !> One file
    type, public :: file_type
@@ -21,6 +28,10 @@ module plydyn_deck_file
       character(:), allocatable :: content
       !> Index of the file that includes this one; 0 for the deck itself
       integer :: parent = 0
+      !> How many files lead from the deck to this one
+      integer :: depth = 0
+      !> What the operating system knows it by; none for a stored file
+      type(file_identity_type) :: identity
    end type file_type
 
    !> One line, as a part of the content of its file
@@ -36,30 +47,53 @@ module plydyn_deck_file
 contains
 
    !> Everything in a file
-   subroutine read_content(path, content, found)
+   subroutine read_content(path, content, wrong)
       !> Path of the file
       character(*), intent(in) :: path
       !> Its content, with a line feed at the end
       character(:), allocatable, intent(out) :: content
-      !> Whether the file exists and could be read
-      logical, intent(out) :: found
+      !> Why it cannot be read; empty when all went well
+      character(:), allocatable, intent(out) :: wrong
 
-      integer :: length, status, unit
+      type(file_identity_type) :: identity
+      integer :: status, unit
 
-      found = .false.
-      inquire (file=path, size=length)
-      if (length < 0) return
-      if (length == 0) then
+      identity = identity_of(path, follow=.true.)
+      wrong = "cannot be read"
+      select case (identity%kind)
+      case (no_file)
+         return
+      case (pipe_file)
          call read_pipe(path, content, status)
-         if (status /= 0) return
-      else
-         open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
-            & action="read", iostat=status)
-         if (status /= 0) return
-         allocate (character(length) :: content)
-         read (unit, iostat=status) content
-         close (unit)
-      end if
+      case (regular_file)
+         if (identity%length > most_bytes) then
+            wrong = "is larger than 2 GB"
+            return
+         end if
+         ! files of the operating system itself say that they have no length
+         if (identity%length == 0) call read_pipe(path, content, status)
+         if (identity%length > 0) then
+            open (newunit=unit, file=path, access="stream", form="unformatted", status="old", &
+               & action="read", iostat=status)
+            if (status /= 0) return
+            allocate (character(identity%length) :: content, stat=status)
+            if (status == 0) read (unit, iostat=status) content
+            close (unit)
+         end if
+      case default
+         wrong = "cannot be read: it is no regular file"
+         return
+      end select
+      if (status == too_long) wrong = "is larger than 2 GB"
+      if (status /= 0) return
+      wrong = ""
+      call tidy(content)
+   end subroutine read_content
+
+   !> Let a content end with a line feed, and begin without the mark of an editor
+   subroutine tidy(content)
+      character(:), allocatable, intent(inout) :: content
+
       if (len(content) == 0) content = line_feed
       if (content(len(content):) /= line_feed) content = content//line_feed
       if (len(content) >= len(byte_order_mark)) then
@@ -67,8 +101,7 @@ contains
             content = content(len(byte_order_mark) + 1:)
          end if
       end if
-      found = status == 0
-   end subroutine read_content
+   end subroutine tidy
 
    !> Content of a pipe, or of an empty file: neither reports a size
    subroutine read_pipe(path, content, status)
@@ -91,6 +124,10 @@ contains
       do
          read (unit, "(a)", advance="no", size=part, iostat=status) piece
          if (status > 0 .or. is_iostat_end(status)) exit
+         if (length > most_bytes/2) then
+            status = too_long
+            exit
+         end if
          if (length + part >= len(content)) then
             allocate (character(2*len(content)) :: longer)
             longer(:length) = content(:length)
@@ -117,6 +154,8 @@ contains
       call move_alloc(from%path, to%path)
       call move_alloc(from%content, to%content)
       to%parent = from%parent
+      to%depth = from%depth
+      to%identity = from%identity
    end subroutine move_file
 
    !> Find the end of a line

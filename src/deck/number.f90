@@ -62,7 +62,8 @@ contains
       character(*), intent(in) :: text
       !> The number; zero when the text is not one
       real(wp), intent(out) :: number
-      !> First character that is wrong; 0 when all is well, 1 when the number is too large
+      !> First character that is wrong; 0 when all is well, 1 when the number is too large or so
+      !> small that nothing would be left of it
       integer, intent(out) :: wrong_at
 
       integer :: at, exponent, mantissa_end, point
@@ -106,17 +107,32 @@ contains
          advice = "the letter "//text(wrong_at:wrong_at)//" is not the digit 1"
       case ("+", "-")
          advice = "an exponent needs its letter, as in 1.5e+3"
-         if (wrong_at == 1) advice = "it is too large"
+         if (wrong_at == 1) advice = merge("it is too small", "it is too large", is_small(text))
       case (" ")
          advice = "each number within its columns, or commas between numbers"
       case ("N", "n", "i")
          advice = "NaN and Inf are not accepted"
-      case ("0":"9")
-         advice = "it is too large"
+      case ("0":"9", ".")
+         advice = merge("it is too small", "it is too large", is_small(text))
       case default
          advice = ""
       end select
    end function number_advice
+
+   !> Whether a number has a negative exponent, or no digits but 0 before its point
+   pure logical function is_small(text)
+      !> Text of a number
+      character(*), intent(in) :: text
+
+      integer :: letter
+
+      letter = scan(text, "eEdD")
+      if (letter > 0) then
+         is_small = index(text(letter:), "-") == 2
+      else
+         is_small = index(text, ".") > 0 .and. verify(text(:index(text, ".")), "+-0.") == 0
+      end if
+   end function is_small
 
    !> Whether a character is a decimal digit
    elemental logical function is_digit(character)
@@ -166,7 +182,7 @@ contains
       integer, intent(in) :: exponent
       !> The number
       real(wp), intent(out) :: number
-      !> 1 when the number is too large, else 0
+      !> 1 when the number is too large or nothing is left of it, else 0
       integer, intent(out) :: wrong_at
 
       integer(int64) :: digits
@@ -185,6 +201,7 @@ contains
          wrong_at = 1
       else
          call convert_by_library(mantissa, exponent, number)
+         if (abs(number) <= 0.0_wp) wrong_at = 1
       end if
    end subroutine convert
 

@@ -1,6 +1,6 @@
 !> Findings as text: position, error, the line with a caret, and the remedy.
 module plydyn_deck_render
-   use plydyn_base_text, only : text
+   use plydyn_base_text, only : printable, text
    use plydyn_deck_layout, only : locate, span_type
    use plydyn_deck_report, only : finding_type, severity_error, severity_note, severity_warning, &
       & max_per_kind, file_position_type, report_type
@@ -126,21 +126,6 @@ contains
       end if
       words = printable(words)
    end function finding_text
-
-   !> A text without control characters, which could upset a terminal
-   pure function printable(words) result(shown)
-      !> The text
-      character(*), intent(in) :: words
-      character(len(words)) :: shown
-
-      integer :: i
-
-      shown = words
-      do i = 1, len(words)
-         if (words(i:i) == line_feed .or. words(i:i) == achar(9)) cycle
-         if (words(i:i) < " " .or. words(i:i) == achar(127)) shown(i:i) = "?"
-      end do
-   end function printable
 
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)

@@ -1,14 +1,14 @@
 !> Parses the rows of a keyword into numbers and words, field by field.
 module plydyn_deck_rows
-   use plydyn_base_text, only : text, upper_case
+   use plydyn_base_text, only : printable, text, upper_case
    use plydyn_deck_cards, only : cards_type, is_absent, is_given, is_wrong
    use plydyn_deck_declaration, only : field_type, line_width, text_field, word_field, &
       & words_field
    use plydyn_deck_layout, only : is_free, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : file_position_type, report_type
-   use plydyn_deck_values, only : check_word, fault_type, longest_word, number_words, &
-      & range_words, read_number, split_words
+   use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, &
+      & read_number, split_words
    implicit none
    private
 
@@ -59,7 +59,7 @@ contains
       type(cards_type), intent(inout) :: cards
       type(report_type), intent(inout) :: report
 
-      cards%text(1, row) = adjustl(line)
+      cards%text(1, row) = printable(adjustl(line))
       cards%state(1, row) = merge(is_given, is_absent, len_trim(line) > 0)
       if (len(line) > line_width) then
          call report%refuse(at_column(cards, row, line_width + 1), &
@@ -102,7 +102,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(span_type) :: spans(size(fields))
-      integer :: trailing, i, last_filled, width(size(fields))
+      integer :: trailing, i, width(size(fields))
 
       width(:) = cards%column_width(cards%card_of_row(row), size(fields))
       call locate(line, width, spans, trailing)
@@ -110,12 +110,9 @@ contains
       if (.not. cards%row_free(row)) then
          call check_boundaries(line, row, width, spans, fields, cards, report)
       end if
-      do last_filled = size(fields), 1, -1
-         if (spans(last_filled)%last >= spans(last_filled)%first) exit
-      end do
       do i = 1, size(fields)
          if (spans(i)%last < spans(i)%first) then
-            call check_blank(row, fields(i), i < last_filled, cards, report, i)
+            call check_blank(row, fields(i), cards, report, i)
          else
             call read_field(line, row, i, spans(i), fields(i), parameters, cards, report)
          end if
@@ -153,42 +150,22 @@ contains
       end do
    end subroutine check_boundaries
 
-   !> Report a blank in a required field, or between filled fields
-   subroutine check_blank(row, field, filled_after, cards, report, i)
+   !> A blank field takes its default, unless it is required
+   subroutine check_blank(row, field, cards, report, i)
+      !> Number of the row
       integer, intent(in) :: row
       type(field_type), intent(in) :: field
-      !> Whether a later field of the row is filled
-      logical, intent(in) :: filled_after
+      !> Gets the state
       type(cards_type), intent(inout) :: cards
       type(report_type), intent(inout) :: report
       !> Index of the field on the card
       integer, intent(in) :: i
 
-      if (.not. (field%required .or. (filled_after .and. field%supported))) return
+      if (.not. field%required) return
       cards%state(i, row) = is_wrong
-      if (field%required) then
-         call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &
-            & range_words(field)//": "//field%sentence)
-      else
-         call report%refuse(field_place(cards, row, i), &
-            & trim(field%name)//" is blank between filled fields", &
-            & default_words(field)//" written out")
-      end if
+      call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &
+         & range_words(field)//": "//field%sentence)
    end subroutine check_blank
-
-   !> Remedy for a blank
-   function default_words(field) result(words)
-      type(field_type), intent(in) :: field
-      character(:), allocatable :: words
-
-      if (field%kind == word_field) then
-         words = "one of "//field%words
-      else if (allocated(field%allowed)) then
-         words = range_words(field)
-      else
-         words = number_words(field%default)
-      end if
-   end function default_words
 
    !> A filled field
    subroutine read_field(line, row, i, span, field, parameters, cards, report)
@@ -208,7 +185,7 @@ contains
 
       if (field%kind == word_field) then
          call check_word(field, line(span%first:span%last), fault)
-         cards%text(i, row) = line(span%first:span%last)
+         cards%text(i, row) = printable(line(span%first:span%last))
          if (len(field%words) > 0) cards%text(i, row) = upper_case(cards%text(i, row))
       else
          call read_number(field, line(span%first:span%last), parameters, cards%value(i, row), fault)
@@ -217,12 +194,31 @@ contains
       if (fault%at == 0) return
       cards%value(i, row) = field%default
       if (len(fault%wrong) == 0) return
+      if (is_behind_comma(line, span)) fault%right = fault%right//"; if "//line(:span%last) &
+         & //" is one number, it needs a decimal point in place of the comma"
       place = field_place(cards, row, i)
       place%comma = 0
       place%first = span%first + fault%at - 1
       place%last = max(place%first, merge(span%last, 0, fault%at == 1))
       call report%refuse(place, fault%wrong, fault%right)
    end subroutine read_field
+
+   !> Whether the first two fields of a line could be one number with a decimal comma
+   pure logical function is_behind_comma(line, span) result(is_behind)
+      !> Text of the line
+      character(*), intent(in) :: line
+      !> Where the second field is
+      type(span_type), intent(in) :: span
+
+      character(*), parameter :: digits = "0123456789"
+
+      is_behind = .false.
+      if (span%first < 3) return
+      is_behind = line(span%first - 1:span%first - 1) == "," &
+         & .and. verify(line(:span%first - 2), " +-"//digits) == 0 &
+         & .and. index(digits, line(span%first:span%first)) > 0 &
+         & .and. verify(line(span%first:span%last), digits//"eEdD+-") == 0
+   end function is_behind_comma
 
    !> Position of a field
    type(file_position_type) function field_place(cards, row, i) result(place)

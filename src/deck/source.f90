@@ -1,8 +1,10 @@
 !> Lines of a deck and of all files that it includes, each with its file and number.
 module plydyn_deck_source
    use plydyn_base_archive, only : bundle_type
+   use plydyn_base_file_identity, only : identity_of
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, read_content
+   use plydyn_deck_include_chain, only : check_chain
    use plydyn_deck_report, only : file_position_type, report_type
    implicit none
    private
@@ -162,42 +164,44 @@ contains
 
       type(file_type) :: file
       type(file_position_type) :: place
-      integer :: ancestor
-      logical :: found
+      character(:), allocatable :: wrong
+      integer :: document
+      logical :: is_fine
 
       place%keyword = merge("*INCLUDE", "        ", parent > 0)
       place%line = include_line
-      ancestor = parent
-      do while (ancestor > 0)
-         if (source%files(ancestor)%path == path) exit
-         ancestor = source%files(ancestor)%parent
-      end do
-      if (ancestor > 0) then
-         call report%refuse(place, "the file '"//path//"' includes itself", &
-            & "include files without a cycle")
-         return
-      end if
       file%path = path
       file%parent = parent
-      ancestor = source%stored%find(path)
-      if (ancestor > 0) then
-         file%content = source%stored%documents(ancestor)%content
-         found = .true.
+      if (parent > 0) file%depth = source%files(parent)%depth + 1
+      document = source%stored%find(path)
+      if (document == 0) file%identity = identity_of(path, follow=.true.)
+      call check_chain(source%files(:source%file_count), file, place, report, is_fine)
+      if (.not. is_fine) return
+      wrong = ""
+      if (document > 0) then
+         file%content = source%stored%documents(document)%content
       else
-         call read_content(path, file%content, found)
+         call read_content(path, file%content, wrong)
       end if
-      if (found .and. index(file%content, hdf5_mark) == 1) then
+      if (len(wrong) == 0 .and. begins_as_hdf5(file)) then
          call report%refuse(place, "the file '"//path//"' is an HDF5 file, not a deck", &
             & "a deck; 'plydyn restart FILE' continues from a restart file")
-      else if (found) then
+      else if (len(wrong) == 0) then
          call add_file(source, file)
          call add_lines(source, (source%file_count), report)
       else
-         call report%refuse(place, "the file '"//path//"' cannot be read", &
+         call report%refuse(place, "the file '"//path//"' "//wrong, &
             & "the path of a file"//repeat(", relative to the file that includes it", &
             & merge(1, 0, parent > 0)))
       end if
    end subroutine load
+
+   !> Whether a file is one of HDF5
+   pure logical function begins_as_hdf5(file)
+      type(file_type), intent(in) :: file
+
+      begins_as_hdf5 = index(file%content(:min(len(file%content), len(hdf5_mark))), hdf5_mark) == 1
+   end function begins_as_hdf5
 
    !> Append a file
    subroutine add_file(source, file)

@@ -119,13 +119,20 @@ contains
          number = real(whole, wp)
          if (wrong_at == 0) return
          call read_real(content, number, real_wrong_at)
+         ! LS-DYNA's users and writers give integers a point where its own field is real
+         if (real_wrong_at == 0 .and. abs(number) <= real(huge(1), wp) &
+            & .and. abs(number - anint(number)) <= 0.0_wp) then
+            if (abs(number) <= 0.0_wp) call refuse_powers(field, content, fault)
+            return
+         end if
          if (real_wrong_at == 0 .and. wrong_at > 1) then
             call set_fault(fault, wrong_at, "'"//content//"' is not an integer", &
-               & range_words(field)//", without point or exponent")
+               & range_words(field)//", without a fraction")
             return
          end if
       else
          call read_real(content, number, wrong_at)
+         if (wrong_at == 0 .and. abs(number) <= 0.0_wp) call refuse_powers(field, content, fault)
          if (wrong_at == 0) return
       end if
       advice = number_advice(content, wrong_at)
@@ -133,6 +140,24 @@ contains
       call set_fault(fault, wrong_at, "'"//content//"' is not "//plain_noun(field), &
          & range_words(field)//advice)
    end subroutine read_literal
+
+   !> Refuse a zero with an exponent, as behind a decimal comma: 1,0e-6 would be 1 and 0
+   subroutine refuse_powers(field, content, fault)
+      !> What the field declares
+      type(field_type), intent(in) :: field
+      !> A zero
+      character(*), intent(in) :: content
+      !> What is wrong
+      type(fault_type), intent(inout) :: fault
+
+      integer :: letter
+
+      letter = scan(content, "eEdD")
+      if (letter == 0) return
+      if (verify(content(letter + 1:), "+-0") == 0) return
+      call set_fault(fault, 1, "'"//content//"' is a zero with an exponent", range_words(field) &
+         & //"; a number has a decimal point, not a comma: 1."//content//", not 1,"//content)
+   end subroutine refuse_powers
 
    !> Report a number that the field does not accept
    subroutine check_range(field, number, fault)

@@ -5,6 +5,7 @@
 module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
    use plydyn_domain_build_groups, only : build_groups
@@ -110,9 +111,39 @@ contains
       domain%limit = find_step_limit(model, domain)
       domain%step = largest_step(domain)
       ! a step that does not move the time is none
-      if (domain%limit%step > epsilon(1.0_wp)*domain%control%end_time) return
+      if (domain%limit%step > epsilon(1.0_wp)*domain%control%end_time) then
+         call check_bounds(domain, error)
+         return
+      end if
       call fail(error, exit_input, "no stable step can be found that gets to the end: look " &
          & //"for plies, quads, densities, stiffnesses or an end time out of all proportion")
    end subroutine limit_step
+
+   !> Refuse bounds on the step that would all but stop the time
+   subroutine check_bounds(domain, error)
+      type(domain_type), intent(in) :: domain
+      !> Says which bound
+      type(error_type), allocatable, intent(out) :: error
+
+      !> Least share of the stable step
+      real(wp), parameter :: least_share = 1.0e-6_wp
+      character(:), allocatable :: right
+      real(wp) :: bound
+
+      right = new_line("a")//"  right would be: a bound of at least "//text(least_share) &
+         & //" of the stable step, which is "//text(domain%limit%step)
+      associate (control => domain%control)
+         bound = control%largest_step
+         if (bound > 0.0_wp .and. bound < least_share*domain%limit%step) then
+            call fail(error, exit_input, "error: "//control%step_place//": *CONTROL_LAYERWISE " &
+               & //"DTMAX: the step cannot be as small as "//text(bound)//right)
+         else if (control%step_curve > 0) then
+            bound = domain%curves(control%step_curve)%least(0.0_wp, control%end_time)
+            if (bound < least_share*domain%limit%step) call fail(error, exit_input, "error: " &
+               & //control%curve_place//": *CONTROL_TIMESTEP LCTM: the curve bounds the step by " &
+               & //text(bound)//right)
+         end if
+      end associate
+   end subroutine check_bounds
 
 end module plydyn_domain_build

@@ -74,6 +74,7 @@ module plydyn_input_catalogue
       procedure :: spot
       procedure :: refuse
       procedure :: warn
+      procedure :: warn_idle
       procedure :: check_duplicates
       procedure :: check_unused
    end type catalogue_type
@@ -277,6 +278,19 @@ contains
 
       call self%report%warn(cards%place(name, nth), wrong, right)
    end subroutine warn
+
+   !> Warn of a field that something else leaves without effect
+   subroutine warn_idle(self, cards, name, right)
+      class(catalogue_type), intent(inout) :: self
+      !> The keyword
+      type(cards_type), intent(in) :: cards
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> What would give it an effect
+      character(*), intent(in) :: right
+
+      call self%warn(cards, name, name//" is without effect", right//", or 0 here")
+   end subroutine warn_idle
 
    !> Report numbers of a kind that are defined twice
    subroutine check_duplicates(self, kind)

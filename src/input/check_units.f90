@@ -12,8 +12,10 @@ module plydyn_input_check_units
 
    public :: check_units
 
-   !> Young's moduli of solids from soft rubber to diamond, Pa
-   real(wp), parameter :: least_young = 1.0e5_wp, most_young = 2.0e12_wp
+   !> Moduli of solids from soft rubber to diamond, Pa
+   real(wp), parameter :: least_modulus = 1.0e5_wp, most_modulus = 2.0e12_wp
+   !> That of shear is a third of Young's modulus in rubber, and less across fibres
+   real(wp), parameter :: least_shear = 0.1_wp*least_modulus
    !> Densities from aerogel to osmium, kg/m3
    real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
    !> Velocity beyond which nothing here is elastic, m/s
@@ -37,8 +39,8 @@ contains
          velocity = 10.0_wp**si_power(units, 1, -1, 0)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
-               call look(catalogue, catalogue%registers(a_material)%line(i), material%law%young(1) &
-                  & *stress, [least_young, most_young], "a Young's modulus of", "Pa", units)
+               call look_at_moduli(catalogue, catalogue%registers(a_material)%line(i), &
+                  & material%law%young*stress, material%law%shear*stress, units)
                call look(catalogue, catalogue%registers(a_material)%line(i), material%density &
                   & *density, [least_density, most_density], "a density of", "kg/m3", units)
             end associate
@@ -50,6 +52,29 @@ contains
          end do
       end associate
    end subroutine check_units
+
+   !> Warn about the first modulus out of its range
+   subroutine look_at_moduli(catalogue, line, young, shear, units)
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Line of the definition
+      integer, intent(in) :: line
+      !> Moduli in Pa
+      real(wp), intent(in) :: young(3), shear(3)
+      !> Units of the deck
+      type(units_type), intent(in) :: units
+
+      integer :: i
+
+      i = findloc(young < least_modulus .or. young > most_modulus, .true., 1)
+      if (i > 0) then
+         call look(catalogue, line, young(i), [least_modulus, most_modulus], &
+            & "a Young's modulus of", "Pa", units)
+         return
+      end if
+      i = findloc(shear < least_shear .or. shear > most_modulus, .true., 1)
+      if (i > 0) call look(catalogue, line, shear(i), [least_shear, most_modulus], &
+         & "a shear modulus of", "Pa", units)
+   end subroutine look_at_moduli
 
    !> Warn about a number out of its range
    subroutine look(catalogue, line, number, range, what, unit, units)

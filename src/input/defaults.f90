@@ -46,6 +46,8 @@ contains
          model%materials(i)%place = place_of(deck, model%materials(i)%line)
          model%materials(i)%radius_place = place_of(deck, model%materials(i)%radius_line)
       end do
+      model%control%curve_place = place_of(deck, model%control%curve_line)
+      model%control%step_place = place_of(deck, model%control%step_line)
       do i = 1, size(model%contacts)
          model%contacts(i)%place = place_of(deck, model%contacts(i)%line)
       end do

@@ -62,6 +62,7 @@ contains
       model%control%step_factor = cards%real("TSSFAC")
       if (cards%integer("LCTM") > 0) then
          call catalogue%find(a_curve, cards, "LCTM", model%control%step_curve)
+         model%control%curve_line = cards%line_of("LCTM")
       end if
       if (model%control%step_curve == 0) return
       if (all(model%curves(model%control%step_curve)%y > 0.0_wp)) return
@@ -98,6 +99,7 @@ contains
          control%energy_limit = cards%real("ENGLIM")
          control%scheme = cards%integer("IMPL")
          control%largest_step = cards%real("DTMAX")
+         control%step_line = cards%line_of("DTMAX")
          if (control%scheme == all_explicit) return
          if (size(model%mesh%brick_id) > 0) then
             call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")

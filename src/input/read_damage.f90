@@ -196,10 +196,10 @@ contains
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
 
-      character(5), parameter :: names(5) = ["GAMU ", "LCID ", "ALPHA", "N    ", "LRULE"]
-      character(*), parameter :: right(5) = ["SHEAR 1, or 0 here", "SHEAR 2, or 0 here", &
-         & "SHEAR 3, or 0 here", "SHEAR 3, or 0 here", "LSTAR 0, or 0 here"]
-      logical :: is_idle(5)
+      character(5), parameter :: names(6) = ["GAMU ", "LCID ", "ALPHA", "N    ", "LRULE", "ST   "]
+      character(*), parameter :: right(6) = ["SHEAR 1", "SHEAR 2", "SHEAR 3", "SHEAR 3", &
+         & "LSTAR 0", "MCOMP 1"]
+      logical :: is_idle(6)
       integer :: i
 
       associate (shear => choice(cards, "SHEAR"))
@@ -207,12 +207,11 @@ contains
             & shear /= table .and. cards%integer("LCID") > 0, &
             & shear /= power .and. cards%real("ALPHA") > 0.0_wp, &
             & shear /= power .and. cards%real("N") > 0.0_wp, &
-            & cards%real("LSTAR") > 0.0_wp .and. choice(cards, "LRULE") > 0]
+            & cards%real("LSTAR") > 0.0_wp .and. choice(cards, "LRULE") > 0, &
+            & onsets(choice(cards, "MCOMP")) /= onset_hashin .and. cards%real("ST") > 0.0_wp]
       end associate
       do i = 1, size(names)
-         if (.not. is_idle(i)) cycle
-         call catalogue%warn(cards, trim(names(i)), trim(names(i))//" is without effect", &
-            & trim(right(i)))
+         if (is_idle(i)) call catalogue%warn_idle(cards, trim(names(i)), right(i))
       end do
    end subroutine warn_of_idle
 

@@ -63,6 +63,8 @@ contains
          law%exponent = cards%real("N")
          if (law%exponent <= 0.0_wp) call catalogue%refuse(cards, "N", "N is missing", &
             & "the power of plastic strain, above 0, or B 0 for no hardening")
+      else if (cards%real("N") > 0.0_wp) then
+         call catalogue%warn_idle(cards, "N", "B above 0")
       end if
       law%sensitivity = cards%real("C")
       law%reference_rate = cards%real("EPSO")
@@ -90,6 +92,7 @@ contains
          call check_formulation(cards, "C", catalogue)
          call check_yield(cards, law%yield, catalogue)
       end if
+      call check_idle(cards, catalogue)
       if (cards%integer("LCSS") > 0) then
          call read_yield_curves(cards, model%curves, catalogue, law)
       else if (cards%has("ES1")) then
@@ -102,6 +105,40 @@ contains
       end if
       call add_material(model%materials, material, law)
    end subroutine read_mat_piecewise_linear_plasticity
+
+   !> A curve leaves points, SIGY and ETAN without effect, and points the last two; points have
+   !> both strain and stress
+   subroutine check_idle(cards, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(*), parameter :: names(2) = ["EPS", "ES "]
+      logical :: has_curve, has_points
+      integer :: i, k
+
+      has_curve = cards%integer("LCSS") > 0
+      has_points = cards%has("ES1")
+      do k = 1, size(names)
+         do i = 1, card_points
+            associate (name => trim(names(k))//text(i))
+               if (cards%real(name) <= 0.0_wp) cycle
+               if (has_curve) then
+                  call catalogue%warn_idle(cards, name, "LCSS 0")
+               else if (.not. has_points) then
+                  call catalogue%refuse(cards, name, "a yield curve by points needs strain and " &
+                     & //"stress from its first point on", &
+                     & "both cards of points, EPS1 to EPS8 and ES1 to ES8")
+               end if
+               exit
+            end associate
+         end do
+      end do
+      if (.not. (has_curve .or. has_points)) return
+      if (cards%real("ETAN") > 0.0_wp) call catalogue%warn_idle(cards, "ETAN", &
+         & "neither LCSS nor points EPS, ES")
+      if (cards%real("SIGY") > 0.0_wp .and. cards%real("C") <= 0.0_wp) call catalogue%warn_idle( &
+         & cards, "SIGY", "neither LCSS nor points EPS, ES")
+   end subroutine check_idle
 
    !> The curve of LCSS, or the curves of its table
    subroutine read_yield_curves(cards, curves, catalogue, law)
@@ -156,6 +193,12 @@ contains
       curve%x = [(cards%real("EPS"//text(i)), i=1, last)]
       curve%y = [(cards%real("ES"//text(i)), i=1, last)]
       law%curves = [yield_curve_type(strain=curve%x, stress=curve%y)]
+      do i = last + 1, card_points
+         if (cards%real("ES"//text(i)) <= 0.0_wp) cycle
+         call catalogue%refuse(cards, "ES"//text(i), "a point of the yield curve has no strain", &
+            & "EPS"//text(i)//" above "//number_words(curve%x(last))//", or 0 here")
+         return
+      end do
       do i = 2, last
          if (curve%x(i) > curve%x(i - 1)) cycle
          call catalogue%refuse(cards, "EPS"//text(i), "the plastic strain does not increase", &
@@ -295,6 +338,8 @@ contains
       real(wp), intent(in) :: rate, power
       type(catalogue_type), intent(inout) :: catalogue
 
+      if (rate <= 0.0_wp .and. power > 0.0_wp) call catalogue%warn_idle(cards, names(1), &
+         & names(2)//" above 0")
       if (rate <= 0.0_wp .or. power > 0.0_wp) return
       call catalogue%refuse(cards, names(1), names(1)//" is missing", &
          & "the power of the rise with the rate, above 0, or "//names(2) &

@@ -166,8 +166,89 @@ contains
             call catalogue%find(a_node, cards, names(k), new(nth)%node(k), nth)
          end do
       end do
+      if (catalogue%mesh_is_sound) call check_segments(cards, model%mesh, new, catalogue)
       model%segment_loads = [model%segment_loads, new]
    end subroutine read_load_segment
+
+   !> The nodes of a segment go around a face of a brick
+   subroutine check_segments(cards, mesh, loads, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(mesh_type), intent(in) :: mesh
+      !> The segments of the keyword
+      type(segment_load_type), intent(in) :: loads(:)
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer, allocatable :: around(:), first(:)
+      logical :: is_right
+      integer :: i, nth
+
+      call list_bricks(mesh, first, around)
+      do nth = 1, size(loads)
+         associate (node => loads(nth)%node)
+            if (any(node == 0)) cycle
+            is_right = .false.
+            do i = first(node(1)), first(node(1) + 1) - 1
+               is_right = is_right .or. is_around_face(mesh%brick_node(:, around(i)), node)
+            end do
+         end associate
+         if (is_right) cycle
+         call catalogue%refuse(cards, names(1), "the four nodes are no face of a brick", &
+            & "the nodes of one face of a brick, in their order around it", nth)
+      end do
+   end subroutine check_segments
+
+   !> Whether four nodes go around a face of a brick, in either sense
+   pure logical function is_around_face(brick, node) result(is_around)
+      !> Nodes of the brick, and the four
+      integer, intent(in) :: brick(corners), node(segment)
+
+      !> Nodes around the faces of a brick
+      integer, parameter :: faces(segment, 6) = reshape([1, 2, 3, 4, 5, 6, 7, 8, 1, 2, 6, 5, &
+         & 2, 3, 7, 6, 3, 4, 8, 7, 4, 1, 5, 8], [segment, 6])
+      integer :: f, k
+
+      is_around = .false.
+      do f = 1, size(faces, 2)
+         associate (face => brick(faces(:, f)))
+            do k = 0, segment - 1
+               is_around = is_around .or. all(cshift(face, k) == node) &
+                  & .or. all(cshift(face(segment:1:-1), k) == node)
+            end do
+         end associate
+      end do
+   end function is_around_face
+
+   !> The bricks at each node
+   pure subroutine list_bricks(mesh, first, around)
+      type(mesh_type), intent(in) :: mesh
+      !> Where the bricks of a node begin in the list, one more than there are nodes
+      integer, allocatable, intent(out) :: first(:)
+      !> The bricks of the first node, those of the second and so on
+      integer, allocatable, intent(out) :: around(:)
+
+      integer :: e, k, n
+
+      allocate (first(size(mesh%node_id) + 1), source=0)
+      allocate (around(size(mesh%brick_node)))
+      do e = 1, size(mesh%brick_id)
+         do k = 1, corners
+            n = mesh%brick_node(k, e)
+            first(n) = first(n) + 1
+         end do
+      end do
+      ! behind the last brick of each node, then backwards to its first
+      do n = 2, size(first)
+         first(n) = first(n) + first(n - 1)
+      end do
+      first(:) = first + 1
+      do e = size(mesh%brick_id), 1, -1
+         do k = 1, corners
+            n = mesh%brick_node(k, e)
+            first(n) = first(n) - 1
+            around(first(n)) = e
+         end do
+      end do
+   end subroutine list_bricks
 
    !> Make room for bricks
    pure subroutine add_bricks(mesh, more)

@@ -14,6 +14,7 @@ module plydyn_model_curve
       real(wp), allocatable :: y(:)
    contains
       procedure :: at
+      procedure :: least
    end type curve_type
 
 contains
@@ -39,5 +40,15 @@ contains
          y = self%y(right - 1) + part*(self%y(right) - self%y(right - 1))
       end if
    end function at
+
+   !> Smallest ordinate between two abscissas
+   pure real(wp) function least(self, from, to)
+      class(curve_type), intent(in) :: self
+      !> The abscissas, in order
+      real(wp), intent(in) :: from, to
+
+      least = min(self%at(from), self%at(to))
+      least = min(least, minval(self%y, mask=self%x > from .and. self%x < to))
+   end function least
 
 end module plydyn_model_curve

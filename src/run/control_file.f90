@@ -1,6 +1,7 @@
 !> Words to a running job: the lines of its file JOB.ctl.
 module plydyn_run_control_file
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
+   use plydyn_base_file_identity, only : file_identity_type, identity_of, no_file, regular_file
    use plydyn_base_files, only : rename_file
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case, text
@@ -23,8 +24,8 @@ module plydyn_run_control_file
 
    !> Behind the name of a file of requests that was read
    character(*), parameter :: was_read = ".read"
-   !> Longest line, and most lines that are read
-   integer, parameter :: longest = 200, most = 100
+   !> Longest line, most lines that are read, and most of which is told what became of them
+   integer, parameter :: longest = 200, most = 100000, most_told = 100
    character(*), parameter :: words = "stop, dump, plot, status, flush, end-time TIME " &
       & //"(or sw1, sw3, sw4, sw2, d3kil)"
 
@@ -41,29 +42,55 @@ contains
       !> Whether there was such a file
       logical, intent(out) :: found
 
-      character(longest) :: line
-      integer :: i, status, unit
+      type(file_identity_type) :: identity
       logical :: good
 
       requests%answer = ""
-      inquire (file=path, exist=found)
+      identity = identity_of(path, follow=.true.)
+      found = identity%kind /= no_file
       if (.not. found) return
       ! under another name nobody writes to it any more, and it is read once
       call rename_file(path, path//was_read, good)
-      if (good) open (newunit=unit, file=path//was_read, status="old", action="read", &
-         & iostat=status)
-      if (good) good = status == 0
+      if (good .and. identity%kind == regular_file) call take_lines(path, time, requests, good)
       if (.not. good) then
          requests%answer = path//": cannot be read and set aside"
-         return
+      else if (identity%kind /= regular_file) then
+         requests%answer = path//": set aside, for it is no regular file"
       end if
+   end subroutine take_requests
+
+   !> All lines of the file that was set aside
+   subroutine take_lines(path, time, requests, good)
+      !> Path that the file had
+      character(*), intent(in) :: path
+      !> Time now
+      real(wp), intent(in) :: time
+      !> What it asks for
+      type(control_requests_type), intent(inout) :: requests
+      !> Whether it could be read
+      logical, intent(out) :: good
+
+      character(longest + 1) :: line
+      character(:), allocatable :: told
+      integer :: i, status, unit
+
+      told = ""
+      open (newunit=unit, file=path//was_read, status="old", action="read", iostat=status)
+      good = status == 0
+      if (.not. good) return
       do i = 1, most
          read (unit, "(a)", iostat=status) line
          if (status /= 0) exit
          if (len_trim(line) > 0) call take_line(path, trim(adjustl(line)), time, requests)
+         if (i == most_told) told = requests%answer
+         if (i > most_told) requests%answer = told
       end do
       close (unit)
-   end subroutine take_requests
+      if (i > most_told + 1) requests%answer = told//path//": and "//text(i - 1 - most_told) &
+         & //" lines more, read likewise"//new_line("a")
+      if (i > most) requests%answer = requests%answer//path//": lines beyond " &
+         & //text(most)//" are not read"//new_line("a")
+   end subroutine take_lines
 
    !> One line
    subroutine take_line(path, line, time, requests)
@@ -89,7 +116,9 @@ contains
       case default
          answer = "not understood, set aside; right would be "//words
       end select
-      if (answer == "taken" .and. blank < len(line)) then
+      if (len(line) > longest .and. answer == "taken") then
+         answer = "taken, but for what stands behind column "//text(longest)
+      else if (answer == "taken" .and. blank < len(line)) then
          answer = "taken, but for what stands behind the first word"
       end if
       requests%answer = requests%answer//path//": '"//printable(line)//"' "//answer//new_line("a")
@@ -116,7 +145,8 @@ contains
       real(wp) :: wanted
       integer :: status
 
-      read (word, *, iostat=status) wanted
+      status = verify(trim(word), "0123456789.eEdD+-")
+      if (status == 0) read (word, *, iostat=status) wanted
       if (status == 0) status = merge(0, 1, ieee_is_finite(wanted))
       if (status /= 0) then
          answer = "not understood, set aside; right would be a time, as in end-time 0.005"

@@ -54,6 +54,21 @@ def test_good_deck_has_no_warning(tmp_path: Path) -> None:
     assert "warning:" not in checked(tmp_path, ["mesh", "ply", "part", "run"], sphere)
 
 
+def test_blanks_between_filled_fields_take_their_defaults(tmp_path: Path) -> None:
+    """In columns and between commas: the Poisson's ratio of a metal is 0 where it is blank."""
+    metal = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n{}\n"
+    columns = f"{1:>10}{7.8e-9:>10}{2.1e5:>10}{'':>10}{300.0:>10}"
+    for cards in (columns, "1,7.8e-9,2.1e5,,300.0"):
+        said = checked(tmp_path, ["mesh", "part", "run"], metal.format(cards))
+        assert "warning:" not in said
+
+
+def test_integer_with_a_point(tmp_path: Path) -> None:
+    """Many fields of LS-DYNA are real where ours are integers: 1.0 is the material 1."""
+    metal = "*MAT_PLASTIC_KINEMATIC\n1.0,7.8e-9,2.1e5,0.3,300.0\n"
+    assert "warning:" not in checked(tmp_path, ["mesh", "part", "run"], metal)
+
+
 @pytest.mark.parametrize(
     ("shear", "names"),
     [
@@ -75,6 +90,46 @@ def test_rule_of_a_width_that_is_given(tmp_path: Path) -> None:
     """LSTAR goes before LRULE."""
     said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED.format(shear="0"))
     assert "deck.k:8: *MAT_PLY_CODAM2 card 6 LRULE: LRULE is without effect" in said
+
+
+@pytest.mark.parametrize(
+    ("cards", "names"),
+    [
+        ("1,7.8e-9,2.1e5,0.3,300.0\n0,2.0\n", ["card 2 P: P"]),
+        (
+            "1,7.8e-9,2.1e5,0.3,300.0,1.0e3\n0,0\n0.0,0.1\n300.0,400.0\n",
+            ["card 1 SIGY: SIGY", "card 1 ETAN: ETAN"],
+        ),
+        (
+            "1,7.8e-9,2.1e5,0.3,300.0,1.0e3\n0,0,9\n0.0,0.1\n300.0,400.0\n",
+            ["card 1 SIGY: SIGY", "card 1 ETAN: ETAN", "card 3 EPS2: EPS2", "card 4 ES1: ES1"],
+        ),
+        ("1,7.8e-9,2.1e5,0.3,300.0\n40.0,5.0,9,0,1\n", []),
+    ],
+    ids=["no rate", "points", "curve", "rate and curve"],
+)
+def test_fields_that_a_yield_curve_replaces(cards: str, names: list[str], tmp_path: Path) -> None:
+    """SIGY counts beside a curve where the rate makes it rise."""
+    curve = "*DEFINE_CURVE\n9,\n0.0,300.0\n0.1,400.0\n" if ",9" in cards else ""
+    text = f"*MAT_PIECEWISE_LINEAR_PLASTICITY\n{cards}{curve}"
+    said = checked(tmp_path, ["mesh", "part", "run"], text)
+    assert said.count("is without effect") == len(names)
+    for name in names:
+        assert f"{name} is without effect" in said
+
+
+def test_strength_that_the_onset_does_not_ask_for(tmp_path: Path) -> None:
+    """ST belongs to Hashin's onset, MCOMP 1."""
+    said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED.format(shear="0"))
+    assert "ST is without effect" in said
+    assert "MCOMP 1, or 0 here" in said
+
+
+def test_control_characters_of_a_title(tmp_path: Path) -> None:
+    """A listing does nothing to a terminal."""
+    said = checked(tmp_path, ["mesh", "ply", "part", "run"], "*TITLE\n\033[2Jplate\n")
+    assert "\033" not in said
+    assert "?[2Jplate" in said
 
 
 def test_nodes_at_one_place(tmp_path: Path) -> None:

@@ -17,9 +17,7 @@ program test_deck_number
    call check_real("123456789012345678901234567890", 123456789012345678901234567890.0_wp)
    call check_real("0.000000000000000000000000000000012345", 1.2345e-32_wp)
    call check_real("1.7976931348623157e300", 1.7976931348623157e300_wp)
-   call check_real("1e-400", 0.0_wp)
    call check_real("-0.0e999", 0.0_wp)
-   call check_real("1.00e-2147483647", 0.0_wp)
    call check_wrong("7O.0", 2)
    call check_wrong("1.5+3", 4)
    call check_wrong("1.5e", 5)
@@ -32,6 +30,9 @@ program test_deck_number
    call check_wrong("NaN", 1)
    call check_wrong("Infinity", 1)
    call check_wrong("1e999", 1)
+   call check_wrong("1e-400", 1)
+   call check_wrong("-.01e-400", 1)
+   call check_wrong("1.00e-2147483647", 1)
    call check_wrong("1e99999999999", 3)
    call check_wrong("1.00e2147483647", 1)
    call check_wrong("1_wp", 2)
@@ -54,6 +55,10 @@ program test_deck_number
    call check(index(number_advice("1+3", 2), "exponent needs its letter") > 0, &
       & "asks for the letter")
    call check(index(number_advice("-1e400", 1), "too large") > 0, "sees the size behind a sign")
+   call check(index(number_advice("1e-400", 1), "too small") > 0, "sees a small number")
+   call check(index(number_advice("-1e-400", 1), "too small") > 0, "sees it behind a sign")
+   call check(index(number_advice("0."//repeat("0", 400)//"1", 1), "too small") > 0, &
+      & "sees it without an exponent")
    call check(len(number_advice("+x", 2)) == 0, "is silent where the character says it all")
 
    call finish()

@@ -30,6 +30,18 @@ program test_run_control_file
    call check(index(requests%answer, "at time 1.00000") > 0, "so is why an end is refused")
    call check(requests%stop .and. index(requests%answer, "behind the first word") > 0, &
       & "a word with more behind it is taken, and that is told")
+   call write_lines(path, repeat("status|", 150)//"stop|")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(requests%stop, "no line is left out, however many there are")
+   call check(index(requests%answer, "and 51 lines more") > 0, "not all of them are told")
+   call write_lines(path, "end-time 2*3.0|end-time 3,5|")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(requests%end_time < 0.0_wp, "what Fortran reads as lists are no times")
+   call execute_command_line("mkfifo "//path)
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(found .and. index(requests%answer, "no regular file") > 0, "a pipe is not waited for")
+   call take_requests(path, 1.0_wp, requests, found)
+   call check(.not. found, "and set aside")
    call remove_file(path//".read")
    call finish()
 
