@@ -1,8 +1,7 @@
-!> Sums without round-off: the same bits in whatever order the terms come, and however many ranks
-!> and threads have a part of them.
+!> Exact sums: the same bits for any order of the terms and any number of ranks and threads.
 !>
-!> A sum is a long fixed-point number (Kulisch, 1971) in limbs of 32 bits, each kept in a word of
-!> 64: two thousand million terms fit before a carry is due. What is below 2**-384 counts as zero.
+!> A sum is a long fixed-point number (Kulisch, 1971) in limbs of 32 bits, each stored in a word of
+!> 64 bits: two thousand million terms fit before a carry. Terms below 2**-384 count as zero.
 module plydyn_base_exact_sum
    use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only : int64
@@ -16,18 +15,18 @@ module plydyn_base_exact_sum
    integer, parameter :: limb_bits = 32, limbs = 24
    !> Binary exponent of the lowest bit
    integer, parameter :: lowest = -384
-   !> Bits of a double: those behind the point, the mask of its exponent, and what is to be taken
-   !> from that to get the power of two of its last bit
+   !> Bits of the fraction of a double, mask of its exponent, and offset from the exponent to the
+   !> power of two of its last bit
    integer, parameter :: fraction_bits = 52, exponent_mask = 2047, exponent_offset = 1075
-   !> A limb of ones, the fraction's bits, and the bit before the point
+   !> Masks of a limb and of the fraction, and the hidden bit
    integer(int64), parameter :: limb_mask = 2_int64**limb_bits - 1_int64
    integer(int64), parameter :: fraction_mask = 2_int64**fraction_bits - 1_int64
    integer(int64), parameter :: hidden_bit = 2_int64**fraction_bits
 
    !> One sum
    type, public :: exact_sum_type
-      !> Limbs from the lowest up; in front, at 0, how many terms were too large or not numbers.
-      !> The sum of parts is the sum of their limbs
+      !> Limbs in ascending order; entry 0 counts terms that were too large or not numbers. The
+      !> sum of parts is the sum of their limbs
       integer(int64) :: limb(0:limbs) = 0_int64
    contains
       procedure :: add => add_term
@@ -36,8 +35,8 @@ module plydyn_base_exact_sum
 
    !> Sums with an index
    type, public :: exact_sums_type
-      !> Limbs from the lowest up; before them, in row 0, how many terms were too large or no
-      !> numbers, (0:limbs, sums). Sums of parts are sums of these
+      !> Limbs in ascending order, (0:limbs, sums); row 0 counts terms that were too large or not
+      !> numbers
       integer(int64), allocatable :: limb(:, :)
    contains
       procedure :: clear
@@ -49,14 +48,14 @@ contains
 
    !> Sums that are zero
    pure function new_exact_sums(sums) result(self)
-      !> How many
+      !> Number of sums
       integer, intent(in) :: sums
       type(exact_sums_type) :: self
 
       allocate (self%limb(0:limbs, sums), source=0_int64)
    end function new_exact_sums
 
-   !> Make all sums zero
+   !> Set all sums to zero
    pure subroutine clear(self)
       class(exact_sums_type), intent(inout) :: self
 
@@ -66,7 +65,7 @@ contains
    !> Add a term
    pure subroutine add(self, k, term)
       class(exact_sums_type), intent(inout) :: self
-      !> Which sum
+      !> Index of the sum
       integer, intent(in) :: k
       !> The term
       real(wp), intent(in) :: term
@@ -110,23 +109,23 @@ contains
       limb(first + 2) = limb(first + 2) + sign_of*shiftr(high, limb_bits)
    end subroutine add_to_limbs
 
-   !> A sum, to the last bit but one; not a number where a term was none
+   !> Value of a sum, correct to the last bit but one; NaN if a term was not a number
    pure real(wp) function value(self, k)
       class(exact_sums_type), intent(in) :: self
-      !> Which sum
+      !> Index of the sum
       integer, intent(in) :: k
 
       value = value_of_limbs(self%limb(:, k))
    end function value
 
-   !> The sum, to the last bit but one; not a number where a term was none
+   !> Value of the sum, correct to the last bit but one; NaN if a term was not a number
    pure real(wp) function value_of_sum(self) result(value)
       class(exact_sum_type), intent(in) :: self
 
       value = value_of_limbs(self%limb)
    end function value_of_sum
 
-   !> The number that the limbs of a sum stand for
+   !> Value of the limbs of a sum
    pure real(wp) function value_of_limbs(limb) result(value)
       integer(int64), intent(in) :: limb(0:limbs)
 
@@ -153,13 +152,12 @@ contains
       do top = top, first + 1, -1
          if (digit(top) /= 0_int64) exit
       end do
-      ! of three limbs at least 65 bits are there
+      ! three limbs hold at least 65 bits
       value = value*scale((real(digit(top), wp)*limb_size + real(digit(top - 1), wp))*limb_size &
          & + real(digit(top - 2), wp), limb_bits*(top - 3) + lowest)
    end function value_of_limbs
 
-   !> The lowest limb that is not zero, and the one that the highest may carry into; none where all
-   !> are zero
+   !> Lowest nonzero limb, and the one that the highest may carry into; 0 when all are zero
    pure subroutine find_ends(limb, first, last)
       integer(int64), intent(in) :: limb(limbs)
       integer, intent(out) :: first, last
@@ -175,7 +173,7 @@ contains
       end do
    end subroutine find_ends
 
-   !> Let every limb but the last be from 0 to 2**32 - 1
+   !> Propagate carries: every limb but the last from 0 to 2**32 - 1
    pure subroutine carry(digit)
       integer(int64), intent(inout) :: digit(:)
       integer :: i
