@@ -1,4 +1,4 @@
-!> The words on the command line.
+!> The command line.
 module plydyn_command
    use plydyn_base_error, only : error_type, exit_usage, fail
    use plydyn_base_precision, only : wp
@@ -8,7 +8,7 @@ module plydyn_command
 
    public :: read_command
 
-   !> What a user may type
+   !> Usage
    character(*), parameter, public :: usage = &
       & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*" &
       & //new_line("a") &
@@ -24,7 +24,7 @@ module plydyn_command
       & //"i=DECK r=FILE jobid=JOB are understood in place of DECK, restart FILE and -j JOB; " &
       & //"ncpu=N asks for N threads"
 
-   !> What the user asks for
+   !> Content of the command line
    type, public :: command_type
       !> run, restart, check, --version, --keywords or --help
       character(:), allocatable :: action
@@ -38,11 +38,11 @@ module plydyn_command
       character(:), allocatable :: folder
       !> Numbers for parameters, as in `velocity=3.0`, each with a line feed
       character(:), allocatable :: parameters
-      !> Seconds on the wall that the run may take
+      !> Wall-clock limit, seconds
       real(wp) :: most_seconds = huge(1.0_wp)
       !> Keyword to explain; empty for all
       character(:), allocatable :: keyword
-      !> Threads; 0 where nothing is said
+      !> Threads; 0 for no request
       integer :: threads = 0
    end type command_type
 
@@ -53,9 +53,9 @@ contains
 
    !> Read the command line
    subroutine read_command(command, error)
-      !> What the user asks for
+      !> Content of the command line
       type(command_type), intent(out) :: command
-      !> What cannot be understood
+      !> An argument that is not understood
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: folder, word
@@ -214,7 +214,7 @@ contains
          & //"threads from 1 to "//text(most_threads))
    end subroutine read_threads
 
-   !> What must be there, and the name of the job
+   !> Check for missing arguments, and set the name of the job
    subroutine finish(command, folder, error)
       type(command_type), intent(inout) :: command
       character(*), intent(in) :: folder

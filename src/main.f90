@@ -64,9 +64,9 @@ contains
    subroutine run_deck(comm, command, error)
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> What the user asks for
+      !> The command line
       type(command_type), intent(in) :: command
-      !> What went wrong
+      !> Reason for the end, or failure
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages
@@ -95,9 +95,9 @@ contains
    subroutine restart_run(comm, command, error)
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> What the user asks for
+      !> The command line
       type(command_type), intent(in) :: command
-      !> What went wrong
+      !> Reason for the end, or failure
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages, written_by
@@ -180,8 +180,7 @@ contains
       end if
    end subroutine begin_results
 
-   !> Let the results of a restart go to files of their own, which begin there, unless these are the
-   !> files of the restart: then they go on
+   !> Give the results of a restart another name: they are new files, unless the name is the old one
    subroutine rename_job(comm, path, job)
       type(comm_type), intent(in) :: comm
       character(*), intent(in) :: path
@@ -199,7 +198,7 @@ contains
       job%dumps = 0
    end subroutine rename_job
 
-   !> The model of all decks; files are read by the root, and told to the others
+   !> The model of all decks; the root reads the files and broadcasts them
    subroutine read_model(comm, deck, job, model, messages, error)
       type(comm_type), intent(in) :: comm
       !> Path of a new deck, empty for none
@@ -241,7 +240,7 @@ contains
       call set_up(comm, parts, error)
    end subroutine build_run
 
-   !> Write what is known before the first step
+   !> Write the listing up to the first step
    subroutine list(unit, deck, messages, seconds, parts)
       integer, intent(in) :: unit
       character(*), intent(in) :: deck, messages
@@ -252,7 +251,7 @@ contains
       if (size(parts%ranks, 2) > 0) call write_ranks(unit, parts%ranks)
    end subroutine list
 
-   !> Run, and close all files whatever happens
+   !> Run, and close all files, also after an error
    subroutine run_job(comm, job, most_seconds, parts, error)
       type(comm_type), intent(in) :: comm
       type(job_type), intent(inout) :: job
@@ -284,7 +283,7 @@ contains
    subroutine stop_on(comm, error)
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> What went wrong
+      !> Reason for the end, or failure
       type(error_type), allocatable, intent(in) :: error
 
       interface

@@ -1,4 +1,4 @@
-!> A job: what its files are called, where a run comes from, and where it is told about.
+!> A job: paths of its files, origin of the run, units of screen and listing.
 module plydyn_io_job
    use plydyn_base_archive, only : archive_type
    use plydyn_base_precision, only : wp
@@ -9,7 +9,7 @@ module plydyn_io_job
    !> In place of a unit; no unit that is opened anew has this number
    integer, parameter, public :: no_unit = -1
 
-   !> What all files of a run have in common
+   !> Common data of all files of a run
    type, public :: job_type
       !> Path of the results without endings
       character(:), allocatable :: path
@@ -33,7 +33,7 @@ module plydyn_io_job
 
 contains
 
-   !> Say something on the screen and in the listing
+   !> Write a note on the screen and in the listing
    subroutine note(self, words)
       class(job_type), intent(in) :: self
       !> A line, or several

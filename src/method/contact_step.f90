@@ -98,7 +98,7 @@ contains
       end do
    end subroutine new_contacts
 
-   !> Where the deck says how an impactor meets the plate: file, line and field
+   !> Location of a contact in the deck: file, line and field
    pure function place_of(contact, field) result(words)
       type(contact_type), intent(in) :: contact
       character(*), intent(in) :: field

@@ -50,7 +50,7 @@ contains
       !$omp end do nowait
    end subroutine find_internal_forces
 
-   !> Internal forces of the chunks that hold what other ranks need, which is then on its way. All
+   !> Internal forces of the chunks that other ranks need, which are then sent to them. All
    !> threads come here together
    subroutine make_outer_forces(domain, team, step, displacement, velocity, history, force)
       !> As in `find_internal_forces`

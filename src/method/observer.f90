@@ -18,7 +18,7 @@ module plydyn_method_observer
       logical :: attention = .false.
       !> Fields, progress line, restart file, due or not; all files brought to the disk
       logical :: fields = .false., progress = .false., checkpoint = .false., flush = .false.
-      !> What asks the run to stop with a restart file; not allocated for nothing
+      !> Source of a request to stop with a restart file; not allocated without one
       character(:), allocatable :: stopped_by
    end type requests_type
 
@@ -273,7 +273,7 @@ contains
       end do
    end subroutine save_all
 
-   !> Close all, the last one first, whatever has happened
+   !> Close all, the last one first, also after an error
    subroutine close_all(self, domain, state, error)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`

@@ -1,4 +1,4 @@
-!> The size of a step, and what follows from it before the step is made.
+!> The size of a step, and its preparation.
 module plydyn_method_time_step
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type

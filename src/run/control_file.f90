@@ -1,4 +1,4 @@
-!> Words to a running job: the lines of its file JOB.ctl.
+!> Requests to a running job in its control file JOB.ctl.
 module plydyn_run_control_file
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_file_identity, only : file_identity_type, identity_of, no_file, regular_file
@@ -10,7 +10,7 @@ module plydyn_run_control_file
 
    public :: take_requests
 
-   !> What a job is asked for
+   !> Requests of a control file
    type, public :: control_requests_type
       !> End with a restart file; write a restart file and go on
       logical :: stop = .false., dump = .false.
@@ -18,7 +18,7 @@ module plydyn_run_control_file
       logical :: plot = .false., status = .false., flush = .false.
       !> New end time; negative for none
       real(wp) :: end_time = -1.0_wp
-      !> What to tell about the file, a line for each of its lines
+      !> Answer to the file, a line for each of its lines
       character(:), allocatable :: answer
    end type control_requests_type
 
@@ -37,7 +37,7 @@ contains
       character(*), intent(in) :: path
       !> Time now
       real(wp), intent(in) :: time
-      !> What it asks for
+      !> Its requests
       type(control_requests_type), intent(out) :: requests
       !> Whether there was such a file
       logical, intent(out) :: found
@@ -49,7 +49,7 @@ contains
       identity = identity_of(path, follow=.true.)
       found = identity%kind /= no_file
       if (.not. found) return
-      ! under another name nobody writes to it any more, and it is read once
+      ! renamed it is no longer written to, and is read once
       call rename_file(path, path//was_read, good)
       if (good .and. identity%kind == regular_file) call take_lines(path, time, requests, good)
       if (.not. good) then
@@ -65,7 +65,7 @@ contains
       character(*), intent(in) :: path
       !> Time now
       real(wp), intent(in) :: time
-      !> What it asks for
+      !> Its requests
       type(control_requests_type), intent(inout) :: requests
       !> Whether it could be read
       logical, intent(out) :: good
@@ -124,7 +124,7 @@ contains
       requests%answer = requests%answer//path//": '"//printable(line)//"' "//answer//new_line("a")
    end subroutine take_line
 
-   !> A text with question marks in place of what no screen shows
+   !> A text with question marks in place of characters that are not printable
    pure function printable(line) result(shown)
       character(*), intent(in) :: line
       character(len(line)) :: shown

@@ -1,4 +1,4 @@
-!> From the model to all that a run needs, on one rank or on several.
+!> Sets up a run from its model, on one rank or on several.
 module plydyn_run_setup
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -23,7 +23,7 @@ module plydyn_run_setup
 
    public :: set_up
 
-   !> What a run needs
+   !> Model, domain, contacts and state of a run
    type, public :: run_type
       !> The deck's model
       type(model_type) :: model
@@ -33,7 +33,7 @@ module plydyn_run_setup
       type(state_type) :: state
       !> Which places of the arrays of the whole model this rank has
       type(state_layout_type) :: state_parts
-      !> What each rank has; see `write_ranks`. None with one rank
+      !> Size of the part of each rank; see `write_ranks`. Empty with one rank
       real(wp), allocatable :: ranks(:, :)
    end type run_type
 
@@ -45,7 +45,7 @@ contains
       type(comm_type), intent(in) :: comm
       !> Has the model, gets the rest
       type(run_type), intent(inout) :: self
-      !> What the model asks for and a run cannot be; the same on all ranks
+      !> A request of the model that cannot be met; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       type(decomposition_type) :: division
@@ -71,7 +71,7 @@ contains
       self%state = new_state(self%model, self%domain)
    end subroutine set_up
 
-   !> What each rank has; nothing with one rank
+   !> Size of the part of each rank; empty with one rank
    subroutine count_ranks(comm, domain, share, ranks)
       type(comm_type), intent(in) :: comm
       type(domain_type), intent(in) :: domain

@@ -83,7 +83,7 @@ contains
       type(domain_type), intent(in) :: domain
       !> The state
       type(state_type), intent(in) :: state
-      !> What is wrong, where and when; the same on all ranks
+      !> Kind, place and time of the instability; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. ieee_is_finite(state%energies%total())) then
@@ -133,7 +133,7 @@ contains
          & //"the stable step: "//remedy(domain))
    end subroutine check_stored
 
-   !> What helps against energy out of interfaces
+   !> Remedy against energy from interfaces
    function remedy(domain) result(words)
       type(domain_type), intent(in) :: domain
       character(:), allocatable :: words

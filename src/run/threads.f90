@@ -8,9 +8,9 @@ module plydyn_run_threads
 
 contains
 
-   !> How many threads: what the command line says, else the deck, else OMP_NUM_THREADS, else one
+   !> Number of threads: from the command line, else the deck, else OMP_NUM_THREADS, else one
    integer function choose_threads(command, deck) result(threads)
-      !> Threads that the command line and the deck ask for; 0 where they say nothing
+      !> Threads that the command line and the deck ask for; 0 for no request
       integer, intent(in) :: command, deck
 
       integer :: length

@@ -1,4 +1,4 @@
-!> Everything in a state, named once: what writes a state and what reads it go through this list.
+!> All arrays of a state by name: writing and reading of restart files go through this list.
 module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -9,7 +9,7 @@ module plydyn_state_exchange
 
    public :: exchange_state
 
-   !> Something that takes arrays by their names, or gives them
+   !> Writer or reader of named arrays
    type, abstract, public :: exchange_type
    contains
       procedure(take_reals), deferred :: reals
@@ -24,7 +24,7 @@ module plydyn_state_exchange
          class(exchange_type), intent(inout) :: self
          !> Name of the array
          character(*), intent(in) :: name
-         !> Its values; whoever gives them keeps to the extent, and allocates what is not allocated
+         !> Its values; a reader keeps their extent, and allocates an array that is not allocated
          real(wp), allocatable, intent(inout) :: values(:)
       end subroutine take_reals
 
@@ -35,16 +35,16 @@ module plydyn_state_exchange
          class(exchange_type), intent(inout) :: self
          !> Name of the array
          character(*), intent(in) :: name
-         !> Its values; whoever gives them keeps to the extent, and allocates what is not allocated
+         !> Its values; a reader keeps their extent, and allocates an array that is not allocated
          integer, allocatable, intent(inout) :: values(:)
       end subroutine take_integers
    end interface
 
 contains
 
-   !> Hand over all of a state; arrays are in the order of the whole model
+   !> Write or read all of a state; arrays are in the order of the whole model
    subroutine exchange_state(exchange, state)
-      !> What takes or gives
+      !> Writer or reader
       class(exchange_type), intent(inout) :: exchange
       !> The state, with arrays of their extents
       type(state_type), intent(inout) :: state
@@ -83,7 +83,7 @@ contains
       state%end_cycle = counts(2)
    end subroutine exchange_clock
 
-   !> Accelerations, without the room for forces behind them
+   !> Accelerations, without the columns of forces behind them
    subroutine exchange_accelerations(exchange, freedoms, accelerations)
       class(exchange_type), intent(inout) :: exchange
       !> How many there are
@@ -97,7 +97,7 @@ contains
       accelerations(:freedoms) = values
    end subroutine exchange_accelerations
 
-   !> Sums and energies, whichever there are: all of them are reals
+   !> Sums and energies: all components are reals
    subroutine exchange_sums(exchange, sums, energies)
       class(exchange_type), intent(inout) :: exchange
       type(motion_sums_type), intent(inout) :: sums
@@ -136,7 +136,7 @@ contains
       end do
    end subroutine exchange_impactors
 
-   !> What contacts remember
+   !> Memory of the contacts
    subroutine exchange_contacts(exchange, contacts)
       class(exchange_type), intent(inout) :: exchange
       type(contact_memory_type), intent(inout) :: contacts(:)

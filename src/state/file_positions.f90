@@ -10,7 +10,7 @@ module plydyn_state_file_positions
 
    !> How far a file has been written
    type, public :: file_position_type
-      !> What stands behind the name of the job, as in `.energy.csv`
+      !> Path of the file without that of the job, as in `.energy.csv`
       character(ending_length) :: ending = ""
       !> Bytes of a text, or states of a file of fields; negative for a file that is not known
       integer(int64) :: amount = -1_int64

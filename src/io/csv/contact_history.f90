@@ -57,7 +57,7 @@ contains
          & model%request%impactor_interval, error)
    end subroutine open_contact
 
-   !> Before the first step nothing is in contact. Patches are not part of the state: the results of a
+   !> Before the first step nothing is in contact. Patches are not part of the state: results of a
    !> restart under another name begin with its first step
    subroutine begin_contact(self, domain, contacts, state, error)
       class(contact_history_type), intent(inout) :: self

@@ -24,7 +24,7 @@ module plydyn_io_csv_history_file
    real(wp), parameter :: whole_limit = 1.0e10_wp
    !> Numbers below and from here on have exponents of three digits, by rounding perhaps
    real(wp), parameter :: short_from = 1.0e-99_wp, short_to = 9.999999999e99_wp
-   !> Seconds between two visits to the disk
+   !> Seconds between two flushes
    real(wp), parameter :: seconds_in_memory = 1.0_wp
 
    !> A file of a history, on the root
@@ -38,7 +38,7 @@ module plydyn_io_csv_history_file
       integer :: columns = 0
       !> Line in the making
       character(:), allocatable :: line
-      !> Clock at the last visit to the disk
+      !> Clock at the last flush
       integer(int64) :: secured = 0_int64
       !> True between `open` and `close`
       logical :: opened = .false.
@@ -249,8 +249,8 @@ contains
       end if
    end function number_text
 
-   !> A number with an exponent of two digits, by integers: what Fortran's own formatting does for
-   !> many more digits would take most of a short run
+   !> A number with an exponent of two digits, by integers: formatting by the run-time
+   !> library, for many more digits, would take most of a short run
    pure function short_text(value) result(word)
       !> The number, not zero
       real(wp), intent(in) :: value

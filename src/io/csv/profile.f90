@@ -60,7 +60,7 @@ contains
 
    !> Profiles must be asked for on the plate. All ranks must come here, and come to the same
    subroutine check_profiles(profiles, domain, error)
-      !> What the deck asks for
+      !> Profiles of the deck
       type(profile_type), intent(in) :: profiles(:)
       !> The domain of this rank
       type(domain_type), intent(in) :: domain

@@ -1,5 +1,5 @@
-!> Which file the forces of the supports go to. A restart may bring other supports: their forces
-!> have other columns, and a table of their own beside the one that ends there.
+!> Choice of the file of support forces. A restart may bring other supports: their forces have other
+!> columns and a table of their own, beside the table that ends there.
 module plydyn_io_csv_support_table
    use plydyn_base_error, only : error_type
    use plydyn_base_text, only : text
@@ -52,7 +52,7 @@ contains
       if (number > 1) call job%note("other supports act from here on: their forces are in "//path)
    end subroutine choose_table
 
-   !> Whether the restart file tells of a table
+   !> Whether the restart file has a position in a table
    pure logical function is_known(job, number)
       type(job_type), intent(in) :: job
       !> Number of the table

@@ -1,7 +1,7 @@
 !> Text files whose last line is known to be on the disk.
 !>
-!> The run-time library of gfortran tells nobody when the disk is full: what it holds back is
-!> dropped without an error. So a file is closed now and then, its size on the disk is compared
+!> The run-time library of gfortran reports no full disk: lines in its buffer are dropped without
+!> an error. So a file is closed now and then, its size on the disk is compared
 !> with what was written, and it is opened again at its end.
 module plydyn_io_csv_text_file
    use, intrinsic :: iso_fortran_env, only : int64
@@ -63,7 +63,7 @@ contains
          & //"is a link, which cannot be removed")
    end subroutine take_name
 
-   !> Fortran's own opening tells why a path is no good, in words
+   !> Find the reason why a path cannot be opened, in words of the run-time library
    subroutine try_text(path, error)
       !> Path of the file
       character(*), intent(in) :: path
@@ -83,7 +83,7 @@ contains
       close (unit)
    end subroutine try_text
 
-   !> Go on with a text file behind some byte; what stands after it is dropped
+   !> Go on with a text file behind some byte; later bytes are dropped
    subroutine continue_text(path, header, length, unit, error)
       !> Path of the file
       character(*), intent(in) :: path
@@ -100,7 +100,7 @@ contains
       if (.not. allocated(error)) call append_to(path, unit, error)
    end subroutine continue_text
 
-   !> Drop what stands behind some byte of a text file
+   !> Drop the bytes of a text file behind some length
    subroutine end_text(path, length, error, header)
       !> Path of the file
       character(*), intent(in) :: path
@@ -108,7 +108,7 @@ contains
       integer(int64), intent(in) :: length
       !> Why they do not
       type(error_type), allocatable, intent(out) :: error
-      !> What its first line must be
+      !> First line that it must have
       character(*), intent(in), optional :: header
 
       integer(int64) :: kept
@@ -217,7 +217,7 @@ contains
       written = written - 1
       close (unit, iostat=status)
       inquire (file=path, exist=exists, size=kept)
-      ! a file that somebody removed meanwhile is no failure of ours
+      ! a file that was removed meanwhile is not a failure
       if (status == 0 .and. (kept >= written .or. .not. exists)) return
       call fail(error, exit_output, "cannot write to "//path//": its disk must have room, " &
          & //"and no other run the same job")
