@@ -330,8 +330,8 @@ contains
             & //material%keyword//" R"//text(which)//": in ply "//text(ply) &
             & //" from the bottom, an ellipse of R"//text(which)//" = " &
             & //text(material%law%radius(which))//" is nowhere as large as the cell of a Gauss " &
-            & //"point, "//text(factor*material%law%radius(which))//": make it a quad wide, or the " &
-            & //"quads smaller, or leave both radii blank")
+            & //"point, "//text(factor*material%law%radius(which))//": make it a quad wide, or " &
+            & //"the quads smaller, or leave both radii blank")
       end associate
    end subroutine refuse
 

@@ -91,7 +91,7 @@ contains
       spring(:, :, :) = 0.0_wp
       do p = 1, size(area, 2)
          do k = 1, size(part, 2)
-            part(:, k) = springs_of(domain, p, domain%columns%home(:, k))
+            part(:, k) = springs_of(domain, p, domain%columns%layer_slot(:, k))
          end do
          do n = 1, size(area, 1)
             total = sum(area(n, :))
@@ -195,18 +195,19 @@ contains
       real(wp), allocatable :: table(:, :)
       integer :: c, f, k, lane, p, s, t
 
-      allocate (self%stretches(size(domain%columns%families)))
+      allocate (self%stretches(size(domain%columns%order_groups)))
       do f = 1, size(self%stretches)
          table = -implicit_share*domain%step**2 &
-            & *level_table(domain%columns%families(f)%expansion)
-         associate (family => domain%columns%families(f), stretch => self%stretches(f))
-            p = family%order*(family%order + 1)/2
-            stretch%level = reshape([(([s, t], s=1, t - 1), t=2, family%order + 1)], [2, p])
-            allocate (stretch%inertia(lanes*family%blocks, p, directions, size(classes%spring, 3)))
+            & *level_table(domain%columns%order_groups(f)%expansion)
+         associate (order_group => domain%columns%order_groups(f), stretch => self%stretches(f))
+            p = order_group%order*(order_group%order + 1)/2
+            stretch%level = reshape([(([s, t], s=1, t - 1), t=2, order_group%order + 1)], [2, p])
+            allocate (stretch%inertia(lanes*order_group%blocks, p, directions, &
+               & size(classes%spring, 3)))
             stretch%inertia(:, :, :, :) = 0.0_wp
             do k = 1, size(classes%spring, 2)
-               if (domain%columns%home(1, k) /= f) cycle
-               lane = domain%columns%home(3, k) + lanes*(domain%columns%home(2, k) - 1)
+               if (domain%columns%layer_slot(1, k) /= f) cycle
+               lane = domain%columns%layer_slot(3, k) + lanes*(domain%columns%layer_slot(2, k) - 1)
                do c = 1, size(classes%spring, 3)
                   do p = 1, size(stretch%level, 2)
                      stretch%inertia(lane, p, :, c) = classes%spring(:, k, c) &
@@ -234,7 +235,7 @@ contains
       do k = 1, size(spring, 2)
          at = self%freedom(self%row_of(domain%columns, k, [(t, t=1, domain%columns%levels(k))]))
          added(at, at) = added(at, at) + spring(direction, k)*level_table( &
-            & domain%columns%families(domain%columns%home(1, k))%expansion)
+            & domain%columns%order_groups(domain%columns%layer_slot(1, k))%expansion)
          if (k == size(spring, 2)) cycle
          if (joint(direction, k) <= 0.0_wp) cycle
          at = self%freedom(self%row_of(domain%columns, [k, k + 1], [domain%columns%levels(k), 1]))

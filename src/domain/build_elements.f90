@@ -7,7 +7,7 @@ module plydyn_domain_build_elements
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_element_group, only : element_group_type
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -33,7 +33,7 @@ contains
       integer :: g, local_node(size(model%mesh%node_id))
 
       local_node(:) = numbering%node([(g, g=1, size(local_node))])
-      domain%histories = front
+      domain%histories = alignment_offset
       allocate (share%history(3, 0))
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
@@ -181,7 +181,7 @@ contains
             domain%inertia%inverse_mass([below, above]) = &
                & 1.0_wp/(domain%inertia%mass(below) + domain%inertia%mass(above))
          end do
-         if (columns%home(1, layer) == columns%home(1, layer + 1)) return
+         if (columns%layer_slot(1, layer) == columns%layer_slot(1, layer + 1)) return
          domain%inertia%far_ties = reshape([domain%inertia%far_ties, &
             & ([([columns%freedom(layer, columns%levels(layer), c, n), &
             & columns%freedom(layer + 1, 1, c, n)], c=1, 3)], n=1, columns%nodes)], &
@@ -203,7 +203,7 @@ contains
       points = domain%columns%height/3
       do c = 1, size(own)
          if (.not. own(c)) cycle
-         do i = front + points*(c - 1) + 1, front + points*c
+         do i = alignment_offset + points*(c - 1) + 1, alignment_offset + points*c
             call sums%add(1, domain%inertia%mass(i))
          end do
       end do

@@ -2,11 +2,11 @@
 module plydyn_domain_build_groups
    use plydyn_domain_decomposition, only : decomposition_type, divide_bricks, divide_plane
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_brick, only : bricks_type
+   use plydyn_element_brick_bricks, only : bricks_type
    use plydyn_element_brick_group, only : brick_group_type, new_brick_group
    use plydyn_element_brick_make, only : new_bricks
    use plydyn_element_group, only : element_group_type, group_item_type
-   use plydyn_element_interface, only : interface_type
+   use plydyn_element_interface_interfaces, only : interface_type
    use plydyn_element_interface_group, only : interface_group_type, new_interface_group
    use plydyn_element_interface_make, only : new_interfaces
    use plydyn_element_plate_group, only : new_plate_group, plate_group_type
@@ -52,8 +52,9 @@ contains
 
       associate (layers => domain%layers)
          domain%columns = new_columns(size(model%mesh%node_id), layers%order)
-         do f = 1, size(domain%columns%families)
-            domain%columns%families(f)%expansion = new_expansion(domain%columns%families(f)%order, &
+         do f = 1, size(domain%columns%order_groups)
+            domain%columns%order_groups(f)%expansion = &
+               & new_expansion(domain%columns%order_groups(f)%order, &
                & layers%lobatto)
          end do
          domain%inertia%ties = pack([(k, k=1, size(layers%joint))], layers%joint == faces_tied)

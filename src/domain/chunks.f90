@@ -2,7 +2,7 @@
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
-   use plydyn_fem_columns, only : columns_type, front
+   use plydyn_fem_columns, only : columns_type, alignment_offset
    use plydyn_domain_domain, only : chunk_type, domain_type, surface_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
@@ -88,7 +88,7 @@ contains
       integer, allocatable :: node(:)
       integer :: b, c
 
-      allocate (node((columns%forces - front)/columns%height))
+      allocate (node((columns%forces - alignment_offset)/columns%height))
       node(:columns%count) = [(c, c=1, columns%count)]
       do b = 1, size(shared_nodes, 2)
          node(shared_nodes(2, b):shared_nodes(3, b)) = shared_nodes(1, b)
@@ -232,7 +232,7 @@ contains
    pure integer function column_count(domain) result(columns)
       type(domain_type), intent(in) :: domain
 
-      columns = (domain%columns%forces - front)/domain%columns%height
+      columns = (domain%columns%forces - alignment_offset)/domain%columns%height
    end function column_count
 
    !> Chunk that makes the forces of each column; 0 where another rank does

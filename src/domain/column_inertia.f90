@@ -17,7 +17,7 @@ module plydyn_domain_column_inertia
    !> Freedoms that a response takes at a time
    integer, parameter, public :: together = 2
 
-   !> Inertia between the levels of the layers of a family
+   !> Inertia between the levels of the layers of an order group
    type :: stretch_type
       !> Pairs of levels, (2, pairs)
       integer, allocatable :: level(:, :)
@@ -33,18 +33,18 @@ module plydyn_domain_column_inertia
       !> Area and class of each node
       real(wp), allocatable :: area(:)
       integer, allocatable :: class(:)
-      !> Points of a column as rows, those of the families one after the other, empty lanes too:
-      !> rows before those of each family, and of each family
+      !> Points of a column as rows, those of the order groups one after the other, empty lanes too:
+      !> rows before those of each order group, and of each order group
       integer, allocatable :: before(:), rows(:)
-      !> Row of each freedom, the lower of two where faces are tied, and its family; freedom of each
-      !> row, 0 for none
-      integer, allocatable :: row(:), family(:), freedom(:)
+      !> Row of each freedom, the lower of two where faces are tied; its order group; freedom of
+      !> each row, 0 for none
+      integer, allocatable :: row(:), order_group(:), freedom(:)
       !> Which response belongs to each direction at each node, (3, nodes)
       integer, allocatable :: kind(:, :)
       !> Accelerations of the rows for those of the freedoms alone, and zeros behind the freedoms up
       !> to a multiple of `together`, (lanes, freedoms, rows/lanes, kinds)
       real(wp), allocatable :: response(:, :, :, :)
-      !> Inertia inside the layers, by their families
+      !> Inertia inside the layers, by their order groups
       type(stretch_type), allocatable :: stretches(:)
    contains
       procedure :: followers
@@ -67,17 +67,17 @@ contains
 
       integer :: f, k, r, t
 
-      self%rows = lanes*columns%families%blocks*(columns%families%order + 1)
+      self%rows = lanes*columns%order_groups%blocks*(columns%order_groups%order + 1)
       self%before = [(sum(self%rows(:f - 1)), f=1, size(self%rows))]
-      allocate (self%row(0), self%family(0), self%freedom(sum(self%rows)))
+      allocate (self%row(0), self%order_group(0), self%freedom(sum(self%rows)))
       self%freedom(:) = 0
-      do k = 1, size(columns%home, 2)
+      do k = 1, size(columns%layer_slot, 2)
          do t = 1, columns%levels(k)
             r = self%row_of(columns, k, t)
             ! the lower point of a tied face was the last one
             if (t > 1 .or. .not. any(ties == k - 1)) then
                self%row = [self%row, r]
-               self%family = [self%family, columns%home(1, k)]
+               self%order_group = [self%order_group, columns%layer_slot(1, k)]
             end if
             self%freedom(r) = size(self%row)
          end do
@@ -94,7 +94,7 @@ contains
 
       integer :: f
 
-      f = columns%home(1, layer)
+      f = columns%layer_slot(1, layer)
       row = self%before(f) + columns%freedom(layer, level, 1, 1) - columns%start(f, 1) + 1
    end function row_of
 

@@ -14,7 +14,7 @@ module plydyn_domain_decomposition
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_chunks, only : divide_quads, quad_centres
    use plydyn_domain_domain, only : chunk_type
-   use plydyn_element_brick, only : bricks_type
+   use plydyn_element_brick_bricks, only : bricks_type
    use plydyn_element_brick_make, only : most_batches
    use plydyn_model_mesh, only : mesh_type
    implicit none

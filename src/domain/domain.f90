@@ -2,7 +2,7 @@
 module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
-   use plydyn_fem_columns, only : columns_type, front
+   use plydyn_fem_columns, only : columns_type, alignment_offset
    use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_average, only : average_type
@@ -205,7 +205,7 @@ module plydyn_domain_domain
       !> Element groups, those that set forces before those that add to them
       type(group_item_type), allocatable :: groups(:)
       !> Length of the history variables of all Gauss points together
-      integer :: histories = front
+      integer :: histories = alignment_offset
       !> Averages over neighbours
       type(averaging_type) :: averaging
       !> Crack bands of each material of the whole model

@@ -1,7 +1,7 @@
 !> Memory that a run takes, counted from the arrays that grow with the mesh.
 module plydyn_domain_memory
    use plydyn_base_precision, only : wp
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    implicit none
    private
@@ -61,7 +61,7 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
 
-      any_history = domain%histories > front
+      any_history = domain%histories > alignment_offset
    end function any_history
 
    !> Histories of all Gauss points, and received strains of other ranks

@@ -18,7 +18,7 @@ module plydyn_domain_pair_inertia
    !> Share of the stiffness that is taken at the end of the step
    real(wp), parameter, public :: implicit_share = 0.5_wp
 
-   !> Pairs between lanes side by side in a family; zero where there is none
+   !> Pairs between lanes side by side in an order group; zero where there is none
    type :: pair_table_type
       !> Inertia per area of the relative motion along x, y, z above each lane,
       !> (lanes*blocks, 3)
@@ -38,9 +38,9 @@ module plydyn_domain_pair_inertia
       !> Area and class of each node
       real(wp), allocatable :: area(:)
       integer, allocatable :: class(:)
-      !> Pairs side by side, one for each family
+      !> Pairs side by side, one for each order group
       type(pair_table_type), allocatable :: tables(:)
-      !> Pairs whose layers are of different families: points below and above,
+      !> Pairs whose layers are of different order groups: points below and above,
       !> (2, 3*pairs, nodes), with inertia and shares as above
       integer, allocatable :: far(:, :, :)
       real(wp), allocatable :: far_inertia(:), far_share(:, :, :)
@@ -96,9 +96,9 @@ contains
       end do
       self%area = area
       call find_classes(comm, number, density, self%class, first)
-      allocate (self%tables(size(columns%families)))
-      do f = 1, size(columns%families)
-         call allocate_table(lanes*columns%families(f)%blocks, size(first, 2), self%tables(f))
+      allocate (self%tables(size(columns%order_groups)))
+      do f = 1, size(columns%order_groups)
+         call allocate_table(lanes*columns%order_groups(f)%blocks, size(first, 2), self%tables(f))
       end do
       self%inertia = implicit_share*step**2*stiffness(:, self%joint)
       call place_pairs(self, columns, first)
@@ -116,7 +116,7 @@ contains
       table%above(:, :, :) = 0.0_wp
    end subroutine allocate_table
 
-   !> Put every joint into the table of its family, or among the far ones
+   !> Put every joint into the table of its order group, or among the far ones
    pure subroutine place_pairs(self, columns, density)
       type(pair_inertia_type), intent(inout) :: self
       type(columns_type), intent(in) :: columns
@@ -126,16 +126,16 @@ contains
       real(wp) :: share(2, 3, size(density, 2))
       integer :: far, i, lane
 
-      far = 3*count(columns%home(1, self%joint) /= columns%home(1, self%joint + 1))
+      far = 3*count(columns%layer_slot(1, self%joint) /= columns%layer_slot(1, self%joint + 1))
       allocate (self%far(2, far, columns%nodes), self%far_inertia(far))
       allocate (self%far_share(2, far, size(density, 2)))
       far = 0
       do i = 1, size(self%joint)
          share(:, :, :) = shares(self%inertia(:, i), density(2*i - 1:2*i, :))
-         associate (home => columns%home(:, self%joint(i)))
-            if (home(1) == columns%home(1, self%joint(i) + 1)) then
-               lane = home(3) + lanes*(home(2) - 1)
-               associate (table => self%tables(home(1)))
+         associate (slot => columns%layer_slot(:, self%joint(i)))
+            if (slot(1) == columns%layer_slot(1, self%joint(i) + 1)) then
+               lane = slot(3) + lanes*(slot(2) - 1)
+               associate (table => self%tables(slot(1)))
                   table%inertia(lane, :) = self%inertia(:, i)
                   table%below(lane, :, :) = share(1, :, :)
                   table%above(lane, :, :) = share(2, :, :)

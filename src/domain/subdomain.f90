@@ -5,7 +5,7 @@
 !> chunks of the whole model (`plydyn_domain_decomposition`). The rank of its first chunk counts it.
 module plydyn_domain_subdomain
    use plydyn_domain_chunks, only : nodes_of_columns, assign_shared_nodes, find_contributors
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_local_to_global, only : local_to_global_type
@@ -19,7 +19,7 @@ module plydyn_domain_subdomain
    !> What of the whole model a rank has
    type, public :: subdomain_type
       !> Columns and histories of the whole model
-      integer :: columns = 0, histories = front
+      integer :: columns = 0, histories = alignment_offset
       !> Its columns as the whole model numbers them, and whether it counts each
       integer, allocatable :: column(:)
       logical, allocatable :: own(:)
@@ -135,8 +135,8 @@ contains
       domain%chunks%order = [pack([(c, c=1, size(is_outer))], is_outer), &
          & pack([(c, c=1, size(is_outer))], .not. is_outer)]
       associate (height => domain%columns%height)
-         sent(2, :) = front + height*(numbering%column(sent(2, :)) - 1)
-         received(2, :) = front + height*(numbering%column(received(2, :)) - 1)
+         sent(2, :) = alignment_offset + height*(numbering%column(sent(2, :)) - 1)
+         received(2, :) = alignment_offset + height*(numbering%column(received(2, :)) - 1)
          domain%chunks%halo = new_halo(domain%comm%ranks, height, sent, received)
       end associate
    end subroutine join_ranks

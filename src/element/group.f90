@@ -1,8 +1,8 @@
-!> Element groups: elements of one family over one element set, and all that the solver asks of them.
+!> Element groups: elements of one family over one element set, and what the solver asks of them.
 !>
-!> An element set is a list of elements that chunks divide: the quads of a part, or batches of bricks
-!> of a part. Several groups may lie over one set, such as the layers of a part and the interfaces
-!> between them. A family extends the abstract type; what it does not override is empty.
+!> An element set is a list of elements that chunks divide: the quads of a part, or batches of
+!> bricks of a part. Several groups may lie over one set, such as the layers of a part and the
+!> interfaces between them. A family extends the abstract type; what it does not override is empty.
 module plydyn_element_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
@@ -293,8 +293,8 @@ contains
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
-      !> Area of the failed points, the largest of several interfaces, else 0; allocated by the first
-      !> group of a set that can fail, (points, elements)
+      !> Area of the failed points, the largest of several interfaces, else 0; allocated by the
+      !> first group of a set that can fail, (points, elements)
       real(wp), allocatable, intent(inout) :: failed(:, :)
    end subroutine mark_failed
 

@@ -7,7 +7,7 @@
 !> quad: it is the same to the last bit, whichever other quads a rank has.
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate, only : linear_forces
+   use plydyn_element_plate_kernels, only : linear_forces
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
    use plydyn_element_thickness, only : layer_springs, level_table

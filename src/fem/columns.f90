@@ -2,9 +2,9 @@
 !>
 !> Above every node of the plane stands a column of points. Every numerical layer owns all of its
 !> points, also those on its faces: two layers that are tied meet in two points with one motion.
-!> So tied faces, open faces and interfaces share one layout. Layers of one order form a family;
-!> its part of a column is stored as (lanes, blocks, levels, 3), the layers side by side, the
-!> families one after the other.
+!> So tied faces, open faces and interfaces share one layout. An order group has layers of one
+!> order; its part of a column is stored as (lanes, blocks, levels, 3), the layers side by side, the
+!> order groups one after the other.
 !>
 !> Bricks have no plane and no layers: each of their nodes is one point, and a column holds as
 !> many of them as there are lanes, side by side: (lanes, 3).
@@ -21,7 +21,7 @@ module plydyn_fem_columns
 
    !> Places in front of all columns. The C library puts large arrays 16 bytes behind a line of the
    !> cache (64 bytes): so columns begin on a line, and vectors never lie across two
-   integer, parameter, public :: front = 6
+   integer, parameter, public :: alignment_offset = 6
 
    !> Layers of one order
    type, public :: order_group_type
@@ -56,9 +56,9 @@ module plydyn_fem_columns
       !> Length of the array of forces: that of motion and the columns behind
       integer :: forces = 0
       !> Layers by their order
-      type(order_group_type), allocatable :: families(:)
+      type(order_group_type), allocatable :: order_groups(:)
       !> Family, block and lane of each layer, (3, layers)
-      integer, allocatable :: home(:, :)
+      integer, allocatable :: layer_slot(:, :)
    contains
       procedure :: take
       procedure :: tie
@@ -83,28 +83,28 @@ contains
       integer :: f, i, k, p
 
       self%height = 0
-      allocate (self%home(3, size(order)))
-      allocate (self%families(count([(any(order == p), p=1, maxval(order))])))
+      allocate (self%layer_slot(3, size(order)))
+      allocate (self%order_groups(count([(any(order == p), p=1, maxval(order))])))
       f = 0
       do p = 1, maxval(order)
          if (.not. any(order == p)) cycle
          f = f + 1
-         associate (family => self%families(f))
-            family%order = p
-            family%blocks = (count(order == p) + lanes - 1)/lanes
-            family%first = front + self%height + 1
-            family%first_mass = front + self%height/3 + 1
-            allocate (family%layer(lanes, family%blocks))
-            family%layer(:, :) = 0
-            family%tied_above = spread(0.0_wp, 1, lanes*family%blocks)
+         associate (order_group => self%order_groups(f))
+            order_group%order = p
+            order_group%blocks = (count(order == p) + lanes - 1)/lanes
+            order_group%first = alignment_offset + self%height + 1
+            order_group%first_mass = alignment_offset + self%height/3 + 1
+            allocate (order_group%layer(lanes, order_group%blocks))
+            order_group%layer(:, :) = 0
+            order_group%tied_above = spread(0.0_wp, 1, lanes*order_group%blocks)
             i = 0
             do k = 1, size(order)
                if (order(k) /= p) cycle
-               self%home(:, k) = [f, 1 + i/lanes, 1 + mod(i, lanes)]
-               family%layer(1 + mod(i, lanes), 1 + i/lanes) = k
+               self%layer_slot(:, k) = [f, 1 + i/lanes, 1 + mod(i, lanes)]
+               order_group%layer(1 + mod(i, lanes), 1 + i/lanes) = k
                i = i + 1
             end do
-            self%height = self%height + 3*lanes*family%blocks*(p + 1)
+            self%height = self%height + 3*lanes*order_group%blocks*(p + 1)
          end associate
       end do
       call self%take(nodes, nodes, nodes)
@@ -121,13 +121,13 @@ contains
       count = (nodes + lanes - 1)/lanes
       self%abreast = lanes
       self%height = 3*lanes
-      self%home = reshape([1, 1, 1], [3, 1])
-      allocate (self%families(1))
-      self%families(1)%blocks = 1
-      self%families(1)%first = front + 1
-      self%families(1)%first_mass = front + 1
-      self%families(1)%layer = reshape([1, spread(0, 1, lanes - 1)], [lanes, 1])
-      self%families(1)%tied_above = spread(0.0_wp, 1, lanes)
+      self%layer_slot = reshape([1, 1, 1], [3, 1])
+      allocate (self%order_groups(1))
+      self%order_groups(1)%blocks = 1
+      self%order_groups(1)%first = alignment_offset + 1
+      self%order_groups(1)%first_mass = alignment_offset + 1
+      self%order_groups(1)%layer = reshape([1, spread(0, 1, lanes - 1)], [lanes, 1])
+      self%order_groups(1)%tied_above = spread(0.0_wp, 1, lanes)
       call self%take(nodes, count, count)
    end function new_solid_columns
 
@@ -139,9 +139,9 @@ contains
 
       self%nodes = nodes
       self%count = count
-      self%freedoms = front + self%height*count
-      self%masses = front + self%height/3*count
-      self%forces = front + self%height*all
+      self%freedoms = alignment_offset + self%height*count
+      self%masses = alignment_offset + self%height/3*count
+      self%forces = alignment_offset + self%height*all
    end subroutine take
 
    !> Tie the top of a layer to the bottom of the next; false if they are not side by side
@@ -149,39 +149,39 @@ contains
       class(columns_type), intent(inout) :: self
       !> The lower layer, from the bottom up
       integer, intent(in) :: layer
-      !> Whether both are of one family, and so in lanes side by side
+      !> Whether both are of one order group, and so in lanes side by side
       logical, intent(out) :: side_by_side
 
-      side_by_side = self%home(1, layer) == self%home(1, layer + 1)
+      side_by_side = self%layer_slot(1, layer) == self%layer_slot(1, layer + 1)
       if (.not. side_by_side) return
-      self%families(self%home(1, layer))%is_tied = .true.
-      self%families(self%home(1, layer))%tied_above(self%home(3, layer) &
-         & + lanes*(self%home(2, layer) - 1)) = 1.0_wp
+      self%order_groups(self%layer_slot(1, layer))%is_tied = .true.
+      self%order_groups(self%layer_slot(1, layer))%tied_above(self%layer_slot(3, layer) &
+         & + lanes*(self%layer_slot(2, layer) - 1)) = 1.0_wp
    end subroutine tie
 
-   !> Where the part of a column begins that belongs to a family; from there on it is
+   !> Where the part of a column begins that belongs to an order group; from there on it is
    !> (lanes, blocks, levels, 3)
-   elemental integer function start(self, family, column)
+   elemental integer function start(self, order_group, column)
       class(columns_type), intent(in) :: self
-      !> Index of the family
-      integer, intent(in) :: family
+      !> Index of the order group
+      integer, intent(in) :: order_group
       !> The column, that of the node of the same number above a plane
       integer, intent(in) :: column
 
-      associate (f => self%families(family))
+      associate (f => self%order_groups(order_group))
          start = f%first + self%height*(column - 1)
       end associate
    end function start
 
    !> The same in the arrays of masses, (lanes, blocks, levels)
-   elemental integer function mass_start(self, family, node)
+   elemental integer function mass_start(self, order_group, node)
       class(columns_type), intent(in) :: self
-      !> Index of the family
-      integer, intent(in) :: family
+      !> Index of the order group
+      integer, intent(in) :: order_group
       !> Node of the plane
       integer, intent(in) :: node
 
-      mass_start = self%families(family)%first_mass + self%height/3*(node - 1)
+      mass_start = self%order_groups(order_group)%first_mass + self%height/3*(node - 1)
    end function mass_start
 
    !> Place of a point's displacement in the arrays of motion
@@ -194,10 +194,10 @@ contains
       !> Node of the plane
       integer, intent(in) :: node
 
-      associate (f => self%families(self%home(1, layer)))
+      associate (f => self%order_groups(self%layer_slot(1, layer)))
          freedom = self%height*((node - 1)/self%abreast) + f%first &
-            & + (self%home(3, layer) - 1) + mod(node - 1, self%abreast) &
-            & + lanes*((self%home(2, layer) - 1) &
+            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%abreast) &
+            & + lanes*((self%layer_slot(2, layer) - 1) &
             & + f%blocks*((level - 1) + (f%order + 1)*(direction - 1)))
       end associate
    end function freedom
@@ -208,7 +208,7 @@ contains
       !> The place
       integer, intent(in) :: freedom
 
-      column = (freedom - front - 1)/self%height + 1
+      column = (freedom - alignment_offset - 1)/self%height + 1
    end function column_of
 
    !> Place of a point's mass in the array of masses
@@ -219,10 +219,10 @@ contains
       !> Node of the plane
       integer, intent(in) :: node
 
-      associate (f => self%families(self%home(1, layer)))
+      associate (f => self%order_groups(self%layer_slot(1, layer)))
          mass_of = self%height/3*((node - 1)/self%abreast) + f%first_mass &
-            & + (self%home(3, layer) - 1) + mod(node - 1, self%abreast) &
-            & + lanes*((self%home(2, layer) - 1) + f%blocks*(level - 1))
+            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%abreast) &
+            & + lanes*((self%layer_slot(2, layer) - 1) + f%blocks*(level - 1))
       end associate
    end function mass_of
 
@@ -232,7 +232,7 @@ contains
       !> Layer from the bottom up
       integer, intent(in) :: layer
 
-      levels = self%families(self%home(1, layer))%order + 1
+      levels = self%order_groups(self%layer_slot(1, layer))%order + 1
    end function levels
 
 end module plydyn_fem_columns

@@ -1,7 +1,7 @@
 !> The central difference scheme (de Borst et al., 2012), column by column.
 module plydyn_method_central_difference
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : couple_column
@@ -61,7 +61,7 @@ contains
       integer :: i, k
 
       do i = 1, size(columns)
-         k = front + domain%columns%height*(columns(i) - 1) + 1
+         k = alignment_offset + domain%columns%height*(columns(i) - 1) + 1
          call move_column(domain%columns%height, coefficients%decay, coefficients%mean_step, &
             & coefficients%step, state%acceleration(k), state%velocity(k), state%displacement(k))
       end do
@@ -135,7 +135,7 @@ contains
    end subroutine apply_masses
 
    !> `apply_masses` for the points that move with a chunk, where no ties join layers of different
-   !> families; with their motion over the next step, if it is to be computed in advance
+   !> order groups; with their motion over the next step, if it is to be computed in advance
    pure subroutine apply_chunk_masses(domain, number, work, state)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -186,7 +186,7 @@ contains
       sums%acceleration_square = sums%acceleration_square + sum(part(:, square_at))
    end subroutine update_columns
 
-   !> `apply_masses` for the families of one column, each point by itself
+   !> `apply_masses` for the order groups of one column, each point by itself
    pure subroutine update_column(domain, n, half_step, largest_step, velocity, force, part)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: n
@@ -199,15 +199,17 @@ contains
 
       integer :: f, first, mass
 
-      do f = 1, size(domain%columns%families)
-         associate (family => domain%columns%families(f))
+      do f = 1, size(domain%columns%order_groups)
+         associate (order_group => domain%columns%order_groups(f))
             first = domain%columns%start(f, n)
             mass = domain%columns%mass_start(f, n)
-            if (family%is_tied) then
-               call add_tied_forces(lanes*family%blocks, family%order + 1, family%tied_above, &
+            if (order_group%is_tied) then
+               call add_tied_forces(lanes*order_group%blocks, order_group%order + 1, &
+                  & order_group%tied_above, &
                   & force(first:))
             end if
-            call update_family(family%blocks*(family%order + 1), half_step, largest_step, &
+            call update_family(order_group%blocks*(order_group%order + 1), half_step, &
+               & largest_step, &
                & domain%inertia%mass(mass:), domain%inertia%inverse_mass(mass:), velocity(first:), &
                & force(first:), part)
          end associate
@@ -226,7 +228,7 @@ contains
 
       bound = 0.0_wp
       !$omp simd reduction(max:bound)
-      do k = front + height*(n - 1) + 1, front + height*n
+      do k = alignment_offset + height*(n - 1) + 1, alignment_offset + height*n
          bound = max(bound, abs(velocity(k)) + largest_step*abs(acceleration(k)))
       end do
    end function speed_of_column
@@ -294,7 +296,7 @@ contains
       end do
    end subroutine add_tied_forces
 
-   !> Force over mass of one family above a node, and its part in the sums
+   !> Force over mass of one order group above a node, and its part in the sums
    pure subroutine update_family(rows, half_step, largest_step, mass, inverse_mass, v, a, part)
       integer, intent(in) :: rows
       real(wp), intent(in) :: half_step, largest_step, mass(lanes, rows), inverse_mass(lanes, rows)

@@ -2,7 +2,7 @@
 module plydyn_method_forces
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_average, only : average_points
    use plydyn_parallel_halo, only : messages_type
@@ -182,7 +182,7 @@ contains
       integer :: g
 
       if (.not. domain%groups(chunk%groups(1))%item%sets_forces) then
-         call clear_columns(domain%columns%height, chunk%column, force(front + 1:))
+         call clear_columns(domain%columns%height, chunk%column, force(alignment_offset + 1:))
       end if
       do g = 1, size(chunk%groups)
          call domain%groups(chunk%groups(g))%item%add_forces(chunk%elements, step, displacement, &
@@ -214,7 +214,7 @@ contains
 
       do i = 1, size(borders)
          call add_columns(domain%columns%height, domain%chunks%shared_nodes(:, borders(i)), &
-            & force(front + 1:))
+            & force(alignment_offset + 1:))
       end do
    end subroutine add_borders
 

@@ -63,7 +63,7 @@ contains
       associate (columns => domain%columns)
          do i = 1, size(domain%supports%initial_velocities)
             associate (initial => domain%supports%initial_velocities(i))
-               do k = 1, size(columns%home, 2)
+               do k = 1, size(columns%layer_slot, 2)
                   do t = 1, columns%levels(k)
                      do c = 1, 3
                         velocity(columns%freedom(k, t, c, initial%nodes)) = initial%velocity(c)

@@ -222,7 +222,7 @@ contains
       integer :: c, k, n, t
 
       do n = 1, domain%columns%nodes
-         do k = 1, size(domain%columns%home, 2)
+         do k = 1, size(domain%columns%layer_slot, 2)
             do t = 1, domain%columns%levels(k)
                do c = 1, 3
                   associate (own => badness(domain%columns%freedom(k, t, c, n)))

@@ -3,7 +3,7 @@ module plydyn_bench_cases
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
@@ -94,8 +94,8 @@ contains
             batch%laws(1)%block = 1
             allocate (batch%laws(1)%law, source=law)
             batch%histories = law%histories
-            batch%first_history = front + 1
-            domain%histories = front + lanes*batch%histories*batch%pitch
+            batch%first_history = alignment_offset + 1
+            domain%histories = alignment_offset + lanes*batch%histories*batch%pitch
          end associate
       end select
    end subroutine give_law

@@ -1,7 +1,7 @@
 !> Interfaces between the layers over a distorted plate.
 module faces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface, only : interface_type, set_plane
+   use plydyn_element_interface_interfaces, only : interface_type, set_plane
    use plydyn_element_quad, only : tensor_order
    use plydyn_model_mesh, only : mesh_type
    use sample, only : rectangle_mesh

@@ -3,7 +3,7 @@ program test_base_memory
    use, intrinsic :: iso_c_binding, only : c_intptr_t, c_loc
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use testing, only : begin, check, finish
    implicit none
 
@@ -17,7 +17,7 @@ program test_base_memory
 
 contains
 
-   !> The first number behind the front begins a line, after a larger array was given back, too
+   !> The first number behind the offset begins a line, after a larger array was given back, too
    subroutine check_columns()
       real(wp), allocatable, target :: array(:), larger(:)
       integer(c_intptr_t) :: address
@@ -28,7 +28,7 @@ contains
       call check(sum(larger), real(huge_one, wp), 1.0e-9_wp, "the larger array is used")
       deallocate (larger)
       allocate (array(middle), source=1.0_wp)
-      address = transfer(c_loc(array(1)), address) + front*bytes
+      address = transfer(c_loc(array(1)), address) + alignment_offset*bytes
       call check(int(modulo(address, int(line, c_intptr_t))), 0, "columns begin on a line")
    end subroutine check_columns
 

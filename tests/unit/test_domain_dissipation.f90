@@ -146,8 +146,8 @@ contains
       type(plate_type) :: plate
 
       plate = plate_of(domain, 1)
-      associate (home => domain%columns%home(:, layer))
-         values = reshape(layer_values(plate, home(1), home(2), home(3), 2, .false., &
+      associate (slot => domain%columns%layer_slot(:, layer))
+         values = reshape(layer_values(plate, slot(1), slot(2), slot(3), 2, .false., &
             & stretched(domain, strain), history), &
             & [recovered, size(plate%node, 1)*(domain%layers%order(layer) + 1)])
       end associate
@@ -214,7 +214,8 @@ contains
       material%title = "metal"
       material%density = 7.8e-9_wp
       allocate (material%law, source=kinematic_constants_type(young=spread(young(i), 1, 3), &
-         & poisson=spread(poisson, 1, 3), shear=spread(young(i)/(2.0_wp*(1.0_wp + poisson)), 1, 3), &
+         & poisson=spread(poisson, 1, 3), shear=spread(young(i)/(2.0_wp*(1.0_wp + poisson)), 1, &
+         & 3), &
          & yield=yield(i)))
    end function metal
 

@@ -130,9 +130,9 @@ contains
       history(:) = 0.0_wp
       call start_histories(domain, history)
       own = plate_of(domain, 1)
-      associate (home => domain%columns%home(:, layer))
-         values = point_history(own, own%batches(home(1)), home(2), 1, point, 2, history)
-         widths(:) = values(home(3), [fibre_gate, matrix_gate])
+      associate (slot => domain%columns%layer_slot(:, layer))
+         values = point_history(own, own%batches(slot(1)), slot(2), 1, point, 2, history)
+         widths(:) = values(slot(3), [fibre_gate, matrix_gate])
       end associate
    end function widths_of
 

@@ -3,7 +3,7 @@ program test_domain_subdomain
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : begin_domain, build_domain, build_share
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : history_bytes, mesh_bytes
@@ -104,7 +104,8 @@ contains
          do rank = 0, ranks(i) - 1
             call share_of(islands(8), island*ranks(i)/8, rank, division, domain, share)
             ! places in front of the columns are there on every rank
-            call check(mesh_bytes(domain) + history_bytes(domain), part, 8.0_wp*8*front, &
+            call check(mesh_bytes(domain) + history_bytes(domain), part, &
+               & 8.0_wp*8*alignment_offset, &
                & "a rank has its part")
          end do
       end do
@@ -121,8 +122,8 @@ contains
          & "where they are")
       associate (points => whole%columns%height/3)
          do c = 1, size(share%column)
-            here = front + points*(c - 1)
-            there = front + points*(share%column(c) - 1)
+            here = alignment_offset + points*(c - 1)
+            there = alignment_offset + points*(share%column(c) - 1)
             call check(all(abs(domain%inertia%mass(here + 1:here + points) &
                & - whole%inertia%mass(there + 1:there + points)) <= 0.0_wp), "what they weigh")
          end do

@@ -2,7 +2,7 @@
 program test_element_interface_rotation
    use faces, only : lay_interfaces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface, only : interface_type
+   use plydyn_element_interface_interfaces, only : interface_type
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_law_cohesive_bilinear, only : new_springs
    use plydyn_model_mesh, only : mesh_type

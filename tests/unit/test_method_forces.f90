@@ -54,7 +54,7 @@ contains
       type(domain_type) :: domain
       real(wp), allocatable :: displacement(:), force(:)
       real(wp) :: e(3, 3), expected(6), strain(6), values(recovered, side*side, orders(3) + 1)
-      integer :: home(3)
+      integer :: slot(3)
 
       call begin("patch test")
       call make(side, orders, kinematics, domain)
@@ -72,8 +72,8 @@ contains
       expected(:) = matmul(ply_stiffness([165.0e3_wp, 9.0e3_wp, 9.0e3_wp], &
          & [0.34_wp, 0.34_wp, 0.5_wp], [5.6e3_wp, 5.6e3_wp, 2.8e3_wp]), &
          & matmul(strain_rotation(30.0_wp), strain))
-      home(:) = domain%columns%home(:, 3)
-      values(:, :, :) = layer_values(plate_of(domain, 1), home(1), home(2), home(3), 2, &
+      slot(:) = domain%columns%layer_slot(:, 3)
+      values(:, :, :) = layer_values(plate_of(domain, 1), slot(1), slot(2), slot(3), 2, &
          & kinematics == total_lagrangian, displacement, history)
       call check(maxval(abs(values(ply_stress_at + 1:ply_stress_at + 6, :, :) &
          & - spread(spread(expected, 2, side*side), 3, orders(3) + 1))) &

@@ -2,7 +2,7 @@
 module plydyn_element_brick_crack_bands
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : add_band_points, crack_band_type
-   use plydyn_element_brick, only : brick_shape_type, bricks_type, parent_slope
+   use plydyn_element_brick_bricks, only : brick_shape_type, bricks_type, parent_slope
    use plydyn_law_ply_crack_band, only : brick_band_length
    use plydyn_law_law, only : law_type
    use plydyn_model_model, only : model_type

@@ -2,7 +2,7 @@
 module plydyn_element_brick_energies
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : bricks_type
+   use plydyn_element_brick_bricks, only : bricks_type
    use plydyn_element_brick_kernel, only : hourglass_energy
    use plydyn_law_law, only : mechanisms
    implicit none

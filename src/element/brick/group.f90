@@ -1,9 +1,9 @@
-!> Element group of bricks: those of a part with fibres in one direction. Its elements are batches of
-!> as many bricks as there are lanes.
+!> Element group of bricks: those of a part with fibres in one direction. Its elements are batches
+!> of as many bricks as there are lanes.
 module plydyn_element_brick_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : bricks_type, corners
+   use plydyn_element_brick_bricks, only : bricks_type, corners
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
    use plydyn_element_brick_energies, only : add_brick_dissipation, add_control_energy
    use plydyn_element_brick_kernel, only : add_brick_forces
@@ -14,7 +14,7 @@ module plydyn_element_brick_group
    use plydyn_element_group, only : element_group_type
    use plydyn_element_output_group, only : cell_type
    use plydyn_element_recover, only : recovered
-   use plydyn_fem_columns, only : alignment_offset => front, columns_type
+   use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type

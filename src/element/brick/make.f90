@@ -3,7 +3,7 @@ module plydyn_element_brick_make
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type
    use plydyn_element_laws, only : new_laws
-   use plydyn_element_brick, only : brick_shape_type, brick_shares, bricks_type, corners, &
+   use plydyn_element_brick_bricks, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
    use plydyn_element_plate_layers, only : batch_stiffness
    use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation

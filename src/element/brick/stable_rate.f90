@@ -2,7 +2,7 @@
 module plydyn_element_brick_stable_rate
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_make, only : brick_density
-   use plydyn_element_brick, only : brick_shares, bricks_type, corners
+   use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_kernel, only : add_brick_forces
    use plydyn_element_stable_step, only : certified_bound, power_iteration
    use plydyn_model_model, only : model_type

@@ -3,7 +3,8 @@ module plydyn_element_interface_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_group, only : element_group_type, losses
-   use plydyn_element_interface, only : history_size, interface_sums_type, interface_type, &
+   use plydyn_element_interface_interfaces, only : history_size, interface_sums_type, &
+      & interface_type, &
       & set_interface_damage => set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_quad, only : tensor_order
@@ -218,7 +219,7 @@ contains
       type(layers_type), intent(in) :: layers
 
       associate (material => model%materials(model%parts(p)%plies(layers%ply(layer))%material), &
-         & expansion => columns%families(columns%home(1, layer))%expansion)
+         & expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
          density = material%density*(layers%top(layer) - layers%bottom(layer)) &
             & *expansion%mass_share(1)
       end associate

@@ -3,7 +3,7 @@ module plydyn_element_interface_make
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type
    use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
-   use plydyn_element_interface, only : face_type, interface_type
+   use plydyn_element_interface_interfaces, only : face_type, interface_type
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
       & new_springs
    use plydyn_model_model, only : model_type
@@ -15,7 +15,7 @@ module plydyn_element_interface_make
 contains
 
    !> All interfaces of a part, still without quads. Those between layers side by side in a block
-   !> stay in the lanes of their lower layers; those between layers of different families fill
+   !> stay in the lanes of their lower layers; those between layers of different order groups fill
    !> batches of their own
    pure function new_interfaces(model, p, columns, joint) result(batches)
       !> The model
@@ -33,14 +33,14 @@ contains
 
       allocate (batches(0))
       do m = 1, size(model%interface_materials)
-         do f = 1, size(columns%families)
-            do b = 1, columns%families(f)%blocks
-               here(:) = [(joint(k) == m .and. all(columns%home(1:2, k) == [f, b]) &
-                  & .and. columns%home(1, k + 1) == f, k=1, size(joint))]
+         do f = 1, size(columns%order_groups)
+            do b = 1, columns%order_groups(f)%blocks
+               here(:) = [(joint(k) == m .and. all(columns%layer_slot(1:2, k) == [f, b]) &
+                  & .and. columns%layer_slot(1, k + 1) == f, k=1, size(joint))]
                call add_batch(model, p, columns, here, m, batches)
             end do
          end do
-         here(:) = [(joint(k) == m .and. columns%home(1, k) /= columns%home(1, k + 1), &
+         here(:) = [(joint(k) == m .and. columns%layer_slot(1, k) /= columns%layer_slot(1, k + 1), &
             & k=1, size(joint))]
          do while (any(here))
             call add_batch(model, p, columns, here, m, batches)
@@ -65,7 +65,7 @@ contains
       if (.not. any(here)) return
       k = maxloc(merge(1, 0, here), 1)
       batch%law = interface_law(model, material)
-      batch%adjacent = columns%home(1, k) == columns%home(1, k + 1)
+      batch%adjacent = columns%layer_slot(1, k) == columns%layer_slot(1, k + 1)
       batch%plate = p
       batch%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
       batch%nodal = model%interface_materials(material)%nodal
@@ -73,7 +73,7 @@ contains
       do k = 1, size(here)
          if (.not. here(k)) cycle
          lane = lane + 1
-         if (batch%adjacent) lane = columns%home(3, k)
+         if (batch%adjacent) lane = columns%layer_slot(3, k)
          if (lane > lanes) exit
          here(k) = .false.
          batch%lower(lane) = k

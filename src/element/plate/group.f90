@@ -5,7 +5,7 @@ module plydyn_element_plate_group
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : element_group_type, group_item_type
    use plydyn_element_output_group, only : cell_type
-   use plydyn_element_plate, only : add_layer_forces
+   use plydyn_element_plate_kernels, only : add_layer_forces
    use plydyn_element_plate_crack_bands, only : add_batch_bands
    use plydyn_element_plate_dissipation, only : add_batch_dissipation
    use plydyn_element_plate_initial_history, only : start_histories
@@ -116,7 +116,7 @@ contains
       self%sets_forces = .true.
       self%plate = new_plate(model, part, columns)
       self%layers = new_layers(model%parts(part))
-      self%slot = columns%home
+      self%slot = columns%layer_slot
       self%at_nodes = node_shares(self%plate%side)
    end function new_plate_group
 

@@ -38,9 +38,9 @@ contains
       call tabulate(plate)
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
-      allocate (plate%batches(size(columns%families)))
-      do f = 1, size(columns%families)
-         plate%batches(f) = new_batch(model, model%parts(p), layers, columns%families(f))
+      allocate (plate%batches(size(columns%order_groups)))
+      do f = 1, size(columns%order_groups)
+         plate%batches(f) = new_batch(model, model%parts(p), layers, columns%order_groups(f))
          plate%batches(f)%height = columns%height
       end do
    end function new_plate
@@ -90,32 +90,34 @@ contains
    end subroutine tabulate
 
    !> Layers of one order with their constants
-   function new_batch(model, part, layers, family) result(batch)
+   function new_batch(model, part, layers, order_group) result(batch)
       type(model_type), intent(in) :: model
       type(part_type), intent(in) :: part
       type(layers_type), intent(in) :: layers
-      type(order_group_type), intent(in) :: family
+      type(order_group_type), intent(in) :: order_group
       type(layer_batch_type) :: batch
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
       real(wp) :: half
-      integer :: b, k, l, material(lanes, family%blocks)
+      integer :: b, k, l, material(lanes, order_group%blocks)
 
-      batch%blocks = family%blocks
-      batch%first = family%first
-      batch%expansion = new_expansion(family%order, layers%lobatto)
-      allocate (batch%layer(lanes, family%blocks))
-      batch%layer(:, :) = family%layer
-      allocate (batch%stiffness(lanes, 13, family%blocks), batch%rotation(lanes, 2, family%blocks))
-      allocate (batch%half_thickness(lanes, family%blocks), batch%two_over_h(lanes, family%blocks))
+      batch%blocks = order_group%blocks
+      batch%first = order_group%first
+      batch%expansion = new_expansion(order_group%order, layers%lobatto)
+      allocate (batch%layer(lanes, order_group%blocks))
+      batch%layer(:, :) = order_group%layer
+      allocate (batch%stiffness(lanes, 13, order_group%blocks), &
+         & batch%rotation(lanes, 2, order_group%blocks))
+      allocate (batch%half_thickness(lanes, order_group%blocks), &
+         & batch%two_over_h(lanes, order_group%blocks))
       batch%stiffness(:, :, :) = 0.0_wp
       batch%rotation(:, :, :) = 0.0_wp
       batch%half_thickness(:, :) = 0.0_wp
       batch%two_over_h(:, :) = 0.0_wp
       material(:, :) = 0
-      do b = 1, family%blocks
+      do b = 1, order_group%blocks
          do l = 1, lanes
-            k = family%layer(l, b)
+            k = order_group%layer(l, b)
             if (k == 0) cycle
             half = 0.5_wp*(layers%top(k) - layers%bottom(k))
             batch%half_thickness(l, b) = half

@@ -63,7 +63,7 @@ contains
 
       do f = 1, size(plate%batches)
          density = surface_density(model, p, new_layers(model%parts(p)), &
-            & columns%families(f)%layer)
+            & columns%order_groups(f)%layer)
          do e = 1, size(quads)
             node(:) = model%mesh%quad_node(tensor_order(plate%side), quads(e))
             here(:) = local_node(node)
@@ -82,12 +82,13 @@ contains
 
          integer :: first, levels, t
 
-         associate (family => columns%families(f), share => plate%batches(f)%expansion%mass_share)
-            levels = family%order + 1
+         associate (order_group => columns%order_groups(f), share &
+            & => plate%batches(f)%expansion%mass_share)
+            levels = order_group%order + 1
             do t = 1, levels
-               first = columns%mass_start(f, node) + lanes*family%blocks*(t - 1)
-               mass(first:first + lanes*family%blocks - 1) = &
-                  & mass(first:first + lanes*family%blocks - 1) &
+               first = columns%mass_start(f, node) + lanes*order_group%blocks*(t - 1)
+               mass(first:first + lanes*order_group%blocks - 1) = &
+                  & mass(first:first + lanes*order_group%blocks - 1) &
                   & + area*share(t)*reshape(density, [size(density)])
             end do
          end associate

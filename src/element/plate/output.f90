@@ -84,7 +84,7 @@ contains
       integer :: c, t, tau
 
       allocate (values(3, levels, size(node)), source=0.0_wp)
-      associate (expansion => columns%families(columns%home(1, layer))%expansion)
+      associate (expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
          allocate (share(expansion%order + 1), slope(expansion%order + 1))
          do t = 1, levels
             call lagrange(expansion%node, level_height(t, levels), share, slope)

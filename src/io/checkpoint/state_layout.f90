@@ -4,7 +4,7 @@
 !> One rank alone has its arrays in the order of the whole model: nothing is divided.
 module plydyn_io_checkpoint_state_layout
    use plydyn_base_precision, only : wp
-   use plydyn_fem_columns, only : front
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_io_hdf5_output, only : hyperslab_type
@@ -53,7 +53,8 @@ contains
 
       self%comm = domain%comm
       if (self%comm%ranks == 1) return
-      self%parts(motion) = new_part(self%comm, front + domain%columns%height*share%columns, &
+      self%parts(motion) = new_part(self%comm, alignment_offset &
+         & + domain%columns%height*share%columns, &
          & column_pieces(domain%columns%height, share%column), share%own)
       self%parts(history) = new_part(self%comm, share%histories, share%history, &
          & spread(.true., 1, size(share%history, 2)))
@@ -182,7 +183,8 @@ contains
       integer :: i
 
       do i = 1, size(column)
-         piece(:, i) = [front + height*(i - 1) + 1, front + height*(column(i) - 1) + 1, height]
+         piece(:, i) = [alignment_offset + height*(i - 1) + 1, alignment_offset &
+            & + height*(column(i) - 1) + 1, height]
       end do
    end function column_pieces
 

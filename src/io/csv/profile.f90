@@ -284,14 +284,14 @@ contains
       real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
       integer :: i
 
-      associate (e => self%quad(2, q), home => domain%columns%home(:, layer))
-         at_gauss = reshape(layer_values(plate, home(1), home(2), home(3), e, &
+      associate (e => self%quad(2, q), slot => domain%columns%layer_slot(:, layer))
+         at_gauss = reshape(layer_values(plate, slot(1), slot(2), slot(3), e, &
             & domain%control%kinematics == total_lagrangian, state%displacement, &
             & state%history), [recovered*size(plate%node, 1), domain%columns%levels(layer)])
          do i = 1, self%points
             height = 2.0_wp*share_of(self, i) - 1.0_wp
             at_level = reshape(matmul(at_gauss, thickness_interpolation( &
-               & plate%batches(home(1)), height)), [recovered, size(plate%node, 1)])
+               & plate%batches(slot(1)), height)), [recovered, size(plate%node, 1)])
             all_values(:, :) = plane_values(plate, e, layer, shares, at_level)
             values(1:3, i) = displacement_at(domain, state, plate, e, layer, self%local(:, q), &
                & height)
@@ -316,7 +316,8 @@ contains
       integer :: c, t
 
       call plane_table(plate%side, local(1), local(2), plane, plane_slope)
-      call lagrange(plate%batches(domain%columns%home(1, layer))%expansion%node, height, share, &
+      call lagrange(plate%batches(domain%columns%layer_slot(1, layer))%expansion%node, height, &
+         & share, &
          & slope)
       u(:) = 0.0_wp
       do c = 1, 3

@@ -141,7 +141,7 @@ contains
       largest = 0.0_wp
       do f = 1, size(domain%inertia%thickness%stretches)
          associate (stretch => domain%inertia%thickness%stretches(f), &
-            & z => domain%columns%families(f)%expansion%node)
+            & z => domain%columns%order_groups(f)%expansion%node)
             largest = max(largest, maxval(sum(reshape([(0.25_wp*(z(stretch%level(2, p)) &
                & - z(stretch%level(1, p)))**2*stretch%inertia(:, p, direction, 1), &
                & p=1, size(stretch%level, 2))], [size(stretch%inertia, 1), &

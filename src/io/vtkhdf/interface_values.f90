@@ -2,7 +2,7 @@
 module plydyn_io_vtkhdf_interface_values
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_interface, only : history_size, interface_type
+   use plydyn_element_interface_interfaces, only : history_size, interface_type
    use plydyn_element_interface_group, only : interface_group_type
    use plydyn_element_interface_axes, only : find_axes, turn_in
    use plydyn_element_quad, only : quad_node_metric

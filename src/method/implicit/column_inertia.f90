@@ -37,7 +37,7 @@ contains
       free(:, :) = 0.0_wp
       starts(:) = columns%start([(f, f=1, size(starts))], node) - self%before - 1
       do d = 1, size(self%row)
-         f = self%family(d)
+         f = self%order_group(d)
          place = starts(f) + self%row(d)
          free(1, d) = acceleration(place)
          free(2, d) = acceleration(place + self%rows(f))
@@ -48,12 +48,12 @@ contains
          call respond(self, f, node, half_step, free, mass(columns%mass_start(f, node):), &
             & velocity(first:), acceleration(first:), sums)
          call add_stretches(self, f, node, half_step, &
-            & self%rows(f)/(columns%families(f)%order + 1), &
+            & self%rows(f)/(columns%order_groups(f)%order + 1), &
             & velocity(first:), acceleration(first:), sums)
       end do
    end subroutine couple_column
 
-   !> Response of the rows of a family, eight at a time
+   !> Response of the rows of an order group, eight at a time
    pure subroutine respond(self, f, node, half_step, free, mass, v, a, sums)
       type(column_inertia_type), intent(in) :: self
       integer, intent(in) :: f, node
@@ -129,7 +129,7 @@ contains
       end do
    end subroutine replace
 
-   !> Kinetic energy of the inertia inside the layers of a family
+   !> Kinetic energy of the inertia inside the layers of an order group
    pure subroutine add_stretches(self, f, node, half_step, width, v, a, sums)
       type(column_inertia_type), intent(in) :: self
       integer, intent(in) :: f, node, width
@@ -178,7 +178,7 @@ contains
       integer :: f, first, k, l, node
 
       node = surface%node(point)
-      do f = 1, size(columns%families)
+      do f = 1, size(columns%order_groups)
          first = columns%start(f, node) + self%rows(f)*(direction - 1)
          do k = 1, self%rows(f)/lanes
             do l = 1, lanes

@@ -31,9 +31,9 @@ contains
 
       integer :: f, first
 
-      do f = 1, size(columns%families)
+      do f = 1, size(columns%order_groups)
          first = columns%start(f, node)
-         call couple_family(pairs, f, node, half_step, columns%families(f)%order + 1, &
+         call couple_family(pairs, f, node, half_step, columns%order_groups(f)%order + 1, &
             & size(pairs%tables(f)%inertia, 1), velocity(first:), acceleration(first:), sums)
       end do
       if (size(pairs%far_inertia) > 0) then
@@ -130,9 +130,9 @@ contains
       integer :: f, first, k
 
       twice = 0.0_wp
-      do f = 1, size(columns%families)
+      do f = 1, size(columns%order_groups)
          first = columns%start(f, node)
-         call add_family(pairs%tables(f)%inertia, columns%families(f)%order + 1, &
+         call add_family(pairs%tables(f)%inertia, columns%order_groups(f)%order + 1, &
             & size(pairs%tables(f)%inertia, 1), half_step, velocity(first:), &
             & acceleration(first:), twice)
       end do

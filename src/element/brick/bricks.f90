@@ -10,7 +10,7 @@
 !> xi eta zeta. Stiffness against them is that of the strains that they bring about in the brick's
 !> own axes, but for the shear of bending and for the normal strain that a brick cannot have with
 !> them (stress is 0 there), as in the assumed strain of Belytschko and Bindeman (1993).
-module plydyn_element_brick
+module plydyn_element_brick_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_law, only : block_law_type
@@ -65,7 +65,7 @@ module plydyn_element_brick
       !> Geometries that occur, and that of each batch
       type(brick_shape_type), allocatable :: shapes(:)
       integer, allocatable :: shape(:)
-      !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate`
+      !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate_kernels`
       real(wp) :: stiffness(13) = 0.0_wp
       !> Fibre direction, degrees from the x axis; its cosine and sine
       real(wp) :: angle = 0.0_wp, turn(2) = [1.0_wp, 0.0_wp]
@@ -305,4 +305,4 @@ contains
          & .and. maxval(abs(one%hold - other%hold)) <= difference*maxval(abs(one%hold))
    end function same_shape
 
-end module plydyn_element_brick
+end module plydyn_element_brick_bricks

@@ -7,7 +7,7 @@
 !> that lay along x. Tractions are per area of the undeformed plate. Where they act across an
 !> opening, both faces feel the turn of the axes: forces and moments balance, and work done is work
 !> stored or lost.
-module plydyn_element_interface
+module plydyn_element_interface_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_quad, only : quad_metric, quad_node_metric
    use plydyn_fem_quadrature, only : gauss_points
@@ -154,4 +154,4 @@ contains
       end do
    end function sum_lanes
 
-end module plydyn_element_interface
+end module plydyn_element_interface_interfaces

@@ -1,7 +1,7 @@
 !> Internal forces of bricks, eight side by side.
 module plydyn_element_brick_kernel
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : brick_shape_type, bricks_type, corners, shapes_unfelt
+   use plydyn_element_brick_bricks, only : brick_shape_type, bricks_type, corners, shapes_unfelt
    use plydyn_element_brick_hourglass, only : add_drag, add_hold, hold_energy, spread_unfelt, &
       & unfelt_motion
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &

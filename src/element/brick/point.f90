@@ -1,7 +1,7 @@
 !> Strain and stress of bricks at a point, over a batch.
 module plydyn_element_brick_point
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : corners
+   use plydyn_element_brick_bricks, only : corners
    implicit none
    private
 

@@ -1,7 +1,8 @@
 !> Bricks: linear motions, large rotations, hourglass control and its energy.
-program test_element_brick
+program test_element_brick_bricks
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : brick_shares, bricks_type, corners, new_brick_shape, unfelt
+   use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners, new_brick_shape, &
+      & unfelt
    use plydyn_element_brick_kernel, only : add_brick_forces, hourglass_energy
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_plate_layers, only : batch_stiffness
@@ -244,4 +245,4 @@ contains
       call check(maxval(abs(force)), 0.0_wp, 1.0e-10_wp, "nothing from a linear velocity")
    end subroutine test_drag
 
-end program test_element_brick
+end program test_element_brick_bricks

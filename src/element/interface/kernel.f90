@@ -2,7 +2,7 @@
 !> back again with the transposed steps. With large displacement so do the slopes of the mid-face.
 module plydyn_element_interface_kernel
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface, only : face_type, interface_type
+   use plydyn_element_interface_interfaces, only : face_type, interface_type
    use plydyn_element_interface_axes, only : find_axes, turn_back, turn_in
    use plydyn_element_interface_points, only : to_nodes, to_points
    use plydyn_element_interface_rotation, only : find_turning

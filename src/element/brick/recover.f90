@@ -1,7 +1,7 @@
 !> Strain and stress of bricks: the mean over the points of a brick.
 module plydyn_element_brick_recover
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : bricks_type, corners
+   use plydyn_element_brick_bricks, only : bricks_type, corners
    use plydyn_element_brick_kernel, only : gather, mean_volume_strain
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
       & turn_strain, turn_stress

@@ -3,7 +3,7 @@
 !> axes as the motion has turned and stretched them: it holds no rigid motion, however large.
 module plydyn_element_brick_hourglass
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick, only : corners, shapes_unfelt, stabilisers
+   use plydyn_element_brick_bricks, only : corners, shapes_unfelt, stabilisers
    implicit none
    private
 

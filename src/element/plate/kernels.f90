@@ -1,5 +1,5 @@
 !> Layer-wise plates: the one way from the layers of a part to the kernel of their side and order.
-module plydyn_element_plate
+module plydyn_element_plate_kernels
    use plydyn_base_precision, only : wp
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_plate_q4_le1, only : large_q4_le1 => add_large_forces, &
@@ -121,4 +121,4 @@ contains
       end select
    end subroutine law_forces
 
-end module plydyn_element_plate
+end module plydyn_element_plate_kernels

@@ -1,9 +1,9 @@
 !> Interfaces over quads: tractions times areas, linear and turned with large displacement.
-program test_element_interface
+program test_element_interface_interfaces
    use bond, only : table_6
    use faces, only : area, lay_interfaces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface, only : history_size, interface_sums_type, &
+   use plydyn_element_interface_interfaces, only : history_size, interface_sums_type, &
       & interface_type, set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_quad, only : tensor_order
@@ -310,4 +310,4 @@ contains
       end do
    end function sums_of
 
-end program test_element_interface
+end program test_element_interface_interfaces
