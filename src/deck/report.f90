@@ -27,7 +27,7 @@ module plydyn_deck_report
 
    !> One finding
    type, public :: finding_type
-      !> `grave_error`, `grave_warning` or `grave_note`
+      !> `severity_error`, `severity_warning` or `severity_note`
       integer :: severity = severity_error
       !> Its position
       type(file_position_type) :: place

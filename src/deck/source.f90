@@ -226,11 +226,9 @@ contains
 
    !> Append the lines of a file, with those of include files in place
    recursive subroutine add_lines(source, file, report)
-      !> Lines so far
       type(source_type), intent(inout) :: source
       !> Index of the file
       integer, intent(in) :: file
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(line_type) :: line
@@ -275,7 +273,6 @@ contains
 
    !> Append a line
    subroutine add_line(source, line)
-      !> Lines so far
       type(source_type), intent(inout) :: source
       !> The new one
       type(line_type), intent(in) :: line
@@ -293,11 +290,9 @@ contains
 
    !> Read the files, or add the folders, that the last lines name
    recursive subroutine include_pending(source, pending, report)
-      !> Lines so far
       type(source_type), intent(inout) :: source
       !> Line of the *INCLUDE to process; 0 for none, and afterwards
       integer, intent(inout) :: pending
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: i, last
@@ -318,11 +313,9 @@ contains
 
    !> Warn of a missing folder of *INCLUDE_PATH; stored decks need none
    subroutine check_folder(source, i, report)
-      !> Lines so far
       type(source_type), intent(in) :: source
       !> Line that names the folder
       integer, intent(in) :: i
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(file_position_type) :: place
@@ -338,7 +331,6 @@ contains
 
    !> Path of an include file: relative to the including file, or in a folder of *INCLUDE_PATH
    function found_path(source, i) result(path)
-      !> Lines so far
       type(source_type), intent(in) :: source
       !> Line that names the file
       integer, intent(in) :: i
@@ -362,7 +354,6 @@ contains
 
    !> Whether a file exists, stored or on the disk
    logical function is_there(source, path)
-      !> Lines so far
       type(source_type), intent(in) :: source
       !> Path of the file
       character(*), intent(in) :: path
@@ -373,7 +364,6 @@ contains
 
    !> Path that a line names, relative to the file that the line is in
    pure function relative_path(source, i) result(path)
-      !> Lines so far
       type(source_type), intent(in) :: source
       !> Index of the line
       integer, intent(in) :: i
@@ -392,7 +382,6 @@ contains
       type(source_type), intent(in) :: source
       !> Text after it
       character(*), intent(in) :: rest
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(file_position_type) :: place

@@ -1,7 +1,7 @@
 !> Numbers out of all proportion make a warning.
 program test_input_check_units
    use plydyn_base_precision, only : wp
-   use plydyn_deck_report, only : grave_warning
+   use plydyn_deck_report, only : severity_warning
    use plydyn_input_catalogue, only : a_material, an_impactor, catalogue_type, new_catalogue
    use plydyn_input_check_units, only : check_units
    use plydyn_input_units, only : derived_units
@@ -52,7 +52,7 @@ contains
       model%materials(1)%density = density
       model%impactors(1)%velocity(3) = velocity
       call check_units(model, catalogue)
-      warnings = catalogue%report%count(grave_warning)
+      warnings = catalogue%report%count(severity_warning)
    end function warnings
 
 end program test_input_check_units
