@@ -116,6 +116,9 @@ contains
       if (comm%is_root()) call move_alloc(job%version, written_by)
       job%version = version
       if (len(command%job) > 0) call rename_job(comm, command%job, job)
+      if (comm%is_root()) call dump%compare_results(job, error)
+      call comm%broadcast(error)
+      if (allocated(error)) return
       call read_model(comm, command%deck, job, parts%model, messages, error)
       if (allocated(error)) return
       call build_run(comm, command%threads, messages, parts, error)

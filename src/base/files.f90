@@ -2,13 +2,14 @@
 !>
 !> None of the calls has a variable number of arguments, which `bind(c)` does not support.
 module plydyn_base_files
-   use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_null_char, &
-      & c_ptr
+   use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_loc, &
+      & c_null_char, &
+      & c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only : int64
    implicit none
    private
 
-   public :: cut_file, has_room, is_same_path, remove_file, rename_file, secure_file
+   public :: cut_file, bytes_of_file, is_same_path, remove_file, rename_file, secure_file
 
    !> Longest path of the operating system
    integer, parameter :: longest_path = 4096
@@ -33,32 +34,20 @@ module plydyn_base_files
          integer(c_int64_t), value :: length
       end function c_truncate
 
-      integer(c_int) function c_ftruncate(descriptor, length) bind(c, name="ftruncate")
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int), value :: descriptor
-         integer(c_int64_t), value :: length
-      end function c_ftruncate
-
-      integer(c_int64_t) function c_lseek(descriptor, shift, from) bind(c, name="lseek")
-         import :: c_int, c_int64_t
-         implicit none
-         integer(c_int), value :: descriptor, from
-         integer(c_int64_t), value :: shift
-      end function c_lseek
-
       integer(c_int) function c_fsync(descriptor) bind(c, name="fsync")
          import :: c_int
          implicit none
          integer(c_int), value :: descriptor
       end function c_fsync
 
-      integer(c_int) function c_fallocate(descriptor, first, length) bind(c, name="posix_fallocate")
-         import :: c_int, c_int64_t
+      integer(c_size_t) function c_pread(descriptor, bytes, count, before) bind(c, name="pread")
+         import :: c_int, c_int64_t, c_ptr, c_size_t
          implicit none
          integer(c_int), value :: descriptor
-         integer(c_int64_t), value :: first, length
-      end function c_fallocate
+         type(c_ptr), value :: bytes
+         integer(c_size_t), value :: count
+         integer(c_int64_t), value :: before
+      end function c_pread
 
       type(c_ptr) function c_fopen(path, mode) bind(c, name="fopen")
          import :: c_char, c_ptr
@@ -174,35 +163,28 @@ contains
       good = all(status == 0)
    end subroutine secure_file
 
-   !> Whether the disk has space for some bytes after the end of a file, which is left unchanged
-   !>
-   !> The length is taken from the open file: on a network file system the directory entry may be
-   !> older than the last write of another rank.
-   logical function has_room(path, length)
+   !> Bytes of a file, which may be open for writing: Fortran opens no file twice
+   function bytes_of_file(path, before, count) result(bytes)
       !> Path of the file
       character(*), intent(in) :: path
-      !> Bytes, at least one
-      integer(int64), intent(in) :: length
+      !> Bytes of the file before them
+      integer(int64), intent(in) :: before
+      !> How many there are
+      integer, intent(in) :: count
+      !> The bytes; none when the file has not so many
+      character(:), allocatable :: bytes
 
-      !> SEEK_END of POSIX
-      integer(c_int), parameter :: from_end = 2
+      character(count), target :: found
       type(c_ptr) :: stream
-      integer(c_int) :: descriptor, status(3)
-      integer(c_int64_t) :: before
+      integer(c_int) :: status
 
-      has_room = .false.
-      stream = c_fopen(path//c_null_char, "r+"//c_null_char)
+      bytes = ""
+      stream = c_fopen(path//c_null_char, "r"//c_null_char)
       if (.not. c_associated(stream)) return
-      descriptor = c_fileno(stream)
-      before = c_lseek(descriptor, 0_c_int64_t, from_end)
-      status(:) = -1
-      if (before >= 0) then
-         status(1) = c_fallocate(descriptor, before, int(length, c_int64_t))
-         status(2) = c_ftruncate(descriptor, before)
-      end if
-      status(3) = c_fclose(stream)
-      has_room = all(status == 0)
-   end function has_room
+      if (c_pread(c_fileno(stream), c_loc(found), int(count, c_size_t), int(before, c_int64_t)) &
+         & == count) bytes = found
+      status = c_fclose(stream)
+   end function bytes_of_file
 
    !> Truncate a file
    subroutine cut_file(path, length, good)

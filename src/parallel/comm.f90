@@ -6,7 +6,7 @@ module plydyn_parallel_comm
    use mpi_f08, only : mpi_allgatherv, mpi_allreduce, mpi_barrier, mpi_bcast, mpi_character, &
       & mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_double_precision, mpi_finalize, &
       & mpi_in_place, mpi_init_thread, mpi_integer, mpi_integer8, mpi_land, mpi_logical, mpi_max, &
-      & mpi_min, mpi_sum, mpi_thread_funneled
+      & mpi_min, mpi_recv, mpi_send, mpi_status_ignore, mpi_sum, mpi_thread_funneled
    use plydyn_base_error, only : error_type, fail
    use plydyn_base_precision, only : wp
    implicit none
@@ -16,6 +16,8 @@ module plydyn_parallel_comm
 
    !> The rank that reads the deck and writes the results
    integer, parameter :: root = 0
+   !> Tag of messages to it
+   integer, parameter :: root_tag = 4
 
    !> Numbers of a rank that MPI passes on without asking whether they may come, 4 KB with their
    !> head; up to so many pieces of that length are faster than one message
@@ -38,8 +40,10 @@ module plydyn_parallel_comm
       generic :: broadcast => broadcast_integers, broadcast_reals, broadcast_text, &
          & broadcast_root_error
       procedure :: broadcast_error
+      !> Send numbers of one rank to the root
+      generic :: send_to_root => send_integers_to_root, send_reals_to_root
       procedure, private :: broadcast_integers, broadcast_reals, broadcast_text, &
-         & broadcast_root_error
+         & broadcast_root_error, send_integers_to_root, send_reals_to_root
    end type comm_type
 
 contains
@@ -254,5 +258,39 @@ contains
       call mpi_bcast(words, number(2), mpi_character, first, mpi_comm_world)
       call fail(error, number(1), words)
    end subroutine broadcast_error
+
+   !> Send integers of one rank to the root; only these two ranks need to call it
+   subroutine send_integers_to_root(self, source, values)
+      class(comm_type), intent(in) :: self
+      !> The rank that has them
+      integer, intent(in) :: source
+      !> Its integers in, the same on the root out
+      integer, intent(inout), contiguous :: values(:)
+
+      if (source == root) return
+      if (self%rank == source) then
+         call mpi_send(values, size(values), mpi_integer, root, root_tag, mpi_comm_world)
+      else if (self%is_root()) then
+         call mpi_recv(values, size(values), mpi_integer, source, root_tag, mpi_comm_world, &
+            & mpi_status_ignore)
+      end if
+   end subroutine send_integers_to_root
+
+   !> Send reals of one rank to the root; only these two ranks need to call it
+   subroutine send_reals_to_root(self, source, values)
+      class(comm_type), intent(in) :: self
+      !> The rank that has them
+      integer, intent(in) :: source
+      !> Its reals in, the same on the root out
+      real(wp), intent(inout), contiguous :: values(:)
+
+      if (source == root) return
+      if (self%rank == source) then
+         call mpi_send(values, size(values), mpi_double_precision, root, root_tag, mpi_comm_world)
+      else if (self%is_root()) then
+         call mpi_recv(values, size(values), mpi_double_precision, source, root_tag, &
+            & mpi_comm_world, mpi_status_ignore)
+      end if
+   end subroutine send_reals_to_root
 
 end module plydyn_parallel_comm

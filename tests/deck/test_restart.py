@@ -278,3 +278,25 @@ def test_restart_refuses(tmp_path: Path) -> None:
     assert code == OUTPUT, text
     assert "cannot go on with" in text
     assert (tmp_path / "job.energy.csv").read_bytes() == table[: len(table) // 4]
+
+
+def test_results_of_another_run_are_left_alone(tmp_path: Path) -> None:
+    """Another deck has run under the same name since: its tables are not cut and gone on with."""
+    whole, broken = both(impact(1, end=1.0e-5), tmp_path)
+    dump = tmp_path / "job.dump01"
+    shutil.copy(whole / "job.dump01", dump)
+    other = tmp_path / "other" / "job.k"
+    other.parent.mkdir()
+    text = (tmp_path / "job.k").read_text()
+    assert text.count("-8000.0") == 1
+    other.write_text(text.replace("-8000.0", "-7000.0"))
+    code, text = said("run", other, "-o", broken)
+    assert code == NORMAL, text
+    shutil.copy(dump, broken)
+    before = {path.name: path.read_bytes() for path in broken.iterdir()}
+    code, text = said("restart", broken / "job.dump01")
+    assert code == INPUT, text
+    assert "is of another run than the restart file" in text
+    assert before == {path.name: path.read_bytes() for path in broken.iterdir()}
+    code, text = said("restart", broken / "job.dump01", "-j", tmp_path / "new")
+    assert code == NORMAL, text

@@ -145,12 +145,10 @@ def test_words_steer_all_ranks(whole: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["job.vtkhdf.part", "job.vtkhdf", "job.runrsf.part"])
-@pytest.mark.parametrize("rank", [0, 1])
-def test_disk_fails_for_one_rank(name: str, rank: int, failing_disk: Path, tmp_path: Path) -> None:
-    """Whichever write of a file fails though there was room, all ranks end with one message.
+def test_disk_fails_for_the_root(name: str, failing_disk: Path, tmp_path: Path) -> None:
+    """Whichever write of a file fails, all ranks end with one message.
 
-    Numbers of each rank, and what the library adds on the root: six writes, from the first to the
-    last that the rank makes. Every rank writes every file.
+    Six writes, from the first to the last; the root alone writes.
     """
     deck = Deck("strip", 1.0, end_cycle=4)
     deck.control()
@@ -162,11 +160,11 @@ def test_disk_fails_for_one_rank(name: str, rank: int, failing_disk: Path, tmp_p
     deck.add("DATABASE_BINARY_RUNRSF", (2,))
     path = deck.write(tmp_path / "job.k")
     words = ("run", path, "-o", tmp_path)
-    done = launch_failing(failing_disk, (rank, name, 0), 2, *words, seconds=2 * SECONDS)
+    done = launch_failing(failing_disk, (0, name, 0), 2, *words, seconds=2 * SECONDS)
     assert done.returncode == NORMAL, done.stdout + done.stderr
     writes = watched_writes(done)
     for first in {1 + k * (writes - 1) // 5 for k in range(6)}:
-        done = launch_failing(failing_disk, (rank, name, first), 2, *words, seconds=2 * SECONDS)
+        done = launch_failing(failing_disk, (0, name, first), 2, *words, seconds=2 * SECONDS)
         assert done.returncode == OUTPUT, f"write {first} of {writes}: {done.stdout + done.stderr}"
         told = [line for line in done.stderr.splitlines() if "cannot " in line]
         assert len(told) == 1, told

@@ -92,26 +92,17 @@ contains
       last = cells%first + cells%count
       call file%create(path, comm, grid(), error)
       if (allocated(error)) return
-      call file%describe("title", "Sample of two cells", error)
-      if (allocated(error)) return
-      call file%describe("length", "", error)
-      if (allocated(error)) return
+      call file%describe("title", "Sample of two cells")
+      call file%describe("length", "")
       call file%add_table("plies", [character(9) :: "ply", "angle", "thickness"], &
-         & reshape([1.0_wp, 45.0_wp, 0.1_wp, 2.0_wp, -45.0_wp, 0.2_wp], [3, 2]), error)
-      if (allocated(error)) return
-      call file%add_cell_data("ply", ply(first:last), error)
-      if (allocated(error)) return
-      call file%add_cell_data("angle", angle(first:last), error)
-      if (allocated(error)) return
-      call file%add_cell_data("fibre", normals(:, first:last), error)
-      if (allocated(error)) return
-      call file%declare_point_data("pressure", 1, error)
-      if (allocated(error)) return
-      call file%declare_point_data("displacement", 3, error)
-      if (allocated(error)) return
-      call file%declare_point_data("stress", 6, error)
-      if (allocated(error)) return
-      call file%settle(new_file_positions(path), error)
+         & reshape([1.0_wp, 45.0_wp, 0.1_wp, 2.0_wp, -45.0_wp, 0.2_wp], [3, 2]))
+      call file%add_cell_data("ply", ply(first:last))
+      call file%add_cell_data("angle", angle(first:last))
+      call file%add_cell_data("fibre", normals(:, first:last))
+      call file%declare_point_data("pressure", 1)
+      call file%declare_point_data("displacement", 3)
+      call file%declare_point_data("stress", 6)
+      call file%put_in_place(new_file_positions(path), error)
    end subroutine start
 
    !> One state: value = 1000 x state + point + component/10
@@ -126,12 +117,8 @@ contains
       end do
       scalars(:) = values(1, :)
       vectors(:, :) = values(:3, :)
-      call file%begin_step(0.1_wp*state, error)
-      if (allocated(error)) return
-      call file%write_point_data("pressure", scalars, error)
-      if (allocated(error)) return
-      call file%write_point_data("displacement", vectors, error)
-      if (allocated(error)) return
+      call file%write_point_data("pressure", scalars)
+      call file%write_point_data("displacement", vectors)
       if (state == held) then
          if (comm%is_root()) then
             write (*, "(a)") "pause"
@@ -139,9 +126,8 @@ contains
             read (*, *)
          end if
       end if
-      call file%write_point_data("stress", values, error)
-      if (allocated(error)) return
-      call file%end_step(error)
+      call file%write_point_data("stress", values)
+      call file%end_step(0.1_wp*state, error)
    end subroutine write_state
 
    !> Print the error, if there is one, and leave; closing a file that cannot be written is tried

@@ -1,7 +1,7 @@
-!> Files: renamed, cut, removed, brought to the disk, and whether there is room behind them.
+!> Files: renamed, cut, removed, brought to the disk.
 program test_base_files
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_files, only : cut_file, has_room, is_same_path, remove_file, rename_file, &
+   use plydyn_base_files, only : bytes_of_file, cut_file, is_same_path, remove_file, rename_file, &
       & secure_file
    use testing, only : begin, check, finish
    implicit none
@@ -11,7 +11,6 @@ program test_base_files
    call names()
    call paths()
    call lengths()
-   call room()
    call finish()
 
 contains
@@ -53,6 +52,8 @@ contains
       call write_text(one, "0123456789")
       call secure_file(one, good)
       call check(good, "a file comes to the disk")
+      call check(bytes_of_file(one, 3_int64, 4) == "3456", "some bytes are read")
+      call check(len(bytes_of_file(one, 7_int64, 4)), 0, "but not behind its end")
       call cut_file(one, 4_int64, good)
       call check(good, "a file is cut")
       call check(bytes(one), 4, "where it is told")
@@ -62,18 +63,6 @@ contains
       call secure_file(one, good)
       call check(.not. good, "nor brought to the disk")
    end subroutine lengths
-
-   !> Room behind a file
-   subroutine room()
-      call begin("has_room")
-      call write_text(one, "0123456789")
-      call check(has_room(one, 4096_int64), "for a few bytes there is")
-      call check(bytes(one), 10, "the file stays as it is")
-      call check(.not. has_room(one, 2_int64**60), "for more than any disk has there is not")
-      call check(bytes(one), 10, "and the file stays as it is, too")
-      call remove_file(one)
-      call check(.not. has_room(one, 1_int64), "nor behind a file that is not there")
-   end subroutine room
 
    !> Write a file of some bytes
    subroutine write_text(path, text)

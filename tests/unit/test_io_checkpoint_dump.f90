@@ -27,6 +27,8 @@ program test_io_checkpoint_dump
    call other_conditions()
    call other_model()
    call other_files()
+   call results_of_another_run()
+   call count_of_files()
    call remove_file(path)
    call finish()
 
@@ -170,11 +172,59 @@ contains
       call dump%open(foreign, error)
       call check_error(error, "is no restart file, or not a whole one", "a text")
       call file%create(foreign, comm_type(), error)
-      call file%make_group("run", error)
+      call file%make_group("run")
       call file%close(error)
       call dump%open(foreign, error)
       call check_error(error, "but no restart file of plydyn", "another file of HDF5")
       call remove_file(foreign)
    end subroutine other_files
+
+   !> A table that ends otherwise than when the file was written
+   subroutine results_of_another_run()
+      character(*), parameter :: table = "test_io_checkpoint_dump.energy.csv"
+      type(dump_input_type) :: dump
+      type(job_type) :: found
+      integer :: i
+
+      call begin("compare_results")
+      call write_table(table, 100)
+      job%places = new_file_positions(job%path)
+      call job%places%add(table, file_position_type(amount=90_int64))
+      call write_dump(path, job, job%places, alone, state, error)
+      do i = 1, 2
+         call dump%open(path, error)
+         call dump%read_job(found, error)
+         call dump%compare_results(found, error)
+         if (i == 1) call check(.not. allocated(error), "the table that was there")
+         if (i == 2) call check_error(error, table//" is of another run", "another one")
+         call write_table(table, 99)
+      end do
+      call remove_file(table)
+   end subroutine results_of_another_run
+
+   !> Write a table whose numbers depend on its length
+   subroutine write_table(name, length)
+      character(*), intent(in) :: name
+      integer, intent(in) :: length
+
+      integer :: i, unit
+
+      open (newunit=unit, file=name, status="replace", access="stream", form="formatted")
+      write (unit, "(*(i1))") [(mod(length + i, 10), i=1, length)]
+      close (unit)
+   end subroutine write_table
+
+   !> A file whose name has a higher number than it says
+   subroutine count_of_files()
+      type(dump_input_type) :: dump
+      type(job_type) :: found
+
+      call begin("read_job")
+      job%dumps = 0
+      call write_dump(path, job, job%places, alone, state, error)
+      call dump%open(path, error)
+      call dump%read_job(found, error)
+      call check(found%dumps, 1, "the next file does not replace it")
+   end subroutine count_of_files
 
 end program test_io_checkpoint_dump

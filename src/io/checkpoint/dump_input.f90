@@ -1,20 +1,19 @@
-!> Restart files being read. Ranks open the file one by one, and read what they need.
+!> Restart files being read. Each rank opens the file and reads what it needs. HDF5 refuses to read
+!> what is not what was written.
 module plydyn_io_checkpoint_dump_input
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_archive, only : archive_type, bundle_type
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_io_checkpoint_check_sum, only : sum_name, sum_text, sums_of
    use plydyn_io_checkpoint_dump, only : deck_group, dump_format, dump_kind, ending_mark, &
-      & run_group, &
-      & state_group, sums_of_run
-   use plydyn_io_hdf5_output, only : hyperslab_type
-   use plydyn_io_hdf5_input, only : hdf5_input_type
-   use plydyn_io_job, only : job_type
-   use plydyn_state_file_positions, only : new_file_positions, file_position_type
+      & run_group, state_group
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
+   use plydyn_io_hdf5_input, only : hdf5_input_type
+   use plydyn_io_checkpoint_table_ends, only : compare_ends, end_length
+   use plydyn_io_job, only : job_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
+   use plydyn_state_file_positions, only : file_position_type, new_file_positions
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -34,11 +33,14 @@ module plydyn_io_checkpoint_dump_input
       type(state_layout_type) :: parts
       !> Whether supports and loads are those of the file
       logical :: with_conditions = .true.
+      !> How the tables of results ended
+      character(:), allocatable :: ends
       !> The first thing that went wrong
       type(error_type), allocatable :: error
    contains
       procedure :: open => open_dump
       procedure :: read_job
+      procedure :: compare_results
       procedure :: read_state
       procedure :: reals => read_reals
       procedure :: integers => read_integers
@@ -101,6 +103,7 @@ contains
       call self%file%read_text(run_group, "endings", endings, good(4))
       call self%file%read_number(run_group, "dumps", job%dumps, good(5))
       job%path = self%path(:index(self%path, "/", back=.true.))//name
+      job%dumps = max(job%dumps, number_of_dump(self%path))
       if (all(good)) call read_places(self, endings, job, good(5))
       if (all(good)) call read_decks(self, job%archive, good(6))
       if (.not. all(good)) call fail(error, exit_input, self%path//" is damaged: go on from " &
@@ -108,9 +111,34 @@ contains
       if (.not. allocated(error)) job%deck = job%archive%bundles(1)%documents(1)%path
    end subroutine read_job
 
+   !> Number of a kept restart file, as its name ends with; 0 for another name
+   pure integer function number_of_dump(path) result(number)
+      character(*), intent(in) :: path
+
+      integer :: first, status
+
+      number = 0
+      first = index(path, ".dump", back=.true.) + len(".dump")
+      if (first == len(".dump") .or. verify(path(first:), "0123456789") > 0) return
+      read (path(first:), *, iostat=status) number
+      if (status /= 0) number = 0
+   end function number_of_dump
+
+   !> Refuse to go on with files of results that are not those of the run; the root must come here
+   !> before anything is written to them
+   subroutine compare_results(self, job, error)
+      class(dump_input_type), intent(in) :: self
+      !> As `read_job` gave it
+      type(job_type), intent(in) :: job
+      !> A file is of another run
+      type(error_type), allocatable, intent(out) :: error
+
+      call compare_ends(job%places, self%ends, error)
+   end subroutine compare_results
+
    !> How far the files of results had been written
    subroutine read_places(self, endings, job, good)
-      class(dump_input_type), intent(in) :: self
+      class(dump_input_type), intent(inout) :: self
       character(*), intent(in) :: endings
       type(job_type), intent(inout) :: job
       logical, intent(out) :: good
@@ -121,8 +149,8 @@ contains
       job%places = new_file_positions(job%path)
       allocate (table(max(0, self%file%extent(run_group//"/places"))))
       call self%file%read_reals(run_group//"/places", table, good)
-      if (good) good = has_sums(self%file, run_group, &
-         & sums_of_run(job%archive%parameters, endings, table))
+      if (good) call self%file%read_bytes(run_group//"/ends", self%ends, good)
+      if (good) good = len(self%ends) == end_length*(size(table)/3)
       if (.not. good) return
       first = 1
       do i = 1, size(table)/3
@@ -175,7 +203,6 @@ contains
       character(:), allocatable :: content, path
 
       call self%file%read_bytes(name, content, good)
-      if (good) good = has_sums(self%file, name, sums_of(content))
       if (.not. good) return
       call self%file%read_text(name, "path", path, good)
       call bundle%add_document(path, content)
@@ -219,8 +246,7 @@ contains
          allocate (values(max(0, self%file%extent(state_group//"/"//name))))
       end if
       call self%file%read_reals(state_group//"/"//name, values, good)
-      if (.not. good) call complain(self, name)
-      call compare(self, name, sums_of(values, 0))
+      if (.not. good) call complain(self, name, size(values))
    end subroutine read_reals
 
    !> Read a band of an array, and get from other ranks what this one has. After an error, too: all
@@ -231,22 +257,17 @@ contains
       real(wp), intent(inout), contiguous :: values(:)
 
       real(wp), allocatable :: band(:, :)
-      integer(int64) :: sums(2, 1)
       type(part_type) :: part
-      type(hyperslab_type) :: slab
       logical :: good
 
       part = self%parts%part(name)
-      slab = part%slab()
-      allocate (band(1, slab%count), source=0.0_wp)
+      allocate (band(1, part%had%count), source=0.0_wp)
       if (.not. allocated(self%error)) then
-         good = self%file%extent(state_group//"/"//name) == slab%whole
-         if (good) call self%file%read_slab(state_group//"/"//name, 0_int64, slab, band, good)
-         if (.not. good) call complain(self, name)
+         good = self%file%extent(state_group//"/"//name) == part%had%whole
+         if (good) call self%file%read_rows(state_group//"/"//name, int(part%had%first, int64), &
+            & band, good)
+         if (.not. good) call complain(self, name, part%had%whole)
       end if
-      sums(:, 1) = sums_of(band(1, :), slab%first)
-      call self%parts%comm%sum(sums)
-      call compare(self, name, sums(:, 1))
       call part%had%scatter(band(1, :), values)
    end subroutine read_part
 
@@ -263,44 +284,23 @@ contains
          allocate (values(max(0, self%file%extent(state_group//"/"//name))))
       end if
       call self%file%read_integers(state_group//"/"//name, values, good)
-      if (.not. good) call complain(self, name)
-      call compare(self, name, sums_of(values))
+      if (.not. good) call complain(self, name, size(values))
    end subroutine read_integers
 
-   !> Whether an object of the file has the sums that it was written with
-   logical function has_sums(file, place, sums)
-      type(hdf5_input_type), intent(in) :: file
-      !> Path of the object
-      character(*), intent(in) :: place
-      !> Of what was read
-      integer(int64), intent(in) :: sums(2)
-
-      character(:), allocatable :: written
-
-      call file%read_text(place, sum_name, written, has_sums)
-      if (has_sums) has_sums = written == sum_text(sums)
-   end function has_sums
-
-   !> Refuse an array whose numbers are not those that were written, unless it could not be read
-   subroutine compare(self, name, sums)
-      class(dump_input_type), intent(inout) :: self
-      character(*), intent(in) :: name
-      !> Of what was read
-      integer(int64), intent(in) :: sums(2)
-
-      if (allocated(self%error)) return
-      if (.not. has_sums(self%file, state_group//"/"//name, sums)) call fail(self%error, &
-         & exit_input, self%path//" is damaged: the "//name//" is not what was written; go on " &
-         & //"from another restart file")
-   end subroutine compare
-
    !> An array that cannot be read
-   subroutine complain(self, name)
+   subroutine complain(self, name, length)
       class(dump_input_type), intent(inout) :: self
       character(*), intent(in) :: name
+      !> Numbers that the model has of it
+      integer, intent(in) :: length
 
-      call fail(self%error, exit_input, self%path//" does not hold the "//name//" of the model " &
-         & //"that its deck describes: it is damaged, or of another version of plydyn")
+      if (self%file%extent(state_group//"/"//name) == length) then
+         call fail(self%error, exit_input, self%path//" is damaged: the "//name//" is not what " &
+            & //"was written; go on from another restart file")
+      else
+         call fail(self%error, exit_input, self%path//" does not hold the "//name//" of the " &
+            & //"model that its deck describes: it is damaged, or of another version of plydyn")
+      end if
    end subroutine complain
 
 end module plydyn_io_checkpoint_dump_input

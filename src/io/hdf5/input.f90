@@ -1,18 +1,15 @@
-!> A file of HDF5 being read: datasets whole or by slabs, and attributes of the kinds that
+!> A file of HDF5 being read: datasets whole or by rows, and attributes of the kinds that
 !> `plydyn_io_hdf5_output` writes.
 module plydyn_io_hdf5_input
    use, intrinsic :: iso_c_binding, only : c_char, c_loc, c_ptr
-   use hdf5, only : h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, h5dclose_f, &
-      & h5dget_space_f, h5dont_atexit_f, h5dopen_f, h5dread_f, h5eset_auto_f, h5f_acc_rdonly_f, &
-      & h5f_close_strong_f, h5fclose_f, h5fopen_f, h5lexists_f, h5oclose_f, h5oopen_f, h5open_f, &
-      & h5p_file_access_f, h5pclose_f, h5pcreate_f, h5pset_fclose_degree_f, &
-      & h5pset_file_locking_f, h5sclose_f, &
-      & h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
-      & h5tclose_f, h5tget_size_f, hid_t, &
-      & hsize_t, size_t
+   use, intrinsic :: iso_fortran_env, only : int64
+   use hdf5, only : h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, h5dclose_f, h5dget_space_f, &
+      & h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5lexists_f, h5oclose_f, &
+      & h5oopen_f, h5pclose_f, h5sclose_f, h5sget_simple_extent_dims_f, &
+      & h5sget_simple_extent_ndims_f, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp
-   use plydyn_io_hdf5_numbers, only : is_byte, is_integer, is_real, hyperslab_type
-   use plydyn_io_hdf5_raw, only : select_slab, type_in_memory
+   use plydyn_io_hdf5_raw, only : is_byte, is_integer, is_real, select_rows, type_in_memory
+   use plydyn_io_hdf5_raw_file, only : prepare_access
    implicit none
    private
 
@@ -28,7 +25,7 @@ module plydyn_io_hdf5_input
       procedure :: read_bytes
       procedure :: read_integers
       procedure :: read_reals
-      procedure :: read_slab
+      procedure :: read_rows
       procedure :: read_number
       procedure :: read_text
       procedure :: close => close_input
@@ -45,18 +42,12 @@ contains
       logical, intent(out) :: good
 
       integer(hid_t) :: access
-      integer :: status(7)
+      integer :: status(2)
 
-      ! the end of the program is not to tidy up, as for files being written
-      call h5dont_atexit_f(status(1))
-      call h5open_f(status(1))
-      call h5eset_auto_f(0, status(2))
-      call h5pcreate_f(h5p_file_access_f, access, status(3))
-      call h5pset_fclose_degree_f(access, h5f_close_strong_f, status(4))
-      call h5pset_file_locking_f(access, .false., .true., status(5))
-      call h5fopen_f(path, h5f_acc_rdonly_f, self%id, status(6), access)
-      call h5pclose_f(access, status(7))
-      good = all(status >= 0)
+      call prepare_access(access, good)
+      call h5fopen_f(path, h5f_acc_rdonly_f, self%id, status(1), access)
+      call h5pclose_f(access, status(2))
+      good = good .and. all(status >= 0)
    end subroutine open_input
 
    !> Whether there is a group or dataset
@@ -162,43 +153,41 @@ contains
       good = all(status >= 0)
    end subroutine read_all
 
-   !> Read a slab of the rows of a table, or of the numbers of a list
-   subroutine read_slab(self, name, before, slab, values, good)
+   !> Read consecutive rows of a table, or numbers of a list
+   subroutine read_rows(self, name, before, values, good)
       class(hdf5_input_type), intent(in) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> Rows before all levels of the slab
-      integer(hsize_t), intent(in) :: before
-      !> The slab
-      type(hyperslab_type), intent(in) :: slab
-      !> What is in it, (width, rows); of width 1 for a list
+      !> Rows of the dataset before them
+      integer(int64), intent(in) :: before
+      !> What is in them, (width, rows); of width 1 for a list
       real(wp), intent(inout), target, contiguous :: values(:, :)
       !> False when there are not as many rows
       logical, intent(out) :: good
 
-      integer(hsize_t) :: most(2), rows(2)
       integer(hid_t) :: dataset, memory, space
+      integer(hsize_t) :: most(2), rows(2)
       type(c_ptr) :: address
       integer :: rank, status(8)
 
-      good = .false.
+      good = size(values) == 0
+      if (good) return
       call h5dopen_f(self%id, name, dataset, status(1))
       if (status(1) < 0) return
       call h5dget_space_f(dataset, space, status(2))
       call h5sget_simple_extent_ndims_f(space, rank, status(3))
       if (rank < 1 .or. rank > 2) return
       call h5sget_simple_extent_dims_f(space, rows, most, status(4))
-      good = rows(rank) >= before + slab%whole*slab%levels .and. all(status(:4) >= 0)
-      if (rank == 2) good = good .and. rows(1) == size(values, 1)
-      if (.not. good) return
-      call select_slab(space, before, slab, memory, status(5))
+      if (size(values, 1) /= product(rows(:rank - 1))) return
+      call select_rows(space, before, size(values, 2, int64), memory, status(5))
+      if (status(5) < 0) return
       address = c_loc(values)
       call h5dread_f(dataset, type_in_memory(is_real), address, status(6), memory, space)
       call h5sclose_f(memory, status(7))
       call h5sclose_f(space, status(8))
       call h5dclose_f(dataset, status(1))
-      good = all(status([1, 5, 6, 7, 8]) >= 0)
-   end subroutine read_slab
+      good = all(status >= 0)
+   end subroutine read_rows
 
    !> Read an attribute of one integer
    subroutine read_number(self, place, name, value, good)

@@ -1,208 +1,172 @@
-!> Files of HDF5 being written, with errors as values: datasets, and datasets that grow.
+!> Files of HDF5 being written by the root: datasets, and datasets that grow.
 !>
 !> Arrays keep the order of their memory: `values(components, rows)` here is a table of rows by
-!> components for C and Python. Where several ranks write a file, each of them brings the rows that
-!> it has, and says by a slab where they go; without one the root writes, whatever the others have.
+!> components for C and Python. Objects inside a file are named by their path, such as
+!> `VTKHDF/Steps/Values`. Where each rank has a band of the rows it says so by a slab, and the root
+!> receives the bands in pieces; without a slab it writes what it has itself.
 module plydyn_io_hdf5_output
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_hdf5_file, only : hdf5_file_type
-   use plydyn_io_hdf5_raw_file, only : half_index
-   use plydyn_io_hdf5_numbers, only : is_byte, is_integer, is_long, is_real, numbers_type, &
-      & dataset_layout_type, hyperslab_type, store_byte, store_double, store_integer, store_long, &
-      & store_single
-   use plydyn_io_hdf5_raw, only : make_dataset, write_dataset
-   use plydyn_io_hdf5_raw_series, only : add_rows, append_rows, create_series
+   use plydyn_io_hdf5_input, only : hdf5_input_type
+   use plydyn_io_hdf5_raw, only : close_dataset, create_dataset, extend_dataset, is_byte, &
+      & is_real, open_dataset, storage_type, store_byte, store_double, store_integer, &
+      & store_long, store_single, write_rows
+   use plydyn_io_hdf5_raw_file, only : handle_type
    implicit none
    private
 
-   public :: hyperslab_type, store_byte, store_double, store_integer, store_long, store_single
+   public :: store_byte, store_double, store_integer, store_long, store_single
 
-   !> Bytes of a node in the index of a dataset that grows, and of the first rows of a list
-   integer(int64), parameter :: node_bytes = 24*2**10
+   !> Most numbers that are sent or copied at once, and numbers of a chunk that has a check sum: it
+   !> fits into the cache of the library
+   integer, parameter :: numbers_at_once = 2**18, numbers_per_chunk = 2**16
+
+   !> The rows that a rank has of those that all ranks write: the same ones of each level
+   type, public :: hyperslab_type
+      !> Rows of a level, and levels
+      integer :: whole = 0, levels = 1
+      !> Rows of a level before those of this rank, and how many this rank has
+      integer :: first = 0, count = 0
+   end type hyperslab_type
 
    !> A file being written
    type, public, extends(hdf5_file_type) :: hdf5_output_type
-      !> Datasets that grow
-      integer, private :: series = 0
    contains
       !> Write a dataset whole
-      generic :: write_values => write_integer_list, write_integer_table, write_real_list, &
-         & write_real_table
+      generic :: write_values => write_integer_list, write_real_list, write_real_table
       procedure :: write_bytes
       procedure :: make_series
-      procedure :: reserve_rows
       !> Add rows to a dataset made by `make_series`
-      generic :: append => append_longs, append_reals, append_real_rows
-      procedure, private :: write_integer_list, write_integer_table, write_real_list, &
-         & write_real_table, append_longs, append_reals, append_real_rows, write_all, append_all
+      generic :: append => append_list, append_table
+      procedure :: copy_rows
+      procedure, private :: write_integer_list, write_real_list, write_real_table, append_list, &
+         & append_table
    end type hdf5_output_type
 
 contains
 
-   !> Dataset of a list of integers
-   subroutine write_integer_list(self, name, values, storage, error, slab)
-      !> The file
+   !> Dataset of a list of integers; a real holds every one of them exactly
+   subroutine write_integer_list(self, name, values, storage, slab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
-      integer, intent(in), target, contiguous :: values(:)
-      !> One of `store_byte`, `store_integer`, `store_long`
+      integer, intent(in) :: values(:)
+      !> One of `store_…`
       integer, intent(in) :: storage
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
       !> Where the rows of this rank go
       type(hyperslab_type), intent(in), optional :: slab
 
-      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
-         & error, slab)
+      call self%write_values(name, real(values, wp), storage, slab)
    end subroutine write_integer_list
 
-   !> Dataset of a table of integers
-   subroutine write_integer_table(self, name, values, storage, error, slab)
-      !> The file
-      class(hdf5_output_type), intent(inout) :: self
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> What to write
-      integer, intent(in), target, contiguous :: values(:, :)
-      !> One of `store_byte`, `store_integer`, `store_long`
-      integer, intent(in) :: storage
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-      !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
-
-      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_integer, storage), &
-         & error, slab)
-   end subroutine write_integer_table
-
    !> Dataset of a list of reals
-   subroutine write_real_list(self, name, values, storage, error, slab)
-      !> The file
+   subroutine write_real_list(self, name, values, storage, slab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
-      real(wp), intent(in), target, contiguous :: values(:)
-      !> `store_single` or `store_double`
+      real(wp), intent(in), contiguous :: values(:)
+      !> One of `store_…`
       integer, intent(in) :: storage
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
       !> Where the rows of this rank go
       type(hyperslab_type), intent(in), optional :: slab
 
-      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
-         & error, slab)
+      call write_table(self, name, values, 1, [rows_of_all(size(values), slab)], storage, slab)
    end subroutine write_real_list
 
    !> Dataset of a table of reals
-   subroutine write_real_table(self, name, values, storage, error, slab)
-      !> The file
+   subroutine write_real_table(self, name, values, storage, slab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
-      !> What to write
-      real(wp), intent(in), target, contiguous :: values(:, :)
-      !> `store_single` or `store_double`
+      !> What to write, (width, rows)
+      real(wp), intent(in), contiguous :: values(:, :)
+      !> One of `store_…`
       integer, intent(in) :: storage
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
       !> Where the rows of this rank go
       type(hyperslab_type), intent(in), optional :: slab
 
-      call self%write_all(name, numbers_type(c_loc(values), shape(values), is_real, storage), &
-         & error, slab)
+      call write_table(self, name, reshape(values, [size(values)]), size(values, 1), &
+         & [size(values, 1), rows_of_all(size(values, 2), slab)], storage, slab)
    end subroutine write_real_table
 
+   !> Rows that all ranks write
+   pure integer function rows_of_all(rows, slab)
+      !> Rows of this rank
+      integer, intent(in) :: rows
+      type(hyperslab_type), intent(in), optional :: slab
+
+      rows_of_all = rows
+      if (present(slab)) rows_of_all = slab%whole*slab%levels
+   end function rows_of_all
+
+   !> Make a dataset and write it
+   subroutine write_table(self, name, values, width, extent, storage, slab)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      !> Rows of this rank, one behind the other
+      real(wp), intent(in), contiguous :: values(:)
+      !> Numbers in a row
+      integer, intent(in) :: width
+      !> Extent of what all ranks write
+      integer, intent(in) :: extent(:)
+      integer, intent(in) :: storage
+      type(hyperslab_type), intent(in), optional :: slab
+
+      type(handle_type) :: dataset
+      logical :: good
+
+      if (self%writes()) then
+         call create_dataset(self%handle, name, whole_storage(self, extent, storage), good)
+         if (good) call open_dataset(self%handle, name, dataset, good)
+         call self%note(good, name)
+      end if
+      call gather_rows(self, name, dataset, 0_int64, values, width, slab)
+      if (.not. self%writes()) return
+      call close_dataset(dataset, good)
+      call self%note(good, name)
+   end subroutine write_table
+
+   !> How a dataset that does not grow is stored
+   pure function whole_storage(self, extent, storage) result(stored)
+      type(hdf5_output_type), intent(in) :: self
+      integer, intent(in) :: extent(:), storage
+      type(storage_type) :: stored
+
+      stored = storage_type(extent=extent, storage=storage)
+      if (.not. self%is_checked .or. any(extent == 0)) return
+      stored%is_checked = .true.
+      associate (rows => extent(size(extent)))
+         stored%chunk_rows = min(rows, max(1, numbers_per_chunk/(product(extent)/rows)))
+      end associate
+   end function whole_storage
+
    !> Dataset of the characters of a text, which is the same on all ranks
-   subroutine write_bytes(self, name, content, error)
+   subroutine write_bytes(self, name, content)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to write
       character(*), intent(in), target :: content
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
-      call self%write_all(name, numbers_type(c_loc(content), [len(content)], is_byte, store_byte), &
-         & error)
+      type(handle_type) :: dataset
+      logical :: good
+
+      if (.not. self%writes()) return
+      call create_dataset(self%handle, name, whole_storage(self, [len(content)], store_byte), good)
+      if (good) call open_dataset(self%handle, name, dataset, good)
+      if (good .and. len(content) > 0) call write_rows(dataset, 0_int64, len(content, int64), &
+         & is_byte, c_loc(content), good)
+      if (good) call close_dataset(dataset, good)
+      call self%note(good, name)
    end subroutine write_bytes
 
-   !> Make sure of room, and write a dataset
-   subroutine write_all(self, name, numbers, error, slab)
-      class(hdf5_output_type), intent(inout) :: self
-      character(*), intent(in) :: name
-      !> What this rank writes
-      type(numbers_type), intent(in) :: numbers
-      type(error_type), allocatable, intent(out) :: error
-      !> Where it goes
-      type(hyperslab_type), intent(in), optional :: slab
-
-      !> Most bytes of a number
-      integer(int64), parameter :: most_bytes = 8
-      integer :: whole(size(numbers%extent))
-      logical :: good
-      type(dataset_layout_type) :: room
-
-      whole(:) = extent_of_all(numbers, slab)
-      call self%reserve(most_bytes*product(int(whole, int64)), error)
-      if (allocated(error)) return
-      good = .true.
-      if (self%is_alone() .or. .not. present(slab)) then
-         if (self%is_root()) call write_dataset(self%handle, name, numbers, good)
-      else
-         if (self%is_root()) call make_dataset(self%handle, name, whole, numbers%storage, room, &
-            & good)
-         call self%confirm(good, name, error)
-         if (allocated(error)) return
-         call self%bring(numbers, slab, room, good)
-      end if
-      call self%confirm(good, name, error)
-   end subroutine write_all
-
-   !> Add rows to a dataset for which there is room
-   subroutine append_all(self, name, numbers, error, slab)
-      class(hdf5_output_type), intent(inout) :: self
-      character(*), intent(in) :: name
-      !> What this rank adds
-      type(numbers_type), intent(in) :: numbers
-      type(error_type), allocatable, intent(out) :: error
-      !> Where it goes among the rows that all ranks add
-      type(hyperslab_type), intent(in), optional :: slab
-
-      logical :: good
-      type(dataset_layout_type) :: room
-
-      good = .true.
-      if (self%is_alone() .or. .not. present(slab)) then
-         if (self%is_root()) call append_rows(self%handle, name, numbers, good)
-      else
-         if (self%is_root()) call add_rows(self%handle, name, extent_of_all(numbers, slab), room, &
-            & good)
-         call self%confirm(good, name, error)
-         if (allocated(error)) return
-         call self%bring(numbers, slab, room, good)
-      end if
-      call self%confirm(good, name, error)
-   end subroutine append_all
-
-   !> Extent of what all ranks write together
-   pure function extent_of_all(numbers, slab) result(whole)
-      type(numbers_type), intent(in) :: numbers
-      type(hyperslab_type), intent(in), optional :: slab
-      integer :: whole(size(numbers%extent))
-
-      whole(:) = numbers%extent
-      if (present(slab)) whole(size(whole)) = slab%whole*slab%levels
-   end function extent_of_all
-
    !> Make a dataset of no rows to which rows can be added
-   subroutine make_series(self, name, width, rows_per_chunk, storage, error)
+   subroutine make_series(self, name, width, rows_per_chunk, storage)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
@@ -213,86 +177,160 @@ contains
       integer, intent(in) :: rows_per_chunk
       !> One of `store_…`
       integer, intent(in) :: storage
-      !> Why it could not be made
-      type(error_type), allocatable, intent(out) :: error
 
+      type(storage_type) :: stored
       logical :: good
 
-      self%series = self%series + 1
-      good = .true.
-      if (self%is_root()) call create_series(self%handle, name, width, max(1, rows_per_chunk), &
-         & storage, good)
-      call self%confirm(good, name, error)
+      if (.not. self%writes()) return
+      stored = storage_type([width, 0], storage, max(1, rows_per_chunk), grows=.true.)
+      if (width == 0) stored%extent = [0]
+      call create_dataset(self%handle, name, stored, good)
+      call self%note(good, name)
    end subroutine make_series
 
-   !> Make sure of room for an entry in all datasets that grow, the same number of rows each time
-   subroutine reserve_rows(self, bytes, entry, error)
-      !> The file
-      class(hdf5_output_type), intent(inout) :: self
-      !> Bytes of the rows of all ranks
-      integer(int64), intent(in) :: bytes
-      !> Entries before it
-      integer, intent(in) :: entry
-      !> The disk is full
-      type(error_type), allocatable, intent(out) :: error
-
-      integer(int64) :: index_bytes
-
-      ! each index gets its first node, and two more when that is full and split
-      index_bytes = 0
-      if (mod(entry, half_index) == 0) index_bytes = merge(1, 2, entry == 0)*self%series*node_bytes
-      call self%reserve(bytes + index_bytes, error)
-   end subroutine reserve_rows
-
-   !> Add long integers: a list of whole rows
-   subroutine append_longs(self, name, values, error, slab)
+   !> Add numbers to a list
+   subroutine append_list(self, name, values, slab)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add
-      integer(int64), intent(in), target, contiguous :: values(:)
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
-      !> Where the rows of this rank go
+      real(wp), intent(in), contiguous :: values(:)
+      !> Where the numbers of this rank go
       type(hyperslab_type), intent(in), optional :: slab
 
-      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_long, store_long), &
-         & error, slab)
-   end subroutine append_longs
+      call append_rows(self, name, values, 1, slab)
+   end subroutine append_list
 
-   !> Add reals: a list of whole rows
-   subroutine append_reals(self, name, values, error, slab)
-      !> The file
-      class(hdf5_output_type), intent(inout) :: self
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> What to add
-      real(wp), intent(in), target, contiguous :: values(:)
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
-      !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
-
-      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
-         & store_double), error, slab)
-   end subroutine append_reals
-
-   !> Add rows of reals
-   subroutine append_real_rows(self, name, values, error, slab)
+   !> Add rows to a table
+   subroutine append_table(self, name, values, slab)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> What to add, (width, rows)
-      real(wp), intent(in), target, contiguous :: values(:, :)
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in), contiguous :: values(:, :)
       !> Where the rows of this rank go
       type(hyperslab_type), intent(in), optional :: slab
 
-      call self%append_all(name, numbers_type(c_loc(values), shape(values), is_real, &
-         & store_double), error, slab)
-   end subroutine append_real_rows
+      call append_rows(self, name, reshape(values, [size(values)]), size(values, 1), slab)
+   end subroutine append_table
+
+   !> Add rows to a list or a table
+   subroutine append_rows(self, name, values, width, slab)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      real(wp), intent(in), contiguous :: values(:)
+      !> Numbers in a row
+      integer, intent(in) :: width
+      type(hyperslab_type), intent(in), optional :: slab
+
+      integer(int64) :: before
+      type(handle_type) :: dataset
+      logical :: good
+
+      before = 0
+      if (self%writes()) then
+         call open_dataset(self%handle, name, dataset, good)
+         if (good) call extend_dataset(dataset, &
+            & int(rows_of_all(size(values)/width, slab), int64), before, good)
+         call self%note(good, name)
+      end if
+      call gather_rows(self, name, dataset, before, values, width, slab)
+      if (.not. self%writes()) return
+      call close_dataset(dataset, good)
+      call self%note(good, name)
+   end subroutine append_rows
+
+   !> Send the rows of each rank to the root in pieces, which writes them
+   subroutine gather_rows(self, name, dataset, before, values, width, slab)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      !> The dataset and the rows in it before those of all ranks, on the root
+      type(handle_type), intent(in) :: dataset
+      integer(int64), intent(in) :: before
+      !> Rows of this rank
+      real(wp), intent(in), contiguous, target :: values(:)
+      integer, intent(in) :: width
+      type(hyperslab_type), intent(in), optional :: slab
+
+      real(wp), allocatable, target :: piece(:)
+      type(hyperslab_type) :: all
+      integer(int64) :: here, row
+      integer :: band(2), done, level, most, r, rows
+
+      all = hyperslab_type(whole=size(values)/width, count=size(values)/width)
+      if (present(slab)) all = slab
+      most = max(1, numbers_at_once/width)
+      allocate (piece(width*most))
+      do r = 0, merge(self%comm%ranks - 1, 0, present(slab))
+         if (r /= self%comm%rank .and. .not. self%comm%is_root()) cycle
+         band(:) = [all%first, all%count]
+         call self%comm%send_to_root(r, band)
+         do level = 0, all%levels - 1
+            do done = 0, band(2) - 1, most
+               rows = min(most, band(2) - done)
+               here = width*(int(level, int64)*band(2) + done)
+               if (r == self%comm%rank) piece(:width*rows) = values(here + 1:here + width*rows)
+               call self%comm%send_to_root(r, piece(:width*rows))
+               row = before + int(level, int64)*all%whole + band(1) + done
+               call put_piece(self, name, dataset, row, rows, piece)
+            end do
+         end do
+      end do
+   end subroutine gather_rows
+
+   !> Write a piece, on the root before the first failure
+   subroutine put_piece(self, name, dataset, first, rows, piece)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      type(handle_type), intent(in) :: dataset
+      !> Rows of the dataset before it, and rows of it
+      integer(int64), intent(in) :: first
+      integer, intent(in) :: rows
+      real(wp), intent(in), contiguous, target :: piece(:)
+
+      logical :: good
+
+      if (.not. self%writes()) return
+      call write_rows(dataset, first, int(rows, int64), is_real, c_loc(piece), good)
+      call self%note(good, name)
+   end subroutine put_piece
+
+   !> Add the first rows that a dataset has in another file; the root reads and writes them
+   subroutine copy_rows(self, name, width, rows, other, is_there)
+      !> The file
+      class(hdf5_output_type), intent(inout) :: self
+      !> Path of the dataset in both files
+      character(*), intent(in) :: name
+      !> Numbers in a row, and rows to copy
+      integer, intent(in) :: width
+      integer(int64), intent(in) :: rows
+      !> The other file
+      type(hdf5_input_type), intent(in) :: other
+      !> Whether the other file has these rows; true but on the root
+      logical, intent(out) :: is_there
+
+      integer(int64) :: before, done
+      real(wp), allocatable, target :: piece(:, :)
+      type(handle_type) :: dataset
+      logical :: good
+
+      is_there = .true.
+      if (.not. self%writes()) return
+      call open_dataset(self%handle, name, dataset, good)
+      if (good) call extend_dataset(dataset, rows, before, good)
+      done = 0
+      do while (good .and. is_there .and. done < rows)
+         allocate (piece(width, min(rows - done, int(max(1, numbers_at_once/width), int64))))
+         call other%read_rows(name, done, piece, is_there)
+         if (is_there) call write_rows(dataset, done, size(piece, 2, int64), &
+            & is_real, c_loc(piece), good)
+         done = done + size(piece, 2)
+         deallocate (piece)
+      end do
+      if (good) call close_dataset(dataset, good)
+      call self%note(good, name)
+   end subroutine copy_rows
 
 end module plydyn_io_hdf5_output

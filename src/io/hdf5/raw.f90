@@ -1,257 +1,188 @@
-!> Calls of HDF5 that write what is in a file, bundled; `plydyn_io_hdf5_raw_series` has those for
-!> datasets that grow, `plydyn_io_hdf5_raw_file` those for the file itself,
-!> `plydyn_io_hdf5_input` those that read. No other module uses the library.
+!> Calls of HDF5 that make datasets and write rows of them.
 !>
-!> Each procedure makes one thing in a file and says whether every call went well; the module
-!> `plydyn_io_hdf5_output` turns that into errors. Numbers come as an address, the kind of number
-!> that lies there, and how it is stored. Extents are in Fortran's order. Room in the file is taken
-!> when a thing is made, and never filled in advance: others than the library may write there.
+!> Each procedure says whether every call went well. Numbers come as an address, the kind of number
+!> that lies there, and how it is stored. Extents are in Fortran's order.
 module plydyn_io_hdf5_raw
-   use, intrinsic :: iso_c_binding, only : c_loc
+   use, intrinsic :: iso_c_binding, only : c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
-   use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5acreate_f, h5aexists_f, &
-      & h5aopen_f, h5awrite_f, h5d_alloc_time_early_f, h5d_fill_time_never_f, h5dclose_f, &
-      & h5dcreate_f, h5dget_offset_f, h5dwrite_f, h5gclose_f, h5gcreate_f, h5kind_to_type, &
-      & h5oclose_f, h5oopen_f, h5p_dataset_create_f, h5pclose_f, h5pcreate_f, &
-      & h5pset_alloc_time_f, h5pset_fill_time_f, h5pset_obj_track_times_f, h5s_scalar_f, &
-      & h5s_select_set_f, h5sclose_f, h5screate_f, h5screate_simple_f, &
-      & h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, &
-      & h5sselect_none_f, h5t_ieee_f32le, h5t_ieee_f64le, h5t_native_character, h5t_std_i32le, &
-      & h5t_std_i64le, h5t_std_u8le, h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, h5tset_size_f, &
-      & h5tset_strpad_f, hid_t, hsize_t, size_t
+   use hdf5, only : h5_integer_kind, h5_real_kind, h5d_fill_time_never_f, h5dclose_f, h5dcreate_f, &
+      & h5dget_space_f, h5dopen_f, h5dset_extent_f, h5dwrite_f, h5kind_to_type, &
+      & h5p_dataset_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, h5pset_fill_time_f, &
+      & h5pset_fletcher32_f, h5pset_obj_track_times_f, h5s_select_set_f, h5s_unlimited_f, &
+      & h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
+      & h5sselect_hyperslab_f, h5t_ieee_f32le, h5t_ieee_f64le, h5t_std_i32le, h5t_std_i64le, &
+      & h5t_std_u8le, hid_t, hsize_t
    use plydyn_base_precision, only : wp
-   use plydyn_io_hdf5_numbers, only : bytes_of, is_byte, is_integer, is_long, numbers_type, &
-      & dataset_layout_type, hyperslab_type, store_byte, store_integer, store_long, store_single
    use plydyn_io_hdf5_raw_file, only : handle_type
    implicit none
    private
 
-   public :: create_group, write_text_attribute, write_attribute, write_dataset, make_dataset
-   public :: create_plan, select_slab, type_in_file, type_in_memory
+   public :: close_dataset, create_dataset, extend_dataset, open_dataset, select_rows, &
+      & type_in_memory, write_rows
+
+   !> Kinds of number in memory: default integers, reals of the working precision, and characters
+   integer, parameter, public :: is_integer = 1, is_real = 2, is_byte = 3
+   !> Ways to store a number in the file, whatever it is in memory
+   integer, parameter, public :: store_byte = 1, store_integer = 2, store_long = 3, &
+      & store_single = 4, store_double = 5
+
+   !> How a dataset is stored
+   type, public :: storage_type
+      !> Extent of the dataset, rows last; of no rows for one that grows
+      integer, allocatable :: extent(:)
+      !> One of `store_…`
+      integer :: storage = store_double
+      !> Rows of a chunk; 0 for a dataset in one piece
+      integer :: chunk_rows = 0
+      !> Whether rows can be added, and whether each chunk has a check sum
+      logical :: grows = .false., is_checked = .false.
+   end type storage_type
 
 contains
 
-   !> Create a group
-   subroutine create_group(file, name, good)
+   !> Create a dataset
+   subroutine create_dataset(file, name, storage, good)
       !> The file
       type(handle_type), intent(in) :: file
-      !> Path of the group in the file
+      !> Path of the dataset in the file
       character(*), intent(in) :: name
+      !> How it is stored
+      type(storage_type), intent(in) :: storage
       !> True when all went well
       logical, intent(out) :: good
 
-      integer(hid_t) :: group
-      integer :: status(2)
-
-      call h5gcreate_f(file%id, name, group, status(1))
-      call h5gclose_f(group, status(2))
-      good = all(status >= 0)
-   end subroutine create_group
-
-   !> Write an attribute of text, of exactly its length
-   subroutine write_text_attribute(file, place, name, value, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value, of at least one character
-      character(*), intent(in), target :: value
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hid_t) :: string, space, object, attribute
-      integer :: status(11)
-
-      call h5tcopy_f(h5t_native_character, string, status(1))
-      call h5tset_size_f(string, int(len(value), size_t), status(2))
-      call h5tset_strpad_f(string, h5t_str_nullpad_f, status(3))
-      call h5screate_f(h5s_scalar_f, space, status(4))
-      call h5oopen_f(file%id, place, object, status(5))
-      call h5acreate_f(object, name, string, space, attribute, status(6))
-      call h5awrite_f(attribute, string, c_loc(value), status(7))
-      call h5aclose_f(attribute, status(8))
-      call h5oclose_f(object, status(9))
-      call h5sclose_f(space, status(10))
-      call h5tclose_f(string, status(11))
-      good = all(status >= 0)
-   end subroutine write_text_attribute
-
-   !> Write an attribute of numbers: in place when it is there, else create it
-   subroutine write_attribute(file, place, name, numbers, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its value
-      type(numbers_type), intent(in) :: numbers
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hid_t) :: object, attribute, space
-      integer :: status(8)
-      logical :: exists
+      integer(hsize_t), dimension(size(storage%extent)) :: chunk, extent, most
+      integer(hid_t) :: creation, dataset, space
+      integer :: rank, status(10)
 
       status(:) = 0
-      call h5oopen_f(file%id, place, object, status(1))
-      call h5aexists_f(object, name, exists, status(2))
-      if (exists) then
-         call h5aopen_f(object, name, attribute, status(3))
-      else
-         call create_space(numbers%extent, space, status(3))
-         call h5acreate_f(object, name, type_in_file(numbers%storage), space, attribute, status(4))
-         call h5sclose_f(space, status(5))
-      end if
-      call h5awrite_f(attribute, type_in_memory(numbers%number), numbers%address, status(6))
-      call h5aclose_f(attribute, status(7))
-      call h5oclose_f(object, status(8))
+      rank = size(storage%extent)
+      extent(:) = storage%extent
+      most(:) = extent
+      if (storage%grows) most(rank) = h5s_unlimited_f
+      chunk(:) = extent
+      chunk(rank) = storage%chunk_rows
+      ! the same run makes the same file: no time of day
+      call h5pcreate_f(h5p_dataset_create_f, creation, status(1))
+      call h5pset_obj_track_times_f(creation, .false., status(2))
+      call h5pset_fill_time_f(creation, h5d_fill_time_never_f, status(3))
+      if (storage%chunk_rows > 0) call h5pset_chunk_f(creation, rank, chunk, status(4))
+      if (storage%is_checked) call h5pset_fletcher32_f(creation, status(5))
+      call h5screate_simple_f(rank, extent, space, status(6), most)
+      call h5dcreate_f(file%id, name, type_in_file(storage%storage), space, dataset, status(7), &
+         & creation)
+      call h5dclose_f(dataset, status(8))
+      call h5sclose_f(space, status(9))
+      call h5pclose_f(creation, status(10))
       good = all(status >= 0)
-   end subroutine write_attribute
-
-   !> Create a dataset and write all of it
-   subroutine write_dataset(file, name, numbers, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> What to write
-      type(numbers_type), intent(in) :: numbers
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hid_t) :: dataset
-      integer :: status(3)
-
-      call create_dataset(file, name, numbers%extent, numbers%storage, dataset, status(1))
-      status(2) = 0
-      if (all(numbers%extent > 0)) call h5dwrite_f(dataset, type_in_memory(numbers%number), &
-         & numbers%address, status(2))
-      call h5dclose_f(dataset, status(3))
-      good = all(status >= 0)
-   end subroutine write_dataset
-
-   !> Create a dataset whose numbers are brought by others
-   subroutine make_dataset(file, name, extent, storage, room, good)
-      !> The file
-      type(handle_type), intent(in) :: file
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> Its extent, and how it is stored
-      integer, intent(in) :: extent(:), storage
-      !> Where its rows lie
-      type(dataset_layout_type), intent(out) :: room
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer(hid_t) :: dataset
-      integer(int64) :: first
-      integer :: status(3)
-
-      call create_dataset(file, name, extent, storage, dataset, status(1))
-      first = 0
-      status(2) = 0
-      if (all(extent > 0)) call h5dget_offset_f(dataset, first, status(2))
-      call h5dclose_f(dataset, status(3))
-      good = all(status >= 0)
-      room = dataset_layout_type(row_bytes=bytes_of(storage)*product(extent(:size(extent) - 1)), &
-         & start=[first])
-   end subroutine make_dataset
-
-   !> Create a dataset
-   subroutine create_dataset(file, name, extent, storage, dataset, status)
-      type(handle_type), intent(in) :: file
-      character(*), intent(in) :: name
-      integer, intent(in) :: extent(:), storage
-      !> Its handle
-      integer(hid_t), intent(out) :: dataset
-      !> Negative when it went wrong
-      integer, intent(out) :: status
-
-      integer(hid_t) :: plan, space
-      integer :: calls(5)
-
-      call create_plan(plan, calls(1))
-      call create_space(extent, space, calls(2))
-      call h5dcreate_f(file%id, name, type_in_file(storage), space, dataset, calls(3), plan)
-      call h5sclose_f(space, calls(4))
-      call h5pclose_f(plan, calls(5))
-      status = minval(calls)
    end subroutine create_dataset
 
-   !> Select a slab in the space of a dataset, and make the space in memory for it
-   subroutine select_slab(space, before, slab, memory, status)
+   !> Open a dataset
+   subroutine open_dataset(file, name, dataset, good)
+      !> The file
+      type(handle_type), intent(in) :: file
+      !> Path of the dataset in the file
+      character(*), intent(in) :: name
+      !> Its handle
+      type(handle_type), intent(out) :: dataset
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: status
+
+      call h5dopen_f(file%id, name, dataset%id, status)
+      good = status >= 0
+   end subroutine open_dataset
+
+   !> Close a dataset, and write what is held back of it
+   subroutine close_dataset(dataset, good)
+      !> The dataset
+      type(handle_type), intent(in) :: dataset
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer :: status
+
+      call h5dclose_f(dataset%id, status)
+      good = status >= 0
+   end subroutine close_dataset
+
+   !> Add rows, not yet written, at the end of a dataset
+   subroutine extend_dataset(dataset, added, before, good)
+      !> The dataset, a list or a table
+      type(handle_type), intent(in) :: dataset
+      !> Rows to add
+      integer(int64), intent(in) :: added
+      !> Rows before them
+      integer(int64), intent(out) :: before
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer(hsize_t) :: most(2), rows(2)
+      integer(hid_t) :: space
+      integer :: rank, status(5)
+
+      call h5dget_space_f(dataset%id, space, status(1))
+      call h5sget_simple_extent_ndims_f(space, rank, status(2))
+      call h5sget_simple_extent_dims_f(space, rows, most, status(3))
+      call h5sclose_f(space, status(4))
+      before = rows(rank)
+      rows(rank) = before + added
+      call h5dset_extent_f(dataset%id, rows(:rank), status(5))
+      good = all(status >= 0)
+   end subroutine extend_dataset
+
+   !> Write consecutive rows of a dataset
+   subroutine write_rows(dataset, first, rows, number, address, good)
+      !> The dataset, a list or a table
+      type(handle_type), intent(in) :: dataset
+      !> Rows before the first, and how many there are
+      integer(int64), intent(in) :: first, rows
+      !> Kind of their numbers, one of `is_…`, and where they are, one behind the other
+      integer, intent(in) :: number
+      type(c_ptr), intent(in) :: address
+      !> True when all went well
+      logical, intent(out) :: good
+
+      integer(hid_t) :: memory, space
+      integer :: status(5)
+
+      call h5dget_space_f(dataset%id, space, status(1))
+      call select_rows(space, first, rows, memory, status(2))
+      call h5dwrite_f(dataset%id, type_in_memory(number), address, status(3), memory, &
+         & space)
+      call h5sclose_f(memory, status(4))
+      call h5sclose_f(space, status(5))
+      good = all(status >= 0)
+   end subroutine write_rows
+
+   !> Select consecutive rows in the space of a dataset, and make the space in memory for them
+   subroutine select_rows(space, first, rows, memory, status)
       !> Handle of the space of the dataset, a list or a table
       integer(hid_t), intent(in) :: space
-      !> Rows of the dataset before all levels
-      integer(hsize_t), intent(in) :: before
-      !> The slab
-      type(hyperslab_type), intent(in) :: slab
+      !> Rows before the first, and how many there are
+      integer(int64), intent(in) :: first, rows
       !> Handle of the space in memory
       integer(hid_t), intent(out) :: memory
-      !> Negative when the dataset is neither or a call failed
+      !> Negative when the dataset has not so many rows or a call failed
       integer, intent(out) :: status
 
-      integer(hsize_t) :: block(2), count(2), most(2), start(2), stride(2)
-      integer :: calls(5), rank
+      integer(hsize_t) :: count(2), most(2), start(2)
+      integer :: calls(4), rank
 
+      memory = -1
       status = -1
-      calls(:) = 0
       call h5sget_simple_extent_ndims_f(space, rank, calls(1))
       if (rank < 1 .or. rank > 2) return
-      call h5sget_simple_extent_dims_f(space, block, most, calls(2))
+      call h5sget_simple_extent_dims_f(space, count, most, calls(2))
+      if (first + rows > count(rank)) return
       start(:) = 0
-      stride(:) = 1
-      count(:) = 1
-      start(rank) = before + slab%first
-      stride(rank) = slab%whole
-      count(rank) = slab%levels
-      block(rank) = slab%count*count(rank)
-      call h5screate_simple_f(rank, block, memory, calls(3))
-      block(rank) = slab%count
-      if (slab%count > 0) then
-         call h5sselect_hyperslab_f(space, h5s_select_set_f, start, count, calls(4), stride, block)
-      else
-         call h5sselect_none_f(space, calls(4))
-         call h5sselect_none_f(memory, calls(5))
-      end if
-      status = minval(calls)
-   end subroutine select_slab
-
-   !> Space of an attribute or dataset of fixed extent
-   subroutine create_space(extent, space, status)
-      !> Extent of the array; of no size for a single number
-      integer, intent(in) :: extent(:)
-      !> Handle of the space
-      integer(hid_t), intent(out) :: space
-      !> Negative when it went wrong
-      integer, intent(out) :: status
-
-      if (size(extent) == 0) then
-         call h5screate_f(h5s_scalar_f, space, status)
-      else
-         call h5screate_simple_f(size(extent), int(extent, hsize_t), space, status)
-      end if
-   end subroutine create_space
-
-   !> Creation of a dataset without the time of day, so that the same run makes the same file, and
-   !> with its room at once, as several ranks need it
-   subroutine create_plan(plan, status)
-      !> Handle of the creation
-      integer(hid_t), intent(out) :: plan
-      !> Negative when it went wrong
-      integer, intent(out) :: status
-
-      integer :: calls(4)
-
-      call h5pcreate_f(h5p_dataset_create_f, plan, calls(1))
-      call h5pset_obj_track_times_f(plan, .false., calls(2))
-      call h5pset_alloc_time_f(plan, h5d_alloc_time_early_f, calls(3))
-      call h5pset_fill_time_f(plan, h5d_fill_time_never_f, calls(4))
-      status = minval(calls)
-   end subroutine create_plan
+      start(rank) = first
+      count(rank) = rows
+      call h5screate_simple_f(rank, count, memory, calls(3))
+      call h5sselect_hyperslab_f(space, h5s_select_set_f, start, count, calls(4))
+      status = minval([calls(1), calls(3:)])
+   end subroutine select_rows
 
    !> The library's type of numbers in memory
    integer(hid_t) function type_in_memory(number)
@@ -263,8 +194,6 @@ contains
          type_in_memory = h5t_std_u8le
       case (is_integer)
          type_in_memory = h5kind_to_type(kind(0), h5_integer_kind)
-      case (is_long)
-         type_in_memory = h5kind_to_type(int64, h5_integer_kind)
       case default
          type_in_memory = h5kind_to_type(wp, h5_real_kind)
       end select

@@ -1,6 +1,5 @@
 !> What a file of states says about itself: version, deck, units, plies, impactors.
 module plydyn_io_vtkhdf_description
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_vtkhdf, only : vtkhdf_type
@@ -12,15 +11,13 @@ module plydyn_io_vtkhdf_description
 contains
 
    !> Attributes and tables of the group /plydyn
-   subroutine describe_file(file, deck, version, model, error)
+   subroutine describe_file(file, deck, version, model)
       !> The file
       type(vtkhdf_type), intent(inout) :: file
       !> Path of the deck, version of the program
       character(*), intent(in) :: deck, version
       !> The model
       type(model_type), intent(in) :: model
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
       character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
          & "length", "time", "mass", "force", "stress", "energy"]
@@ -46,15 +43,13 @@ contains
             case default; value = trim(units%energy)
             end select
          end associate
-         call file%describe(trim(names(i)), value, error)
-         if (allocated(error)) return
+         call file%describe(trim(names(i)), value)
       end do
-      call file%add_table("plies", ply_columns, ply_table(model), error)
-      if (allocated(error)) return
+      call file%add_table("plies", ply_columns, ply_table(model))
       table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%radius, &
          & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
          & [6, size(model%impactors)])
-      if (size(table) > 0) call file%add_table("impactors", impactor_columns, table, error)
+      if (size(table) > 0) call file%add_table("impactors", impactor_columns, table)
    end subroutine describe_file
 
    !> One row for each ply of each part: part, ply from the bottom, its number, angle, z range

@@ -72,11 +72,10 @@ contains
    end subroutine look_at_nodes
 
    !> What does not change: ply, part, element, angle, fibre
-   subroutine add_cell_fields(self, model, domain, error)
+   subroutine add_cell_fields(self, model, domain)
       class(element_fields_type), intent(inout) :: self
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
       real(wp) :: angle(size(self%grid%sheet)), fibre(3, size(self%grid%sheet))
@@ -98,14 +97,13 @@ contains
       fibre(2, :) = sin(angle*degree)
       fibre(3, :) = 0.0_wp
       if (self%grid%has_layers()) then
-         call self%file%add_cell_data("ply", ply, error)
-         if (.not. allocated(error)) call self%file%add_cell_data("ply_id", ply_id, error)
-         if (allocated(error)) return
+         call self%file%add_cell_data("ply", ply)
+         call self%file%add_cell_data("ply_id", ply_id)
       end if
-      call self%file%add_cell_data("part", part, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("element", element, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("angle", angle, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("fibre", fibre, error)
+      call self%file%add_cell_data("part", part)
+      call self%file%add_cell_data("element", element)
+      call self%file%add_cell_data("angle", angle)
+      call self%file%add_cell_data("fibre", fibre)
    end subroutine add_cell_fields
 
    !> Displacement or velocity at the points of this rank, (3, points)

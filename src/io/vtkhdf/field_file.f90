@@ -43,16 +43,14 @@ module plydyn_io_vtkhdf_field_file
       end subroutine create_grid
 
       !> Write what does not change from state to state
-      subroutine add_cell_fields(self, model, domain, error)
-         import :: domain_type, error_type, field_file_type, model_type
+      subroutine add_cell_fields(self, model, domain)
+         import :: domain_type, field_file_type, model_type
          implicit none
          class(field_file_type), intent(inout) :: self
          !> The model
          type(model_type), intent(in) :: model
          !> The domain
          type(domain_type), intent(in) :: domain
-         !> Why it could not be written
-         type(error_type), allocatable, intent(out) :: error
       end subroutine add_cell_fields
 
       !> Write the present state, if the file is open; it is whole in the file when this returns
@@ -91,15 +89,12 @@ contains
 
       call self%create_grid(path, model, domain, error)
       if (allocated(error) .or. .not. self%file%is_open()) return
-      call describe_file(self%file, deck, version, model, error)
-      if (allocated(error)) return
-      call self%add_cell_fields(model, domain, error)
-      if (allocated(error)) return
+      call describe_file(self%file, deck, version, model)
+      call self%add_cell_fields(model, domain)
       do i = 1, size(self%names)
-         call self%file%declare_point_data(trim(self%names(i)), self%components(i), error)
-         if (allocated(error)) return
+         call self%file%declare_point_data(trim(self%names(i)), self%components(i))
       end do
-      call self%file%settle(places, error)
+      call self%file%put_in_place(places, error)
    end subroutine open_file
 
    !> Put all states on the disk, and note how many there are

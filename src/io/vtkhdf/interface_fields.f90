@@ -164,11 +164,10 @@ contains
    end subroutine make_cells
 
    !> What does not change: interface, plies, angles, element
-   subroutine add_cell_fields(self, model, domain, error)
+   subroutine add_cell_fields(self, model, domain)
       class(interface_fields_type), intent(inout) :: self
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp), dimension(size(self%cell)) :: above, below
       integer, dimension(size(self%cell)) :: number, ply_above, ply_below
@@ -183,13 +182,12 @@ contains
             above(i) = plies(number(i) + 1)%angle
          end associate
       end do
-      call self%file%add_cell_data("interface", number, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("ply_below", ply_below, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("ply_above", ply_above, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("angle_below", below, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("angle_above", above, error)
-      if (.not. allocated(error)) call self%file%add_cell_data("element", &
-         & model%mesh%quad_id(self%quad), error)
+      call self%file%add_cell_data("interface", number)
+      call self%file%add_cell_data("ply_below", ply_below)
+      call self%file%add_cell_data("ply_above", ply_above)
+      call self%file%add_cell_data("angle_below", below)
+      call self%file%add_cell_data("angle_above", above)
+      call self%file%add_cell_data("element", model%mesh%quad_id(self%quad))
    end subroutine add_cell_fields
 
    !> Write the present state; it is whole in the file when this returns
@@ -205,21 +203,14 @@ contains
       real(wp), allocatable :: motion(:, :), values(:, :)
 
       if (.not. self%file%is_open()) return
-      call self%file%begin_step(state%time, error)
-      if (allocated(error)) return
       motion = face_motion(self, domain, state)
       values = point_values(self, domain, state)
-      call self%file%write_point_data("displacement", motion(:3, :), error)
-      if (allocated(error)) return
-      call self%file%write_point_data("opening", motion(4:, :), error)
-      if (allocated(error)) return
-      call self%file%write_point_data("damage", values(at_damage, :), error)
-      if (allocated(error)) return
-      call self%file%write_point_data("mode_mixity", values(at_mixity, :), error)
-      if (allocated(error)) return
-      call self%file%write_point_data("dissipated", values(at_dissipated, :), error)
-      if (allocated(error)) return
-      call self%file%end_step(error)
+      call self%file%write_point_data("displacement", motion(:3, :))
+      call self%file%write_point_data("opening", motion(4:, :))
+      call self%file%write_point_data("damage", values(at_damage, :))
+      call self%file%write_point_data("mode_mixity", values(at_mixity, :))
+      call self%file%write_point_data("dissipated", values(at_dissipated, :))
+      call self%file%end_step(state%time, error)
    end subroutine write_state
 
    !> Mean and difference of the motion of both faces at the points of this rank, (6, points)

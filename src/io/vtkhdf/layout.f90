@@ -1,14 +1,14 @@
 !> Where things lie in a VTKHDF file: the groups, the grid, and the lists of states.
 module plydyn_io_vtkhdf_layout
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_io_hdf5_input, only : hdf5_input_type
    use plydyn_io_hdf5_output, only : hdf5_output_type, hyperslab_type, store_byte, store_double, &
       & store_long
    implicit none
    private
 
-   public :: make_groups, write_grid, make_steps, make_offsets, add_state
+   public :: add_state, copy_states, count_states, make_groups, make_list, make_steps, write_grid
 
    !> Groups of the fields, and the one of our own
    character(*), parameter, public :: point_data = "VTKHDF/PointData/", &
@@ -22,13 +22,16 @@ module plydyn_io_vtkhdf_layout
    !> States whose times lie together in the file
    integer, parameter :: states_per_chunk = 256
    !> Group of the states
-   character(*), parameter :: steps = "VTKHDF/Steps/"
+   character(*), parameter, public :: states_group = "VTKHDF/Steps"
+   character(*), parameter :: steps = states_group//"/"
    !> List of the times of the states
-   character(*), parameter, public :: state_times = steps//"Values"
-   !> Lists that are 0 in every state, as the grid stands still, and tables of one column that are
-   character(*), parameter :: still_lists(2) = [character(12) :: "PartOffsets", "PointOffsets"]
-   character(*), parameter :: still_tables(2) = &
-      & [character(21) :: "CellOffsets", "ConnectivityIdOffsets"]
+   character(*), parameter :: state_times = steps//"Values"
+   !> Lists that have the same number for every state, as the grid is fixed: their widths, as in
+   !> `make_series`, and the numbers
+   character(*), parameter :: fixed_lists(5) = [character(21) :: "NumberOfParts", "PartOffsets", &
+      & "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"]
+   integer, parameter :: fixed_widths(5) = [0, 0, 0, 1, 1]
+   real(wp), parameter :: fixed_numbers(5) = [1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
 
    !> The part of a grid that a rank writes
    type, public :: piece_type
@@ -50,11 +53,9 @@ module plydyn_io_vtkhdf_layout
 contains
 
    !> Make all groups
-   subroutine make_groups(file, error)
+   subroutine make_groups(file)
       !> The file, new
-      type(hdf5_output_type), intent(inout) :: file
-      !> Why they could not be made
-      type(error_type), allocatable, intent(out) :: error
+      class(hdf5_output_type), intent(inout) :: file
 
       character(*), parameter :: groups(7) = [character(29) :: "VTKHDF", "VTKHDF/PointData", &
          & "VTKHDF/CellData", "VTKHDF/Steps", "VTKHDF/Steps/PointDataOffsets", &
@@ -62,87 +63,63 @@ contains
       integer :: i
 
       do i = 1, size(groups)
-         call file%make_group(trim(groups(i)), error)
-         if (allocated(error)) return
+         call file%make_group(trim(groups(i)))
       end do
-      call file%write_number("VTKHDF", "Version", format_version, error)
-      if (allocated(error)) return
-      call file%write_text("VTKHDF", "Type", "UnstructuredGrid", error)
+      call file%write_number("VTKHDF", "Version", format_version)
+      call file%write_text("VTKHDF", "Type", "UnstructuredGrid")
    end subroutine make_groups
 
    !> Write the grid, in one part for whoever reads it
-   subroutine write_grid(file, piece, error)
+   subroutine write_grid(file, piece)
       !> The file
-      type(hdf5_output_type), intent(inout) :: file
+      class(hdf5_output_type), intent(inout) :: file
       !> What this rank writes
       type(piece_type), intent(in) :: piece
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
-      character(*), parameter :: names(3) = [character(23) :: "NumberOfPoints", &
-         & "NumberOfCells", "NumberOfConnectivityIds"]
-      integer :: sizes(3), i
-
-      sizes(:) = [piece%points%whole*piece%points%levels, piece%cells%whole, piece%all_ends]
-      do i = 1, size(names)
-         call file%write_values("VTKHDF/"//trim(names(i)), sizes(i:i), store_long, error)
-         if (allocated(error)) return
-      end do
-      call file%write_values("VTKHDF/Points", piece%position, store_double, error, piece%points)
-      if (allocated(error)) return
-      call file%write_values("VTKHDF/Connectivity", piece%connectivity, store_long, error, &
-         & hyperslab_type(whole=piece%all_ends, first=piece%before, count=size(piece%connectivity)))
-      if (allocated(error)) return
-      call file%write_values("VTKHDF/Offsets", piece%offset, store_long, error, &
-         & hyperslab_type(whole=piece%cells%whole + 1, first=piece%cells%first, &
-         & count=size(piece%offset)))
-      if (allocated(error)) return
-      call file%write_values("VTKHDF/Types", piece%kind, store_byte, error, piece%cells)
+      associate (points => piece%points, cells => piece%cells)
+         call file%write_values("VTKHDF/NumberOfPoints", [points%whole*points%levels], store_long)
+         call file%write_values("VTKHDF/NumberOfCells", [cells%whole], store_long)
+         call file%write_values("VTKHDF/NumberOfConnectivityIds", [piece%all_ends], store_long)
+         call file%write_values("VTKHDF/Points", piece%position, store_double, points)
+         call file%write_values("VTKHDF/Connectivity", piece%connectivity, store_long, &
+            & hyperslab_type(whole=piece%all_ends, first=piece%before, &
+            & count=size(piece%connectivity)))
+         call file%write_values("VTKHDF/Offsets", piece%offset, store_long, &
+            & hyperslab_type(whole=cells%whole + 1, first=cells%first, count=size(piece%offset)))
+         call file%write_values("VTKHDF/Types", piece%kind, store_byte, cells)
+      end associate
    end subroutine write_grid
 
    !> Make the lists of states, all empty
-   subroutine make_steps(file, error)
+   subroutine make_steps(file)
       !> The file
-      type(hdf5_output_type), intent(inout) :: file
-      !> Why they could not be made
-      type(error_type), allocatable, intent(out) :: error
+      class(hdf5_output_type), intent(inout) :: file
 
       integer :: i
 
-      call count_states(file, 0, error)
-      if (allocated(error)) return
-      call file%make_series(state_times, 0, states_per_chunk, store_double, error)
-      if (allocated(error)) return
-      call make_offsets(file, "NumberOfParts", error)
-      if (allocated(error)) return
-      do i = 1, size(still_lists)
-         call make_offsets(file, trim(still_lists(i)), error)
-         if (allocated(error)) return
-         call file%make_series(steps//trim(still_tables(i)), 1, states_per_chunk, store_long, &
-            & error)
-         if (allocated(error)) return
+      call count_states(file, 0)
+      call file%make_series(state_times, 0, states_per_chunk, store_double)
+      do i = 1, size(fixed_lists)
+         call make_list(file, trim(fixed_lists(i)), fixed_widths(i))
       end do
    end subroutine make_steps
 
    !> Make a list with one number per state
-   subroutine make_offsets(file, name, error)
+   subroutine make_list(file, name, width)
       !> The file
-      type(hdf5_output_type), intent(inout) :: file
+      class(hdf5_output_type), intent(inout) :: file
       !> Name of the list in the group of the states
       character(*), intent(in) :: name
-      !> Why it could not be made
-      type(error_type), allocatable, intent(out) :: error
+      !> 0 for a list, 1 for a table of one column
+      integer, intent(in) :: width
 
-      call file%make_series(steps//name, 0, states_per_chunk, store_long, error)
-   end subroutine make_offsets
+      call file%make_series(steps//name, width, states_per_chunk, store_long)
+   end subroutine make_list
 
-   !> Add a state whose data are written: its place, its time, and last its count, so that a
-   !> process killed at any moment leaves a file with all states before
-   subroutine add_state(file, state, time, moving, start, still, error)
+   !> Add a state whose data are written: its place and its time
+   subroutine add_state(file, time, moving, start, fixed)
       !> The file
-      type(hdf5_output_type), intent(inout) :: file
-      !> Number of the state, from 1
-      integer, intent(in) :: state
+      class(hdf5_output_type), intent(inout) :: file
       !> Time of the state
       real(wp), intent(in) :: time
       !> Lists of the fields that are written anew with each state
@@ -150,54 +127,56 @@ contains
       !> Row at which these fields start for this state, from 0
       integer(int64), intent(in) :: start
       !> Lists of the fields that are written once
-      character(*), intent(in) :: still(:)
-      !> Why it could not be added
-      type(error_type), allocatable, intent(out) :: error
-
-      call add_number(file, ["NumberOfParts"], 1_int64, error)
-      if (allocated(error)) return
-      call add_number(file, still_lists, 0_int64, error)
-      if (allocated(error)) return
-      call add_number(file, still_tables, 0_int64, error)
-      if (allocated(error)) return
-      call add_number(file, still, 0_int64, error)
-      if (allocated(error)) return
-      call add_number(file, moving, start, error)
-      if (allocated(error)) return
-      call file%append(state_times, [time], error)
-      if (allocated(error)) return
-      call file%flush(error)
-      if (allocated(error)) return
-      call count_states(file, state, error)
-      if (allocated(error)) return
-      call file%flush(error)
-   end subroutine add_state
-
-   !> Add the same number to several lists
-   subroutine add_number(file, names, number, error)
-      type(hdf5_output_type), intent(inout) :: file
-      !> Names of the lists in the group of the states
-      character(*), intent(in) :: names(:)
-      !> What to add
-      integer(int64), intent(in) :: number
-      type(error_type), allocatable, intent(out) :: error
+      character(*), intent(in) :: fixed(:)
 
       integer :: i
 
-      do i = 1, size(names)
-         call file%append(steps//trim(names(i)), [number], error)
-         if (allocated(error)) return
+      do i = 1, size(fixed_lists)
+         call file%append(steps//trim(fixed_lists(i)), [fixed_numbers(i)])
       end do
-   end subroutine add_number
+      do i = 1, size(fixed)
+         call file%append(steps//trim(fixed(i)), [0.0_wp])
+      end do
+      do i = 1, size(moving)
+         call file%append(steps//trim(moving(i)), [real(start, wp)])
+      end do
+      call file%append(state_times, [time])
+   end subroutine add_state
 
-   !> Tell how many states there are
-   subroutine count_states(file, states, error)
-      type(hdf5_output_type), intent(inout) :: file
-      !> States that are complete
+   !> Copy what was said of the first states of another file
+   subroutine copy_states(file, states, lists, other, is_there)
+      !> The file
+      class(hdf5_output_type), intent(inout) :: file
+      !> How many
       integer, intent(in) :: states
-      type(error_type), allocatable, intent(out) :: error
+      !> Lists of all fields
+      character(*), intent(in) :: lists(:)
+      !> The file that has them
+      type(hdf5_input_type), intent(in) :: other
+      !> Whether it does
+      logical, intent(out) :: is_there
 
-      call file%write_number("VTKHDF/Steps", "NSteps", states, error)
+      integer :: i
+
+      call file%copy_rows(state_times, 1, int(states, int64), other, is_there)
+      do i = 1, size(fixed_lists)
+         if (is_there) call file%copy_rows(steps//trim(fixed_lists(i)), 1, int(states, int64), &
+            & other, is_there)
+      end do
+      do i = 1, size(lists)
+         if (is_there) call file%copy_rows(steps//trim(lists(i)), 1, int(states, int64), other, &
+            & is_there)
+      end do
+   end subroutine copy_states
+
+   !> Count the states that are complete
+   subroutine count_states(file, states)
+      !> The file
+      class(hdf5_output_type), intent(inout) :: file
+      !> How many there are
+      integer, intent(in) :: states
+
+      call file%write_number(states_group, "NSteps", states)
    end subroutine count_states
 
 end module plydyn_io_vtkhdf_layout

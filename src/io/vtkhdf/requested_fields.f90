@@ -62,22 +62,19 @@ contains
       integer :: i
 
       if (.not. self%file%is_open()) return
-      call self%file%begin_step(state%time, error)
-      if (allocated(error)) return
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
          values = self%recovered_values(domain, state)
       else
          allocate (values(0, 0))
       end if
       do i = 1, size(self%names)
-         call write_field(self, domain, state, trim(self%names(i)), values, error)
-         if (allocated(error)) return
+         call write_field(self, domain, state, trim(self%names(i)), values)
       end do
-      call self%file%end_step(error)
+      call self%file%end_step(state%time, error)
    end subroutine write_fields
 
    !> Write one field of the present state; the velocity is that of its time
-   subroutine write_field(self, domain, state, name, values, error)
+   subroutine write_field(self, domain, state, name, values)
       class(point_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
@@ -85,26 +82,25 @@ contains
       character(*), intent(in) :: name
       !> Strain, stress and scalars where a field asks for them, (recovered, points)
       real(wp), intent(in) :: values(:, :)
-      type(error_type), allocatable, intent(out) :: error
 
       associate (file => self%file)
          select case (name)
          case ("displacement")
-            call file%write_point_data(name, self%motion_values(domain, state%displacement), error)
+            call file%write_point_data(name, self%motion_values(domain, state%displacement))
          case ("velocity")
             call file%write_point_data(name, self%motion_values(domain, state%velocity &
-               & + 0.5_wp*state%step_before*state%acceleration(:size(state%velocity))), error)
+               & + 0.5_wp*state%step_before*state%acceleration(:size(state%velocity))))
          case ("strain")
-            call file%write_point_data(name, tensor(values, strain_at, tensor_share), error)
+            call file%write_point_data(name, tensor(values, strain_at, tensor_share))
          case ("stress")
-            call file%write_point_data(name, tensor(values, stress_at), error)
+            call file%write_point_data(name, tensor(values, stress_at))
          case ("strain_ply")
-            call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share), error)
+            call file%write_point_data(name, tensor(values, ply_strain_at, tensor_share))
          case ("stress_ply")
-            call file%write_point_data(name, tensor(values, ply_stress_at), error)
+            call file%write_point_data(name, tensor(values, ply_stress_at))
          case default
             call file%write_point_data(name, &
-               & values(scalars_at + findloc(scalar_names == name, .true., 1), :), error)
+               & values(scalars_at + findloc(scalar_names == name, .true., 1), :))
          end select
       end associate
    end subroutine write_field

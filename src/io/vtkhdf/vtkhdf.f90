@@ -1,26 +1,25 @@
-!> VTKHDF 2.0: an unstructured grid that stands still, with fields that change from state to state.
+!> VTKHDF 2.0: an unstructured grid that is fixed, with fields that change from state to state.
 !>
 !> Read by ParaView and by `vtkHDFReader` of VTK 9.3 and later. Points and times are stored in
 !> double precision, fields in single precision: they are looked at, not computed with. What does
 !> not change is stored once; each state adds its point data, then its time, and last it is
 !> counted, so that a file whose run was killed shows every state that was ended. The file is made
 !> under a name of its own and gets its place when all that comes before the first state is there.
-!> Symmetric tensors have VTK's order XX YY ZZ XY YZ XZ; the caller sorts them.
+!> A restart copies the states that it goes on from: a file whose run was killed can be read, but
+!> what was not flushed is half there, and writing to it again would not be safe.
 !>
 !> Several ranks write one file together: each gives the rows that it said it has, and all come to
-!> every procedure.
+!> every procedure. Symmetric tensors have VTK's order XX YY ZZ XY YZ XZ; the caller sorts them.
 module plydyn_io_vtkhdf_vtkhdf
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type, exit_output, fail
-   use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
+   use plydyn_io_hdf5_input, only : hdf5_input_type
    use plydyn_io_hdf5_output, only : hyperslab_type, store_single
-   use plydyn_state_file_positions, only : file_position_type, file_positions_type
-   use plydyn_io_vtkhdf_copy, only : copy_states
+   use plydyn_io_vtkhdf_layout, only : add_state, cell_data_offsets, copy_states, count_states, &
+      & make_list, piece_type, point_data, point_data_offsets, states_group
    use plydyn_io_vtkhdf_unstructured_grid, only : field_name_length, grid_file_type
-   use plydyn_io_vtkhdf_layout, only : add_state, cell_data_offsets, make_offsets, piece_type, &
-      & point_data, point_data_offsets
+   use plydyn_state_file_positions, only : file_position_type, file_positions_type
    implicit none
    private
 
@@ -28,201 +27,168 @@ module plydyn_io_vtkhdf_vtkhdf
 
    !> Most points whose values lie together in the file
    integer, parameter :: points_per_chunk = 2**24
-   !> Bytes of a value in the file
-   integer(int64), parameter :: value_bytes = 4
-
-   !> A field
-   type :: field_type
-      !> Name of the field
-      character(field_name_length) :: name = ""
-      !> Values per point
-      integer :: components = 1
-      !> True once the state being written has the field
-      logical :: written = .false.
-   end type field_type
 
    !> A file of states being written
    type, public, extends(grid_file_type) :: vtkhdf_type
       private
-      !> Time of the state being written
-      real(wp) :: time = 0.0_wp
-      !> Fields on the points
-      type(field_type), allocatable :: fields(:)
+      !> Names of the fields on the points, and values per point of each
+      character(field_name_length), allocatable :: fields(:)
+      integer, allocatable :: components(:)
    contains
       procedure :: declare_point_data
-      procedure :: settle
-      procedure :: begin_step
+      procedure :: put_in_place
       !> The values of a declared field in this state
       generic :: write_point_data => write_point_reals, write_point_vectors
       procedure :: end_step
       procedure :: mark
       procedure :: close => close_whole
-      procedure, private :: write_point_reals, write_point_vectors, take_field, all_points
+      procedure, private :: write_point_reals, write_point_vectors
    end type vtkhdf_type
 
 contains
 
    !> Points of the grid
-   pure integer function all_points(self)
+   pure integer(int64) function all_points(self)
       class(vtkhdf_type), intent(in) :: self
 
-      all_points = self%points%whole*self%points%levels
+      all_points = int(self%points%whole, int64)*self%points%levels
    end function all_points
 
    !> Announce a field on the points: every state must have it
-   subroutine declare_point_data(self, name, components, error)
+   subroutine declare_point_data(self, name, components)
       !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values per point: 1, 3 for a vector, 6 for a symmetric tensor
       integer, intent(in) :: components
-      !> Why it could not be made
-      type(error_type), allocatable, intent(out) :: error
 
-      if (self%states > 0) then
-         call self%refuse("point data "//name//" must come before the first state", error)
-         return
-      end if
-      if (.not. allocated(self%fields)) allocate (self%fields(0))
-      self%fields = [self%fields, field_type(name, components)]
-      call make_offsets(self%file, point_data_offsets//name, error)
-      if (allocated(error)) return
+      if (.not. allocated(self%fields)) allocate (self%fields(0), self%components(0))
+      self%fields = [character(field_name_length) :: self%fields, name]
+      self%components = [self%components, components]
+      call make_list(self%file, point_data_offsets//name, 0)
       call self%file%make_series(point_data//name, merge(components, 0, components > 1), &
-         & min(self%all_points(), points_per_chunk), store_single, error)
+         & int(min(all_points(self), int(points_per_chunk, int64))), store_single)
    end subroutine declare_point_data
 
    !> Put the file in its place, once all fields are declared
-   subroutine settle(self, places, error)
+   subroutine put_in_place(self, positions, error)
+      !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Where to go on with files of an earlier run: their states are taken over
-      type(file_positions_type), intent(in) :: places
+      type(file_positions_type), intent(in) :: positions
       !> Why the file could not be put there
       type(error_type), allocatable, intent(out) :: error
 
-      type(file_position_type) :: place
+      type(file_position_type) :: position
 
-      if (.not. allocated(self%fields)) allocate (self%fields(0))
-      place = places%at(self%path)
-      if (place%amount >= 0) then
-         self%states = int(place%amount)
-         call copy_states(self%path, self%states, self%points, self%fields%name, &
-            & self%fields%components, cell_data_offsets//self%cell_fields, self%file, error)
+      position = positions%at(self%path)
+      if (position%amount >= 0) then
+         self%states = int(position%amount)
+         call take_over(self, error)
          if (allocated(error)) return
+         call count_states(self%file, self%states)
       end if
       call self%file%flush(error)
       if (allocated(error)) return
       call self%file%rename(self%path, error)
-   end subroutine settle
+   end subroutine put_in_place
 
-   !> Begin a state, if the disk has room for all of it
-   subroutine begin_step(self, time, error)
+   !> Copy the states of an earlier run from the file that is in the place
+   subroutine take_over(self, error)
       class(vtkhdf_type), intent(inout) :: self
-      !> Time of the state
-      real(wp), intent(in) :: time
-      !> The disk is full
       type(error_type), allocatable, intent(out) :: error
 
-      self%time = time
-      self%fields(:)%written = .false.
-      call self%file%reserve_rows(value_bytes*self%all_points()*sum(self%fields%components), &
-         & self%states, error)
-   end subroutine begin_step
+      type(hdf5_input_type) :: other
+      logical :: good
+
+      good = .true.
+      if (self%file%writes()) then
+         call other%open(self%path, good)
+         if (good) call copy_all(self, other, good)
+         call other%close()
+      end if
+      if (.not. good) call fail(error, exit_output, "cannot go on with "//self%path//": it must " &
+         & //"be there with the fields of this deck and all states that it had when the restart " &
+         & //"file was written")
+      call self%file%comm%broadcast(error)
+   end subroutine take_over
+
+   !> Copy the states from another file, which is open on the root
+   subroutine copy_all(self, other, good)
+      class(vtkhdf_type), intent(inout) :: self
+      type(hdf5_input_type), intent(in) :: other
+      !> Whether it has them
+      logical, intent(out) :: good
+
+      integer :: found, i
+
+      call other%read_number(states_group, "NSteps", found, good)
+      if (good) good = found >= self%states
+      do i = 1, size(self%fields)
+         if (good) call self%file%copy_rows(point_data//trim(self%fields(i)), self%components(i), &
+            & self%states*all_points(self), other, good)
+      end do
+      if (good) call copy_states(self%file, self%states, [point_data_offsets//self%fields, &
+         & cell_data_offsets//self%cell_fields], other, good)
+   end subroutine copy_all
 
    !> A real per point
-   subroutine write_point_reals(self, name, values, error)
+   subroutine write_point_reals(self, name, values)
       !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
       character(*), intent(in) :: name
       !> Values, (points)
       real(wp), intent(in), contiguous :: values(:)
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
 
-      call self%take_field(name, [1, size(values)], error)
-      if (allocated(error)) return
-      call self%file%append(point_data//name, values, error, self%points)
+      call self%file%append(point_data//name, values, self%points)
    end subroutine write_point_reals
 
    !> Several reals per point
-   subroutine write_point_vectors(self, name, values, error)
+   subroutine write_point_vectors(self, name, values)
       !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
       character(*), intent(in) :: name
       !> Values, (components, points)
       real(wp), intent(in), contiguous :: values(:, :)
-      !> Why they could not be written
-      type(error_type), allocatable, intent(out) :: error
 
-      call self%take_field(name, shape(values), error)
-      if (allocated(error)) return
-      call self%file%append(point_data//name, values, error, self%points)
+      call self%file%append(point_data//name, values, self%points)
    end subroutine write_point_vectors
 
-   !> Check that a field belongs to this state, has its shape and comes once
-   subroutine take_field(self, name, extent, error)
-      class(vtkhdf_type), intent(inout) :: self
-      character(*), intent(in) :: name
-      !> Components and points
-      integer, intent(in) :: extent(2)
-      type(error_type), allocatable, intent(out) :: error
-
-      integer :: i, own
-
-      own = self%points%count*self%points%levels
-      do i = 1, size(self%fields)
-         associate (field => self%fields(i))
-            if (field%name /= name) cycle
-            if (field%written .or. any(extent /= [field%components, own])) exit
-            field%written = .true.
-            return
-         end associate
-      end do
-      call self%refuse("point data "//name//" must be declared, and written once per state with " &
-         & //"the components declared for each of "//text(own)//" points", error)
-   end subroutine take_field
-
-   !> End a state: when this returns, the state is in the file whatever happens to the process
-   subroutine end_step(self, error)
+   !> End a state with all declared fields: when this returns, the state is in the file whatever
+   !> happens to the process
+   subroutine end_step(self, time, error)
       !> The file
       class(vtkhdf_type), intent(inout) :: self
+      !> Time of the state
+      real(wp), intent(in) :: time
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. all(self%fields%written)) then
-         call self%refuse("state "//text(self%states + 1)//" lacks a declared field", error)
-         return
-      end if
-      call add_state(self%file, self%states + 1, self%time, &
-         & point_data_offsets//self%fields%name, int(self%states, int64)*self%all_points(), &
-         & cell_data_offsets//self%cell_fields, error)
+      call add_state(self%file, time, point_data_offsets//self%fields, &
+         & self%states*all_points(self), cell_data_offsets//self%cell_fields)
+      call self%file%flush(error)
       if (allocated(error)) return
-      self%states = self%states + 1
+      call count_states(self%file, self%states + 1)
+      call self%file%flush(error)
+      if (.not. allocated(error)) self%states = self%states + 1
    end subroutine end_step
 
    !> Put all states on the disk, and note how many there are
-   subroutine mark(self, places, error)
+   subroutine mark(self, positions, error)
       class(vtkhdf_type), intent(inout) :: self
       !> Places in all files
-      type(file_positions_type), intent(inout) :: places
+      type(file_positions_type), intent(inout) :: positions
       !> Why they are not all there
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: good
-
       if (.not. self%is_open()) return
       call self%file%flush(error)
-      if (allocated(error)) return
-      good = .true.
-      if (self%file%is_root()) call secure_file(self%path, good)
-      call self%file%agree(good)
-      if (good) then
-         call places%add(self%path, file_position_type(amount=int(self%states, int64)))
-      else
-         call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
-      end if
+      if (.not. allocated(error)) call self%file%secure(error)
+      if (.not. allocated(error)) call positions%add(self%path, &
+         & file_position_type(amount=int(self%states, int64)))
    end subroutine mark
 
    !> Close the file; nothing happens when it is not open
