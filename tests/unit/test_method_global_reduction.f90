@@ -38,7 +38,7 @@ contains
       total = reduction%motion_sums()
       call check(total%twice_kinetic, 0.0_wp, 0.0_wp, "a new step begins with zero")
       call check(reduction%requests, 0, "and with no request")
-      call check(reduction%speed_bound, 9.0_wp, 0.0_wp, "the bound on speeds holds for the next step")
+      call check(reduction%speed_bound, 9.0_wp, 0.0_wp, "the bound holds for the next step")
    end subroutine test_sums
 
    !> Sums have the same bits in any order of the chunks

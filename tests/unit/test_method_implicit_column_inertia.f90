@@ -115,11 +115,11 @@ contains
             & 1.0e-12_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
       end do
       ! forces on tied points act on both: every force moves its own point
-      call check(sums%acceleration_square, dot_product(a, force(:, 1)), 1.0e-11_wp*sums%acceleration_square, &
-         & "positive: the work of the forces")
+      call check(sums%acceleration_square, dot_product(a, force(:, 1)), &
+         & 1.0e-11_wp*sums%acceleration_square, "positive: the work of the forces")
       call accelerate_points(domain, 2.0_wp, v, b, sums)
-      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-11_wp*sums%acceleration_square, &
-         & "symmetric")
+      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), &
+         & 1.0e-11_wp*sums%acceleration_square, "symmetric")
       do i = 1, 3
          call check(a(domain%columns%freedom(2, order(2) + 1, i, 2)), &
             & a(domain%columns%freedom(3, 1, i, 2)), 0.0_wp, "tied points move as one")

@@ -114,11 +114,11 @@ contains
          call check(sums%momentum(i), sum(force(:, 1), along(domain, i)), &
             & 1.0e-13_wp*sum(abs(force(:, 1))), "momentum is the impulse of the forces")
       end do
-      call check(sums%acceleration_square, dot_product(a, force(:, 1)), 1.0e-12_wp*sums%acceleration_square, &
-         & "positive: the work of the forces")
+      call check(sums%acceleration_square, dot_product(a, force(:, 1)), &
+         & 1.0e-12_wp*sums%acceleration_square, "positive: the work of the forces")
       call accelerate_points(domain, 2.0_wp, v, b, sums)
-      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), 1.0e-12_wp*sums%acceleration_square, &
-         & "symmetric")
+      call check(dot_product(a, force(:, 2)), dot_product(b, force(:, 1)), &
+         & 1.0e-12_wp*sums%acceleration_square, "symmetric")
    end subroutine test_operator
 
    !> Sums of the energies against those of the points one by one
