@@ -23,6 +23,8 @@ module plydyn_element_group
       logical :: large = .false.
       !> Whether the first element at a column sets its forces; otherwise they are cleared before
       logical :: sets_forces = .false.
+      !> What an element is called in messages, and the piece of it that a rate belongs to
+      character(:), allocatable :: element_kind, layer_kind
       !> Index in the mesh of each element that this rank has
       integer, allocatable :: element(:)
    contains
@@ -54,8 +56,6 @@ module plydyn_element_group
       procedure :: add_crack_bands
       procedure :: work
       procedure :: add_memory
-      procedure(element_name), deferred :: element_kind
-      procedure(element_name), deferred :: layer_kind
       procedure(element_id), deferred :: element_id
    end type element_group_type
 
@@ -113,14 +113,6 @@ module plydyn_element_group
          !> Force on all points
          real(wp), intent(inout), contiguous :: force(:)
       end subroutine add_forces
-
-      !> What an element is called, or the piece of it that a rate belongs to
-      pure function element_name(self) result(name)
-         import :: element_group_type
-         implicit none
-         class(element_group_type), intent(in) :: self
-         character(:), allocatable :: name
-      end function element_name
 
       !> The user's number of an element
       pure integer function element_id(self, mesh, element) result(id)

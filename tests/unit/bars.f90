@@ -32,8 +32,6 @@ module bars
       procedure :: add_forces
       procedure :: find_rates
       procedure :: add_dissipation
-      procedure :: element_kind
-      procedure :: layer_kind
       procedure :: element_id
    end type bar_group_type
 
@@ -153,20 +151,6 @@ contains
          call sums%add(by_friction, history(self%first_history - 1 + e))
       end do
    end subroutine add_dissipation
-
-   pure function element_kind(self) result(name)
-      class(bar_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "bar"
-   end function element_kind
-
-   pure function layer_kind(self) result(name)
-      class(bar_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "section"
-   end function layer_kind
 
    pure integer function element_id(self, mesh, element) result(id)
       class(bar_group_type), intent(in) :: self

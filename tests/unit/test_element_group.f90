@@ -48,7 +48,7 @@ program test_element_group
    call check(domain%limit%step, 0.5_wp*length/sqrt(young/density), &
       & rounded*length*sqrt(density/young), "a wave passes the shortest bar in it")
    call check(domain%limit%element_id, bars_in_row, "which has the user's number of it")
-   call check(domain%groups(domain%limit%slowest(1)%group)%item%element_kind() == "bar", &
+   call check(domain%groups(domain%limit%slowest(1)%group)%item%element_kind == "bar", &
       & "and is a bar")
 
    call begin("forces")
@@ -96,6 +96,8 @@ contains
       allocate (group, source=bar_group_type(set=1, part=1, young=young, density=density, &
          & area=area, damping=damping, mesh_node=reshape([(e, e + 1, e=1, bars_in_row)], &
          & [2, bars_in_row])))
+      group%element_kind = "bar"
+      group%layer_kind = "section"
       call add_group(group, domain)
       ! one chunk has all columns
       division%nodes = domain%columns%count

@@ -46,8 +46,6 @@ module plydyn_element_brick_group
       procedure :: add_crack_bands
       procedure :: work
       procedure :: add_memory
-      procedure :: element_kind
-      procedure :: layer_kind
       procedure :: element_id
       procedure :: sheets
       procedure :: find_cell
@@ -73,6 +71,8 @@ contains
       self%set = number
       self%part = bricks%part
       self%large = model%control%kinematics == total_lagrangian
+      self%element_kind = "brick"
+      self%layer_kind = "part"
       self%bricks = bricks
    end function new_brick_group
 
@@ -201,20 +201,6 @@ contains
 
       integers = integers + size(self%bricks%place) + size(self%bricks%target)
    end subroutine add_memory
-
-   pure function element_kind(self) result(name)
-      class(brick_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "brick"
-   end function element_kind
-
-   pure function layer_kind(self) result(name)
-      class(brick_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "part"
-   end function layer_kind
 
    pure integer function element_id(self, mesh, element) result(id)
       class(brick_group_type), intent(in) :: self

@@ -46,8 +46,6 @@ module plydyn_element_interface_group
       procedure :: mark_interfaces
       procedure :: work
       procedure :: add_memory
-      procedure :: element_kind
-      procedure :: layer_kind
       procedure :: element_id
    end type interface_group_type
 
@@ -67,6 +65,8 @@ contains
       self%set = batch%plate
       self%part = batch%plate
       self%large = model%control%kinematics == total_lagrangian
+      self%element_kind = "quad"
+      self%layer_kind = "interface"
       self%batch = batch
       layers = new_layers(model%parts(1))
       do l = 1, lanes
@@ -326,20 +326,6 @@ contains
       reals = reals + size(self%batch%metric)
       integers = integers + size(self%batch%node) + size(self%batch%target)
    end subroutine add_memory
-
-   pure function element_kind(self) result(name)
-      class(interface_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "quad"
-   end function element_kind
-
-   pure function layer_kind(self) result(name)
-      class(interface_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "interface"
-   end function layer_kind
 
    pure integer function element_id(self, mesh, element) result(id)
       class(interface_group_type), intent(in) :: self

@@ -60,8 +60,6 @@ module plydyn_element_plate_group
       procedure :: add_crack_bands
       procedure :: work
       procedure :: add_memory
-      procedure :: element_kind
-      procedure :: layer_kind
       procedure :: element_id
       procedure :: sheets
       procedure :: sheet_levels
@@ -113,6 +111,8 @@ contains
       self%part = part
       self%number = number
       self%large = model%control%kinematics == total_lagrangian
+      self%element_kind = "quad"
+      self%layer_kind = "ply"
       self%sets_forces = .true.
       self%plate = new_plate(model, part, columns)
       self%layers = new_layers(model%parts(part))
@@ -293,20 +293,6 @@ contains
          integers = integers + size(plate%node) + size(plate%target) + size(plate%quad)
       end associate
    end subroutine add_memory
-
-   pure function element_kind(self) result(name)
-      class(plate_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "quad"
-   end function element_kind
-
-   pure function layer_kind(self) result(name)
-      class(plate_group_type), intent(in) :: self
-      character(:), allocatable :: name
-
-      name = "ply"
-   end function layer_kind
 
    pure integer function element_id(self, mesh, element) result(id)
       class(plate_group_type), intent(in) :: self

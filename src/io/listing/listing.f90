@@ -255,7 +255,7 @@ contains
       write (unit, "(a,i0)") label, size(model%mesh%node_id)
       associate (group => domain%groups(1)%item)
          call group%list_elements(model%mesh, part, node)
-         label = group%element_kind()//"s"
+         label = group%element_kind//"s"
          write (unit, "(a,i0,a,i0,a)") label, size(part), " of ", size(node, 1), " nodes"
       end associate
       if (has_layers) write (unit, "(a,i0)") "numerical layers              ", &

@@ -83,8 +83,8 @@ contains
 
       associate (control => domain%control, limit => domain%limit)
          associate (group => domain%groups(limit%slowest(1)%group)%item)
-            self%cause = group%element_kind()//" "//text(limit%element_id)//" " &
-               & //group%layer_kind()//" "//text(limit%slowest(1)%layer)
+            self%cause = group%element_kind//" "//text(limit%element_id)//" " &
+               & //group%layer_kind//" "//text(limit%slowest(1)%layer)
          end associate
          if (limit%interface_rest > limit%element_rate) self%cause = "interfaces"
          self%largest = control%step_factor*limit%step

@@ -64,7 +64,7 @@ contains
 
       associate (limit => domain%limit)
          associate (group => domain%groups(limit%slowest(1)%group)%item)
-            words = group%element_kind()//" "//text(limit%element_id)//", "//group%layer_kind() &
+            words = group%element_kind//" "//text(limit%element_id)//", "//group%layer_kind &
                & //" "//text(limit%slowest(1)%layer)
          end associate
          if (limit%interface_rest > limit%element_rate) then
@@ -162,8 +162,8 @@ contains
       write (unit, "(a)") ""
       call table%start(unit)
       associate (group => domain%groups(domain%limit%slowest(1)%group)%item)
-         call table%add_column(group%element_kind(), 8, "i0")
-         call table%add_column(group%layer_kind(), 6, "i0")
+         call table%add_column(group%element_kind, 8, "i0")
+         call table%add_column(group%layer_kind, 6, "i0")
       end associate
       call table%add_column("step ["//trim(model%control%units%time)//"]", 12, "es12.5")
       call table%write_heads()

@@ -99,7 +99,7 @@ contains
       do g = first, size(domain%groups)
          associate (group => domain%groups(g)%item)
             if (group%sheets() /= domain%groups(first)%item%sheets()) cycle
-            if (group%element_kind() /= domain%groups(first)%item%element_kind()) cycle
+            if (group%element_kind /= domain%groups(first)%item%element_kind) cycle
             element = [element, group%element]
             place = reshape([place, [([g, e], e=1, size(group%element))]], [2, size(element)])
          end associate
