@@ -34,7 +34,7 @@ contains
             do m = 1, size(values, 3)
                do q = 1, size(values, 2)
                   point(:, :) = point_history(plate, plate%batches(b), block, quad, q, m, history)
-                  values(:, q, m) = entry%law%show(lane, point)
+                  values(:, q, m) = entry%law%output_variables(lane, point)
                end do
             end do
          end associate

@@ -84,7 +84,7 @@ contains
       all_stress(:, :) = 0.0_wp
       do k = 1, size(batch%laws)
          if (batch%laws(k)%block /= block) cycle
-         call batch%laws(k)%law%recall(all_strain, history, all_stress)
+         call batch%laws(k)%law%stress_at(all_strain, history, all_stress)
       end do
       stress(:) = all_stress(lane, :)
    end function law_stress

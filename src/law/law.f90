@@ -30,11 +30,11 @@ module plydyn_law_law
       !> Lanes that have this law
       logical :: owns(lanes) = .false.
       !> History variables of a point; the last is the energy dissipated so far per volume, unless
-      !> the law says otherwise in `show`
+      !> the law says otherwise in `output_variables`
       integer :: histories = 0
       !> History variable of the energy dissipated so far by each mechanism, which is that energy
-      !> unless the law says otherwise in `spent`; 0 for none
-      integer :: energy_at(mechanisms) = 0
+      !> unless the law says otherwise in `dissipated_energy`; 0 for none
+      integer :: energy_variable(mechanisms) = 0
       !> Rule for the width of the crack band of lanes that soften, as in `band_length`; 0 elsewhere
       integer :: band_rule(lanes) = 0
       !> Width of the crack band of lanes whose deck gives it; 0 elsewhere
@@ -48,10 +48,10 @@ module plydyn_law_law
    contains
       procedure(update_batch), deferred :: update
       procedure :: update_points
-      procedure :: recall
+      procedure :: stress_at
       procedure :: start_history
-      procedure :: show
-      procedure :: spent
+      procedure :: output_variables
+      procedure :: dissipated_energy
    end type law_type
 
    !> The law of some lanes of one block of layers
@@ -110,7 +110,7 @@ contains
    end subroutine update_points
 
    !> Stress that belongs to a strain and its history: nothing goes on
-   pure subroutine recall(self, strain, history, stress)
+   pure subroutine stress_at(self, strain, history, stress)
       class(law_type), intent(in) :: self
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6)
@@ -123,7 +123,7 @@ contains
 
       copy(:, :) = history(:, :self%histories)
       call self%update(0.0_wp, strain, copy, stress)
-   end subroutine recall
+   end subroutine stress_at
 
    !> History of a point at time zero, which is all zero; a law that needs more overrides this
    pure subroutine start_history(self, length, widest, history)
@@ -137,7 +137,7 @@ contains
    end subroutine start_history
 
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
-   pure function show(self, lane, history) result(values)
+   pure function output_variables(self, lane, history) result(values)
       class(law_type), intent(in) :: self
       !> Lane
       integer, intent(in) :: lane
@@ -147,10 +147,10 @@ contains
 
       values(:) = 0.0_wp
       if (self%histories > 0) values(shows_dissipated) = history(lane, self%histories)
-   end function show
+   end function output_variables
 
    !> Energy per volume that a mechanism has dissipated at a point
-   pure function spent(self, mechanism, history) result(energy)
+   pure function dissipated_energy(self, mechanism, history) result(energy)
       class(law_type), intent(in) :: self
       !> One that the law has
       integer, intent(in) :: mechanism
@@ -159,7 +159,7 @@ contains
       !> Means nothing in lanes of other laws
       real(wp) :: energy(lanes)
 
-      energy(:) = history(:, self%energy_at(mechanism))
-   end function spent
+      energy(:) = history(:, self%energy_variable(mechanism))
+   end function dissipated_energy
 
 end module plydyn_law_law

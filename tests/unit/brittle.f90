@@ -52,7 +52,7 @@ contains
       type is (brittle_type)
          law%owns(lane) = .true.
          law%histories = dissipated
-         law%energy_at(by_matrix_damage) = dissipated
+         law%energy_variable(by_matrix_damage) = dissipated
          law%stiffness(:, :, lane) = ply_stiffness(self%young, self%poisson, self%shear)
          law%limit(lane) = self%limit
       end select

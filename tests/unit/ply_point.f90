@@ -193,7 +193,7 @@ contains
 
       real(wp) :: values(scalars)
 
-      values(:) = self%law%show(1, spread(self%history, 1, lanes))
+      values(:) = self%law%output_variables(1, spread(self%history, 1, lanes))
       dissipated = values(shows_dissipated)
    end function dissipated
 
@@ -203,7 +203,7 @@ contains
 
       real(wp) :: energy(lanes)
 
-      energy(:) = self%law%spent(by_ply_plasticity, spread(self%history, 1, lanes))
+      energy(:) = self%law%dissipated_energy(by_ply_plasticity, spread(self%history, 1, lanes))
       plastic = energy(1)
    end function plastic
 

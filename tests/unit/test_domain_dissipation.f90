@@ -214,8 +214,8 @@ contains
       material%title = "metal"
       material%density = 7.8e-9_wp
       allocate (material%law, source=kinematic_constants_type(young=spread(young(i), 1, 3), &
-         & poisson=spread(poisson, 1, 3), shear=spread(young(i)/(2.0_wp*(1.0_wp + poisson)), 1, &
-         & 3), &
+         & poisson=spread(poisson, 1, 3), &
+         & shear=spread(young(i)/(2.0_wp*(1.0_wp + poisson)), 1, 3), &
          & yield=yield(i)))
    end function metal
 

@@ -10,7 +10,7 @@ program test_domain_initial_history
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : ply_constants_type, snap_reduce, snap_refuse
-   use plydyn_law_ply_history, only : fibre_gate, matrix_gate
+   use plydyn_law_ply_history, only : fibre_threshold, matrix_threshold
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    use ply_point, only : paper_ply
@@ -132,7 +132,7 @@ contains
       own = plate_of(domain, 1)
       associate (slot => domain%columns%layer_slot(:, layer))
          values = point_history(own, own%batches(slot(1)), slot(2), 1, point, 2, history)
-         widths(:) = values(slot(3), [fibre_gate, matrix_gate])
+         widths(:) = values(slot(3), [fibre_threshold, matrix_threshold])
       end associate
    end function widths_of
 

@@ -88,7 +88,7 @@ contains
       call laws(1)%law%update_points(1, 1, 0.0_wp, strain, history, stress)
       call check(stress(:3, 1, 1), [0.0_wp, 1.5_wp*young*strength_strain, -1.0_wp], 1.0e-12_wp, &
          & "beyond the limit, below it, and in a lane of another law")
-      energy(:) = laws(1)%law%spent(by_matrix_damage, history(:, 1, :))
+      energy(:) = laws(1)%law%dissipated_energy(by_matrix_damage, history(:, 1, :))
       call check(energy(:2), [0.5_wp*young*(1.5_wp*strength_strain)**2, 0.0_wp], 1.0e-12_wp, &
          & "what it stored is dissipated")
       strain(:, 1, 1) = 0.5_wp*strength_strain

@@ -126,7 +126,7 @@ contains
          energy(:) = 0.5_wp*law%stiffness(normal)*((1.0_wp - d)*max(opening(:, 3), 0.0_wp)**2 &
             & + max(1.0_wp - d, law%floor)*min(opening(:, 3), 0.0_wp)**2) &
             & + 0.5_wp*law%stiffness(shear)*(1.0_wp - d)*sum(opening(:, 1:2)**2, 2) &
-            & + 0.5_wp*law%grip*d*history(:, stretch_at)**2
+            & + 0.5_wp*law%friction_stiffness*d*history(:, stretch_at)**2
       end associate
    end function stored
 

@@ -141,7 +141,7 @@ contains
       stress(:, :) = 0.0_wp
       recalled(:, :) = 0.0_wp
       call law%update(1.0e-6_wp, strain, history, stress)
-      call law%recall(strain, history, recalled)
+      call law%stress_at(strain, history, recalled)
       call check(recalled(:, 4), stress(:, 4), 1.0e-9_wp, "is the stress of the step")
       call check(sqrt(3.0_wp)*recalled(1, 4) > printed(history(1, effective_plastic_strain), &
          & 0.0_wp, 1) + 1.0_wp, "above that without rate")

@@ -211,7 +211,7 @@ contains
       integer, parameter :: steps(3) = [2000, 20000, 200000]
       type(shear_curve_type) :: curve
       type(batch_shear_type) :: short
-      real(wp) :: area, spent, tau
+      real(wp) :: area, plastic_work, tau
       integer :: i, k, l
       logical :: grows
 
@@ -225,16 +225,16 @@ contains
       area = asymptote*(reached - tau/modulus) - tau**2/(2.0_wp*modulus)
       do k = 1, size(steps)
          call rest()
-         spent = 0.0_wp
+         plastic_work = 0.0_wp
          do i = 1, steps(k)
             call short%advance(spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
                & set, lost, grows)
-            spent = spent + lost(exponential)
+            plastic_work = plastic_work + lost(exponential)
          end do
          call check(peak(exponential), reached, 0.0_wp, "the largest strain")
          call check(set(exponential), reached - tau/modulus, 1.0e-15_wp*sqrt(real(steps(k), wp)), &
             & "what stays is what the curve leaves")
-         call check(spent, area, (modulus*reached/asymptote/steps(k))**2*area &
+         call check(plastic_work, area, (modulus*reached/asymptote/steps(k))**2*area &
             & + 1.0e-12_wp*area, "and the work is the area")
          call check(set(line) + peak(line), 0.0_wp, 0.0_wp, "nothing changes along a line")
       end do

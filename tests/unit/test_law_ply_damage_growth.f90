@@ -1,7 +1,7 @@
 !> Damage grows as the stress has to fall, and never heals.
 program test_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_growth, only : can_grow, find_limits, grow
+   use plydyn_law_ply_damage_growth, only : can_grow, find_growth_strains, grow
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : fibre_damage
    use ply_point, only : new_point, paper_ply, point_type
@@ -73,12 +73,12 @@ contains
       mode(:, 1, :) = 0.0_wp
       mode(:, 2, :) = -onset
       mode(:, 3, :) = last
-      call find_limits(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, brittle, mode, limit)
       call check(limit(1, :), [onset, onset], 1.0e-15_wp, "onset at first")
       do i = 1, 3
          strain(:, :) = reached(i)
          call grow(plateau, brittle, strain, mode, share)
-         call find_limits(plateau, brittle, mode, limit)
+         call find_growth_strains(plateau, brittle, mode, limit)
          call check(limit(1, 1), reached(i), 1.0e-14_wp, "the strain that it has come to")
       end do
       call check(limit(1, 2) > 1.0e6_wp, "nothing grows that is complete")
@@ -87,7 +87,7 @@ contains
       mode(:, 1, 1) = 0.0_wp
       strain(:, :) = 0.03_wp
       call grow(plateau, brittle, strain, mode, share)
-      call find_limits(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, brittle, mode, limit)
       call check(limit(1, 1), 0.03_wp, 1.0e-15_wp, "before the drop")
       strain(:, :) = 0.034_wp - 1.0e-12_wp
       call grow(plateau, brittle, strain, mode, share)
@@ -96,7 +96,7 @@ contains
       call grow(plateau, brittle, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "none below")
       mode(:, :, :) = 0.0_wp
-      call find_limits(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, brittle, mode, limit)
       call check(all(limit > 1.0e6_wp), "nothing grows before onset")
    end subroutine test_limits
 

@@ -184,7 +184,7 @@ contains
       ply%poisson(:) = 0.0_wp
       point = new_point(ply, narrow)
       call point%pull(2, 0.2_wp, 0.0_wp)
-      values(:) = point%law%show(1, spread(point%history, 1, lanes))
+      values(:) = point%law%output_variables(1, spread(point%history, 1, lanes))
       call check(point%stress(2)/(0.3_wp*10.3e3_wp*0.2_wp), 1.0_wp, 1.0e-12_wp, "leaves its part")
       call check(values([shows_matrix_damage, shows_shear_damage]), [0.7_wp, 0.7_wp], 1.0e-15_wp, &
          & "is what is shown")

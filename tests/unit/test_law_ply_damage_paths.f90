@@ -382,7 +382,7 @@ contains
          end do
          call check(alone%stress, stress(2*p - 1, :), 1.0e-12_wp*maxval(abs(alone%stress)), &
             & "are what they would be alone")
-         plastic(:) = law%spent(by_ply_plasticity, history)
+         plastic(:) = law%dissipated_energy(by_ply_plasticity, history)
          call check([alone%history([fibre_energy, matrix_energy]), alone%plastic()], &
             & [history(2*p - 1, [fibre_energy, matrix_energy]), plastic(2*p - 1)], &
             & 1.0e-12_wp*alone%dissipated(), "and dissipate the same")

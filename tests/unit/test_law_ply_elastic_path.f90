@@ -3,12 +3,12 @@ program test_law_ply_elastic_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
-   use plydyn_law_ply_damage_growth, only : find_limits
-   use plydyn_law_ply_history, only : fibre_damage, fibre_gate, histories_open, largest_band, &
-      & matrix_damage, matrix_finish, matrix_gate, matrix_onset, no_strain, shear_peak, &
-      & shear_spared
+   use plydyn_law_ply_damage_growth, only : find_growth_strains
+   use plydyn_law_ply_history, only : begun_shear, fibre_damage, fibre_threshold, histories_open, &
+      & largest_band, matrix_damage, matrix_finish, matrix_threshold, matrix_onset, shear_peak, &
+      & spared_work
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : stay
+   use plydyn_law_ply_elastic_path, only : update_undamaged
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none
@@ -66,7 +66,7 @@ contains
       end associate
       call check(all(stays), "is quiet")
       call check(history(1, points, shear_peak), 0.01_wp, 0.0_wp, "largest strain")
-      call check(history(1, points, shear_spared), 0.0_wp, 0.0_wp, "no damage spares work")
+      call check(history(1, points, spared_work), 0.0_wp, 0.0_wp, "no damage spares work")
       call check(history(foreign, points, shear_peak), 0.0_wp, 0.0_wp, "not in lanes of other laws")
       call move(0.5_wp*sheared)
       call check(history(1, points, shear_peak), 0.01_wp, 0.0_wp, "unloading changes nothing")
@@ -86,17 +86,17 @@ contains
       ! damage that has begun at a strain of 0.004, ends at 0.02 and has grown up to 0.0053
       history(5, points, [matrix_damage, matrix_onset, matrix_finish]) = &
          & [0.3_wp, 0.004_wp, 0.02_wp]
-      call find_limits(lane%plateau, lane%brittle, &
+      call find_growth_strains(lane%plateau, lane%brittle, &
          & history(:, points, fibre_damage:matrix_finish), limit)
-      history(5, points, matrix_gate) = -limit(5, 2)**2
-      history(5, points, shear_peak) = -no_strain
+      history(5, points, matrix_threshold) = -limit(5, 2)**2
+      history(5, points, shear_peak) = begun_shear(0.0_wp)
       call move(small)
       call check(all(stays), "a lane of a point is damaged and its damage stays")
       call move(across)
       call check(stays(1) .and. .not. stays(points), "a lane of a point is damaged and more so")
       call check(history(5, points, matrix_damage), 0.3_wp, 0.0_wp, "its damage untouched")
       call rest(.true.)
-      history(foreign, :, [shear_peak, matrix_gate]) = -1.0_wp
+      history(foreign, :, [shear_peak, matrix_threshold]) = -1.0_wp
       call move(small)
       call check(all(stays), "what other laws remember does not count")
    end subroutine test_loud
@@ -117,9 +117,9 @@ contains
          call random_number(strain)
          strain(:) = reach*(2.0_wp*strain - 1.0_wp)
          ! bands from narrow to too wide
-         history(:, :, [largest_band, fibre_gate, matrix_gate]) = 2.0_wp**mod(i, 8) &
-            & *history(:, :, [largest_band, fibre_gate, matrix_gate])
-         wide(:, :) = history(:, 1, fibre_gate:matrix_gate)
+         history(:, :, [largest_band, fibre_threshold, matrix_threshold]) = 2.0_wp**mod(i, 8) &
+            & *history(:, :, [largest_band, fibre_threshold, matrix_threshold])
+         wide(:, :) = history(:, 1, fibre_threshold:matrix_threshold)
          call lane%secant%intact_stress(spread(strain(1:3), 1, lanes), normal)
          shear(:, 2) = abs(strain(4))
          shear(:, 1) = lane%secant%shear(:, 1)*shear(:, 2)
@@ -138,7 +138,7 @@ contains
       real(wp), intent(in) :: strain(6)
 
       stress(:, :, :) = 7.0_wp
-      call stay(lane, points, points, spread(spread(strain, 1, lanes), 3, points), &
+      call update_undamaged(lane, points, points, spread(spread(strain, 1, lanes), 3, points), &
          & history, stress, stays)
    end subroutine move
 
@@ -164,15 +164,15 @@ contains
       end do
       history(:, :, :) = 0.0_wp
       history(:, :, largest_band) = 1.0_wp
-      history(:, :, fibre_gate) = 1.0_wp
-      history(:, :, matrix_gate) = 0.1_wp
+      history(:, :, fibre_threshold) = 1.0_wp
+      history(:, :, matrix_threshold) = 0.1_wp
       history(foreign, :, :) = 0.0_wp
    end subroutine rest
 
    !> The largest history since `rest` but that of the widths and the gates
    pure real(wp) function changed()
       changed = max(maxval(abs(history(:, :, shear_peak))), &
-         & maxval(abs(history(:, :, matrix_gate + 1:))))
+         & maxval(abs(history(:, :, matrix_threshold + 1:))))
    end function changed
 
 end program test_law_ply_elastic_path

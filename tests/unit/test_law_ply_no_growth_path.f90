@@ -2,14 +2,14 @@
 !> step.
 program test_law_ply_no_growth_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_growth, only : find_limits
+   use plydyn_law_ply_damage_growth, only : find_growth_strains
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_ply_history, only : fibre_damage, fibre_finish, fibre_gate, fibre_onset, &
-      & histories_closing, histories_open, largest_band, matrix_damage, matrix_finish, &
-      & matrix_gate, matrix_onset, no_strain, shear_peak, shear_set
+   use plydyn_law_ply_history, only : begun_shear, fibre_damage, fibre_finish, fibre_threshold, &
+      & fibre_onset, histories_closing, histories_open, largest_band, matrix_damage, &
+      & matrix_finish, matrix_threshold, matrix_onset, shear_peak, shear_set
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : stay
+   use plydyn_law_ply_elastic_path, only : update_undamaged
    use plydyn_law_ply_shear_curve, only : new_power_curve, shape_exponential, &
       & shape_power
    use ply_point, only : paper_ply
@@ -79,11 +79,11 @@ contains
       do i = 1, tries
          call choose(ply, strain, before)
          history(:, :, :) = before
-         call stay(lane, points, points, strain, history, stress, stays)
+         call update_undamaged(lane, points, points, strain, history, stress, stays)
          do m = 1, points
             touched = any(abs(history(:, m, :) - before(:, m, :)) > 0.0_wp)
             if (touched .and. .not. stays(m)) wrong = wrong + 1
-            call law%advance(strain(:, :, m), before(:, m, :), whole)
+            call law%update_point(strain(:, :, m), before(:, m, :), whole)
             grows = any(abs(before(:, m, modes) - history(:, m, modes)) > 0.0_wp)
             if (grows .eqv. stays(m)) wrong = wrong + 1
             if (.not. stays(m)) cycle
@@ -114,13 +114,13 @@ contains
       call choose(ply, strain, before)
       before(:, :, modes) = 0.0_wp
       before(1, :, matrix_damage:matrix_finish) = spread([1.0_wp, 0.004_wp, 0.02_wp], 1, points)
-      before(1, :, [shear_peak, matrix_gate]) = -1.0_wp
+      before(1, :, [shear_peak, matrix_threshold]) = -1.0_wp
       before(foreign, :, :) = 1.0_wp
       strain(:, :, :) = 0.1_wp*strain
       strain(foreign, :, :) = 0.1_wp
       history(:, :, :) = before
       stress(:, :, :) = 7.0_wp
-      call stay(lane, points, points, strain, history, stress, stays)
+      call update_undamaged(lane, points, points, strain, history, stress, stays)
       call check(all(stays), "what they do does not count")
       call check(stress(foreign, :, points), spread(7.0_wp, 1, 6), 0.0_wp, "their stress")
       call check(history(foreign, points, :), before(foreign, points, :), 0.0_wp, "their history")
@@ -142,10 +142,10 @@ contains
          call lane%set_lane(l, ply)
       end do
       history(:, :, :) = 0.0_wp
-      history(:, :, [largest_band, fibre_gate, matrix_gate]) = 0.1_wp
-      history(2, 2, [shear_peak, matrix_gate]) = -0.1_wp
+      history(:, :, [largest_band, fibre_threshold, matrix_threshold]) = 0.1_wp
+      history(2, 2, [shear_peak, matrix_threshold]) = -0.1_wp
       strain(:, :, :) = 1.0e-4_wp
-      call stay(lane, 2, 2, strain, history, stress, stays)
+      call update_undamaged(lane, 2, 2, strain, history, stress, stays)
       call check(stays(1) .and. .not. stays(2), "only what is damaged")
    end subroutine test_closing
 
@@ -177,7 +177,8 @@ contains
          do l = 1, lanes
             call random_number(draw)
             strain(l, :, m) = 0.7_wp*reach*(2.0_wp*draw - 1.0_wp)
-            history(l, m, [largest_band, fibre_gate, matrix_gate]) = [1.0_wp, 1.0_wp, 0.1_wp]
+            history(l, m, [largest_band, fibre_threshold, matrix_threshold]) &
+               & = [1.0_wp, 1.0_wp, 0.1_wp]
             call random_number(draw)
             select case (ply%curve%shape)
             case (shape_exponential)
@@ -197,13 +198,13 @@ contains
                history(l, m, d) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
             end do
          end do
-         call find_limits(spread([ply%plateau, 0.0_wp], 1, lanes), &
+         call find_growth_strains(spread([ply%plateau, 0.0_wp], 1, lanes), &
             & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, m, modes), limit)
          where (history(:, m, [fibre_finish, matrix_finish]) > 0.0_wp)
-            history(:, m, fibre_gate:matrix_gate) = -limit**2
+            history(:, m, fibre_threshold:matrix_threshold) = -limit**2
          end where
-         where (any(history(:, m, fibre_gate:matrix_gate) < 0.0_wp, 2)) &
-            & history(:, m, shear_peak) = -max(history(:, m, shear_peak), no_strain)
+         where (any(history(:, m, fibre_threshold:matrix_threshold) < 0.0_wp, 2)) &
+            & history(:, m, shear_peak) = begun_shear(history(:, m, shear_peak))
       end do
    end subroutine choose
 

@@ -201,7 +201,7 @@ contains
       call check(point%stress, [part*ply%young(1)*strain(1), part*ply%young(2)*strain(2), &
          & ply%young(3)*strain(3), part*ply%shear(1)*strain(4), ply%shear(2:)*strain(5:)], &
          & 1.0e-8_wp, "weakens the plane and nothing across it")
-      values(:) = point%law%show(1, spread(point%history, 1, lanes))
+      values(:) = point%law%output_variables(1, spread(point%history, 1, lanes))
       call check(values(shows_fibre_damage:shows_shear_damage), spread(1.0_wp - part, 1, 3), &
          & 1.0e-12_wp, "shows as damage of all")
       call check(values(shows_dissipated), point%history(variables), 0.0_wp, "and its energy")
@@ -264,7 +264,7 @@ contains
    subroutine test_both_senses()
       type(point_type) :: point
       type(strain_constants_type) :: ply
-      real(wp) :: damage, from, spent
+      real(wp) :: damage, from, dissipated_energy
 
       call begin("tension, then compression")
       ply = straight_ply()
@@ -272,14 +272,14 @@ contains
       call pull(point, 1, 0.03_wp)
       damage = 0.06_wp*0.015_wp/(0.03_wp*0.045_wp)
       call check(point%history(by_fibres), damage, 1.0e-12_wp, "is damaged by tension")
-      spent = point%history(variables)
+      dissipated_energy = point%history(variables)
       ! strain of compression with the same damage
       from = 0.011_wp*0.09_wp/(0.09_wp - damage*0.079_wp)
       call pull(point, 1, -0.999_wp*from)
       call check(point%history(by_fibres), damage, 0.0_wp, "does not heal")
       call check(point%stress(1), -(1.0_wp - damage)*ply%young(1)*0.999_wp*from, 1.0e-8_wp, &
          & "and does not close")
-      call check(point%history(variables), spent, 0.0_wp, "spends nothing on the way")
+      call check(point%history(variables), dissipated_energy, 0.0_wp, "spends nothing on the way")
       call pull(point, 1, -1.5_wp*from)
       call check(point%history(by_fibres), 0.09_wp*(1.5_wp*from - 0.011_wp) &
          & /(1.5_wp*from*0.079_wp), 1.0e-12_wp, "goes on by the strains of compression")

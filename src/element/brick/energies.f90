@@ -26,13 +26,13 @@ contains
       if (size(bricks%laws) == 0) return
       associate (law => bricks%laws(1)%law)
          do i = 1, mechanisms
-            if (law%energy_at(i) == 0) cycle
+            if (law%energy_variable(i) == 0) cycle
             do b = 1, size(bricks%shape)
                do m = 1, bricks%points
                   first = bricks%first_history + lanes*bricks%histories &
                      & *(m - 1 + bricks%points*(b - 1))
                   call sums%add(i, dot_product(bricks%shapes(bricks%shape(b))%volume(:, m), &
-                     & law%spent(i, history(first:first + lanes*bricks%histories - 1))))
+                     & law%dissipated_energy(i, history(first:first + lanes*bricks%histories - 1))))
                end do
             end do
          end do

@@ -78,10 +78,10 @@ contains
       do k = 1, size(bricks%laws)
          associate (law => bricks%laws(k)%law)
             s(:, :) = 0.0_wp
-            call law%recall(turned, history, s)
+            call law%stress_at(turned, history, s)
             call turn_stress(bricks%turn, s)
             do l = 1, lanes
-               values(l, scalars_at + 1:) = law%show(l, history)
+               values(l, scalars_at + 1:) = law%output_variables(l, history)
             end do
          end associate
       end do

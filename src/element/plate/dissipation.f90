@@ -35,14 +35,14 @@ contains
                   do m = 1, size(weight)
                      h(:, :) = history(:, m, q, block, e, :)
                      do i = 1, mechanisms
-                        if (law%energy_at(i) == 0) cycle
+                        if (law%energy_variable(i) == 0) cycle
                         energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
-                           & *sum(batch%half_thickness(:, block)*law%spent(i, h), law%owns)
+                           & *sum(batch%half_thickness(:, block)*law%dissipated_energy(i, h), law%owns)
                      end do
                   end do
                end do
                do i = 1, mechanisms
-                  if (law%energy_at(i) /= 0) call sums%add(i, energy(i))
+                  if (law%energy_variable(i) /= 0) call sums%add(i, energy(i))
                end do
             end do
          end associate

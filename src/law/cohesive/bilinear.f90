@@ -23,7 +23,7 @@ module plydyn_law_cohesive_bilinear
    integer, parameter, public :: normal = 1, shear = 2
 
    !> History of a point, zero for an intact one: damage from 0 to 1; energies per area lost in
-   !> fracture, lost because a falling penalty lets go what it held, and lost in friction; slip of
+   !> fracture, released by a falling penalty, and lost in friction; slip of
    !> the failed faces along x and y; elastic part of the sliding that friction resists. A law has
    !> the first `histories` of them
    integer, parameter, public :: damage_at = 1, fracture_at = 2, closing_at = 3, friction_at = 4, &
@@ -75,7 +75,7 @@ module plydyn_law_cohesive_bilinear
       !> Least share of the stiffness that closed faces keep
       real(wp) :: floor = 1.0_wp
       !> Coefficient of friction, and the stiffness of failed faces before they slide
-      real(wp) :: friction = 0.0_wp, grip = 0.0_wp
+      real(wp) :: friction = 0.0_wp, friction_stiffness = 0.0_wp
    contains
       procedure :: update
       procedure :: update_points
@@ -104,7 +104,7 @@ contains
          self%floor = penalty_floor
          self%histories = with_closing
       end if
-      self%grip = self%floor*self%stiffness(shear)
+      self%friction_stiffness = self%floor*self%stiffness(shear)
       if (constants%friction > 0.0_wp) self%histories = with_friction
    end function new_cohesive
 
@@ -183,11 +183,11 @@ contains
          highest = max(highest, beyond(l))
       end do
       if (highest <= 0.0_wp) return
-      call degrade(self, points, pitch, opening, load, history, traction)
+      call update_damaged(self, points, pitch, opening, load, history, traction)
    end subroutine update_points
 
    !> Damage, what it costs and what it leaves of the tractions
-   pure subroutine degrade(self, points, pitch, opening, load, history, traction)
+   pure subroutine update_damaged(self, points, pitch, opening, load, history, traction)
       class(cohesive_type), intent(in) :: self
       !> As in `update_points`
       integer, intent(in) :: points, pitch
@@ -202,34 +202,34 @@ contains
       integer :: q
       logical :: grows(points)
 
-      call look_ahead(self%part, points, load, history(1, 1, damage_at), before, grows)
+      call detect_growth(self%part, points, load, history(1, 1, damage_at), before, grows)
       do q = 1, points
          if (.not. grows(q)) cycle
          call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, q, damage_at), &
             & history(:, q, fracture_at))
          if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
-            call let_go(self, before(:, q), history(:, q, damage_at), opening(:, :, q), &
+            call release_penalty(self, before(:, q), history(:, q, damage_at), opening(:, :, q), &
                & history(:, q, closing_at))
          end if
       end do
       do q = 1, points
-         call weaken(history(:, q, damage_at), self%floor, traction(:, :, q))
+         call degrade_traction(history(:, q, damage_at), self%floor, traction(:, :, q))
       end do
       if (.not. self%friction > 0.0_wp) return
       do q = 1, points
          h(:, :) = history(:, q, :with_friction)
-         call rub(self, before(:, q), opening(:, :, q), h, traction(:, :, q))
+         call add_friction(self, before(:, q), opening(:, :, q), h, traction(:, :, q))
          history(:, q, :with_friction) = h
       end do
-   end subroutine degrade
+   end subroutine update_damaged
 
    !> Where damage can grow: something is left, and the load is past the least at which what is
    !> there would grow with any mix of modes. That needs no power of the mix
-   pure subroutine look_ahead(part, points, load, damage, before, grows)
+   pure subroutine detect_growth(part, points, load, damage, before, grows)
       !> As in `cohesive_type`
       real(wp), intent(in) :: part
       integer, intent(in) :: points
-      !> As in `degrade`
+      !> As in `update_damaged`
       real(wp), intent(in) :: load(lanes, most_points)
       !> Damage, and the same again
       real(wp), intent(in) :: damage(lanes, points)
@@ -254,7 +254,7 @@ contains
          end do
          grows(q) = highest > 0.0_wp
       end do
-   end subroutine look_ahead
+   end subroutine detect_growth
 
    !> New damage and the energy that it took
    pure subroutine grow_damage(self, opening, traction, damage, fracture)
@@ -306,7 +306,7 @@ contains
    end function toughness_of
 
    !> Tractions of the damaged interface from those of the intact one
-   pure subroutine weaken(damage, floor, traction)
+   pure subroutine degrade_traction(damage, floor, traction)
       !> Damage
       real(wp), intent(in) :: damage(lanes)
       !> Least share of the stiffness that closed faces keep
@@ -324,10 +324,10 @@ contains
          traction(l, 2) = whole*traction(l, 2)
          traction(l, 3) = merge(whole, max(whole, floor), traction(l, 3) > 0.0_wp)*traction(l, 3)
       end do
-   end subroutine weaken
+   end subroutine degrade_traction
 
    !> Energy that closed faces lose when their penalty falls
-   pure subroutine let_go(self, before, damage, opening, closing)
+   pure subroutine release_penalty(self, before, damage, opening, closing)
       class(cohesive_type), intent(in) :: self
       !> Damage before and after this step
       real(wp), intent(in) :: before(lanes), damage(lanes)
@@ -346,11 +346,11 @@ contains
          closing(l) = closing(l) &
             & + 0.5_wp*self%stiffness(normal)*lost*min(opening(l, 3), 0.0_wp)**2
       end do
-   end subroutine let_go
+   end subroutine release_penalty
 
    !> Add the friction of the failed share of the face. Sliding first stretches it; it slips where
    !> that would take more than Coulomb's traction. The energy is the mean traction times the slip
-   pure subroutine rub(self, before, opening, history, traction)
+   pure subroutine add_friction(self, before, opening, history, traction)
       class(cohesive_type), intent(in) :: self
       !> Damage before this step
       real(wp), intent(in) :: before(lanes)
@@ -372,17 +372,18 @@ contains
          x = opening(l, 1) - history(l, slip_at)
          y = opening(l, 2) - history(l, slip_at + 1)
          full = sqrt(x*x + y*y)
-         carried = min(share*full, self%friction*max(-traction(l, 3), 0.0_wp)/self%grip)
+         carried = min(share*full, self%friction*max(-traction(l, 3), 0.0_wp) &
+            & /self%friction_stiffness)
          part = carried/max(full, tiny(1.0_wp))
-         traction(l, 1) = traction(l, 1) + damage*self%grip*part*x
-         traction(l, 2) = traction(l, 2) + damage*self%grip*part*y
+         traction(l, 1) = traction(l, 1) + damage*self%friction_stiffness*part*x
+         traction(l, 2) = traction(l, 2) + damage*self%friction_stiffness*part*y
          history(l, slip_at) = opening(l, 1) - part*x
          history(l, slip_at + 1) = opening(l, 2) - part*y
-         history(l, friction_at) = history(l, friction_at) + 0.5_wp*damage*self%grip &
+         history(l, friction_at) = history(l, friction_at) + 0.5_wp*damage*self%friction_stiffness &
             & *((share*full - carried)*(carried + history(l, stretch_at)) &
             & + (1.0_wp - share)*full*carried)
          history(l, stretch_at) = carried
       end do
-   end subroutine rub
+   end subroutine add_friction
 
 end module plydyn_law_cohesive_bilinear

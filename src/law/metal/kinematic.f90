@@ -4,7 +4,8 @@ module plydyn_law_metal_kinematic
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
+   use plydyn_law_metal_constants, only : metal_constants_type
+   use plydyn_law_metal_plastic, only : plastic_type
    implicit none
    private
 

@@ -11,7 +11,6 @@
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
 module plydyn_law_metal_plastic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
       & shows_plastic_strain
    implicit none
@@ -38,12 +37,6 @@ module plydyn_law_metal_plastic
    !> Share of its upper bound under which the search does not fall by halving
    real(wp), parameter :: depth = 1.0e-6_wp
 
-   !> Constants of a metal; the yield stress is left to the material
-   type, abstract, public, extends(law_constants_type) :: metal_constants_type
-   contains
-      procedure :: shows
-   end type metal_constants_type
-
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
       !> Bulk modulus
@@ -59,8 +52,8 @@ module plydyn_law_metal_plastic
    contains
       procedure :: update
       procedure :: update_points
-      procedure :: recall
-      procedure :: show
+      procedure :: stress_at
+      procedure :: output_variables
       procedure :: stored_energy
       procedure :: own_lane
       procedure :: search
@@ -89,15 +82,6 @@ module plydyn_law_metal_plastic
 
 contains
 
-   !> Scalars that the law has for the fields
-   pure function shows(self)
-      class(metal_constants_type), intent(in) :: self
-      logical :: shows(scalars)
-
-      shows(:) = .false.
-      shows([shows_plastic_strain, shows_dissipated]) = .true.
-   end function shows
-
    !> Give a lane to this law
    pure subroutine own_lane(self, lane, young, poisson, onset)
       class(plastic_type), intent(inout) :: self
@@ -113,14 +97,14 @@ contains
       self%owns(lane) = .true.
       self%mine(lane) = 1.0_wp
       self%histories = histories
-      self%energy_at(by_metal_plasticity) = histories
+      self%energy_variable(by_metal_plasticity) = histories
       self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
       self%shear(lane) = young/(2.0_wp*(1.0_wp + poisson))
       self%onset(lane) = onset
    end subroutine own_lane
 
    !> Scalars of a lane that its fields show
-   pure function show(self, lane, history) result(values)
+   pure function output_variables(self, lane, history) result(values)
       class(plastic_type), intent(in) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: history(lanes, *)
@@ -129,7 +113,7 @@ contains
       values(:) = 0.0_wp
       values(shows_plastic_strain) = history(lane, effective_plastic_strain)
       values(shows_dissipated) = history(lane, dissipated)
-   end function show
+   end function output_variables
 
    !> Stress and history at the end of a step
    pure subroutine update(self, step, strain, history, stress)
@@ -184,14 +168,14 @@ contains
    end subroutine update_point
 
    !> Stress that belongs to a strain and its history, also where a rate has raised it
-   pure subroutine recall(self, strain, history, stress)
+   pure subroutine stress_at(self, strain, history, stress)
       class(plastic_type), intent(in) :: self
       real(wp), intent(in) :: strain(lanes, 6)
       real(wp), intent(in) :: history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
 
       call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
-   end subroutine recall
+   end subroutine stress_at
 
    !> Energy per volume that unloading gives back: elastic, and stored by the back stress.
    !> Lanes of other laws keep theirs.

@@ -1,4 +1,4 @@
-!> Constants of the plies that are damaged, over the lanes of a batch.
+!> Constants of the ply-damage law over the lanes of a batch.
 module plydyn_law_ply_batch_constants
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_damage_onset, only : onset_type
@@ -21,10 +21,10 @@ module plydyn_law_ply_batch_constants
       real(wp) :: plateau(lanes, 2) = 0.0_wp
       !> Share of the strength from which their stress drops to zero
       real(wp) :: brittle(lanes, 2) = 0.0_wp
-      !> Least part of a stiffness that remains
+      !> Least integrity
       real(wp) :: residual(lanes) = 1.0_wp
-      !> G13 and G23: what damage leaves alone of them, and what it weakens
-      real(wp) :: firm(lanes, 2) = 0.0_wp, weak(lanes, 2) = 0.0_wp
+      !> G13 and G23: the parts that damage does not reduce and that it reduces
+      real(wp) :: g_intact(lanes, 2) = 0.0_wp, g_degraded(lanes, 2) = 0.0_wp
       !> 1 in lanes where tension and compression have damage of their own; whether in any
       real(wp) :: closes(lanes) = 0.0_wp
       logical :: any_closes = .false.
@@ -53,8 +53,8 @@ contains
       self%plateau(lane, 1) = constants%plateau
       self%brittle(lane, 1) = constants%brittle
       self%residual(lane) = constants%residual
-      self%firm(lane, :) = merge(0.0_wp, constants%shear(2:3), constants%weakens_across)
-      self%weak(lane, :) = constants%shear(2:3) - self%firm(lane, :)
+      self%g_intact(lane, :) = merge(0.0_wp, constants%shear(2:3), constants%weakens_across)
+      self%g_degraded(lane, :) = constants%shear(2:3) - self%g_intact(lane, :)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)

@@ -42,14 +42,14 @@ module plydyn_law_ply_batch_shear
    end type batch_shear_type
 
    !> Relative change of stress that ends the search on a power curve, and most steps of it
-   real(wp), parameter :: close_enough = 1.0e-13_wp
+   real(wp), parameter :: stress_tolerance = 1.0e-13_wp
    integer, parameter :: most_steps = 100
    !> Where 1 - exp(-x) is 1 to the last digit, and the series of (1 - exp(-x))/x: -1/2!, 1/3!, ...
-   real(wp), parameter :: beyond_rise = 40.0_wp
+   real(wp), parameter :: saturation = 40.0_wp
    real(wp), parameter :: series(9) = 1.0_wp/[-2.0_wp, 6.0_wp, -24.0_wp, 120.0_wp, -720.0_wp, &
       & 5040.0_wp, -40320.0_wp, 362880.0_wp, -3628800.0_wp]
    !> Up to here these give it to the last digit
-   real(wp), parameter :: short_way = 0.125_wp
+   real(wp), parameter :: series_limit = 0.125_wp
 
 contains
 
@@ -178,14 +178,14 @@ contains
       do l = 1, lanes
          farthest = max(farthest, each(l))
       end do
-      if (farthest <= short_way) then
+      if (farthest <= series_limit) then
          call expand_set(self, points, peak, set)
       else
          do m = 1, points
             !$omp simd
             do l = 1, lanes
                set(l, m) = max(peak(l, m) &
-                  & - self%reach(l)*rise_to_one(self%rate(l)*peak(l, m)), 0.0_wp)
+                  & - self%reach(l)*one_minus_exp(self%rate(l)*peak(l, m)), 0.0_wp)
             end do
          end do
       end if
@@ -273,7 +273,7 @@ contains
          !$omp simd
          do l = 1, lanes
             stress(l, m) = self%straight(l)*strain(l, m) &
-               & + self%asymptote(l)*rise_to_one(self%rate(l)*strain(l, m))
+               & + self%asymptote(l)*one_minus_exp(self%rate(l)*strain(l, m))
          end do
          if (self%has(shape_table)) then
             do k = 1, size(self%bend, 2)
@@ -290,13 +290,13 @@ contains
    !> 1 - exp(-x) for x of 0 or more, with all digits but the last two, be x ever so small: the
    !> series for a 32nd part of x, then 1 - exp(-2y) = (1 - exp(-y))*(2 - (1 - exp(-y))) five times.
    !> Arithmetic alone, the same in every lane, where a function of the library would be a call
-   pure real(wp) function rise_to_one(x) result(rise)
+   pure real(wp) function one_minus_exp(x) result(rise)
       !> A number, 0 or more
       real(wp), intent(in) :: x
 
       real(wp) :: part
 
-      part = min(x, beyond_rise)/32.0_wp
+      part = min(x, saturation)/32.0_wp
       rise = part*(1.0_wp + part*(series(1) + part*(series(2) + part*(series(3) + part*(series(4) &
          & + part*(series(5) + part*(series(6) + part*(series(7) + part*(series(8) &
          & + part*series(9))))))))))
@@ -305,7 +305,7 @@ contains
       rise = rise*(2.0_wp - rise)
       rise = rise*(2.0_wp - rise)
       rise = rise*(2.0_wp - rise)
-   end function rise_to_one
+   end function one_minus_exp
 
    !> Stress of Ramberg and Osgood by Newton's method, from the elastic guess above it
    pure subroutine find_power_stress(self, strain, set, stress)
@@ -326,7 +326,7 @@ contains
                bent = coefficient(l)*found(l)**(exponent(l) - 1.0_wp)
                change = (found(l)*(1.0_wp + bent) - modulus(l)*strain(l)) &
                   & /(1.0_wp + exponent(l)*bent)
-               most = max(most, abs(change) - close_enough*found(l))
+               most = max(most, abs(change) - stress_tolerance*found(l))
                found(l) = max(found(l) - change, 0.0_wp)
             end do
          end associate

@@ -1,26 +1,28 @@
-!> Damage of a ply: fibres and matrix, after nonlinear shear in the plane.
+!> Damage of fibres and matrix of a ply, after nonlinear shear in the plane.
 !>
-!> The model of the paper (CODAM2 at the level of the ply, eqs 4 and 7 to 11): onset by stress,
-!> softening that dissipates the toughness over the width of the crack band, unloading to the
-!> origin or to the shear strain that stays. The energy dissipated is that of the stiffness lost at
-!> the strain of the step, and the work on the shear strain that stays.
+!> The model of the paper is CODAM2 at the level of the ply (eqs 4 and 7 to 11). Onset is by stress.
+!> Softening dissipates the toughness over the width of the crack band. Unloading goes to the origin
+!> or to the permanent shear strain. The dissipated energy is that of the stiffness lost at the
+!> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_growth, only : can_grow, find_limits, grow, least_led
-   use plydyn_law_ply_damage_onset, only : idle_push
+   use plydyn_law_ply_damage_growth, only : can_grow, find_growth_strains, grow, min_path_ratio
+   use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
-      & fibre_gate, fibre_onset, find_remains, find_share, give_own, histories_average, &
-      & histories_closing, histories_most, histories_open, keep_driving, largest_band, &
-      & matrix_damage, matrix_energy, matrix_finish, matrix_gate, matrix_onset, mean_strain, &
-      & no_strain, own_strain, shear_peak, shear_set, shear_spared, swap_closed, take_mean, &
-      & take_own, to_compression
+   use plydyn_law_ply_history, only : band_width, begun_shear, begun_threshold, driving_strains, &
+      & fibre_damage, fibre_energy, fibre_finish, fibre_onset, fibre_threshold, find_integrity, &
+      & find_share, growth_threshold, has_begun, histories_average, histories_closing, &
+      & histories_most, histories_open, largest_band, largest_shear, load_lanes, &
+      & load_mean_strains, matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
+      & matrix_threshold, mean_strain, own_strain, shear_peak, shear_set, spared_work, &
+      & store_driving_strains, store_lanes, swap_closed, to_compression, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : stay
-   use plydyn_law_ply_no_growth_path, only : take_intact
-   use plydyn_law_ply_stress_update, only : add_damaged, add_energies, ply_step_type
+   use plydyn_law_ply_elastic_path, only : update_undamaged
+   use plydyn_law_ply_no_growth_path, only : use_intact_stress
+   use plydyn_law_ply_shear_path, only : elastic_shear
+   use plydyn_law_ply_stress_update, only : add_energies, degrade_stress, ply_step_type
    implicit none
    private
 
@@ -34,12 +36,12 @@ module plydyn_law_ply_damage
    contains
       procedure :: update
       procedure :: update_points
-      procedure :: advance
+      procedure :: update_point
       procedure :: set_lane
       procedure :: set_average
       procedure :: start_history
-      procedure :: show
-      procedure :: spent
+      procedure :: output_variables
+      procedure :: dissipated_energy
    end type ply_damage_type
 
 contains
@@ -55,8 +57,8 @@ contains
       self%owns(lane) = .true.
       call self%ply%set_lane(lane, constants)
       self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
-      self%energy_at(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
-         & shear_spared]
+      self%energy_variable(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
+         & spared_work]
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane
@@ -92,13 +94,13 @@ contains
       end do
       where (self%owns)
          history(:, largest_band) = widest
-         history(:, fibre_gate) = length(:, 1)
-         history(:, matrix_gate) = length(:, 2)
+         history(:, fibre_threshold) = length(:, 1)
+         history(:, matrix_threshold) = length(:, 2)
       end where
    end subroutine start_history
 
    !> Damage and energy of a lane that its fields show; where cracks close, the larger damage
-   pure function show(self, lane, history) result(values)
+   pure function output_variables(self, lane, history) result(values)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: history(lanes, *)
@@ -110,27 +112,27 @@ contains
       if (self%ply%any_closes) damage(:) = max(damage, &
          & history(lane, [fibre_damage, matrix_damage] + to_compression))
       damage(:) = min(damage, 1.0_wp - self%ply%residual(lane))
-      plastic(:) = self%spent(by_ply_plasticity, history)
+      plastic(:) = self%dissipated_energy(by_ply_plasticity, history)
       values(:) = 0.0_wp
       values(shows_fibre_damage:shows_matrix_damage) = damage
       values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
       values(shows_dissipated) = sum(history(lane, [fibre_energy, matrix_energy])) + plastic(lane)
-   end function show
+   end function output_variables
 
    !> Energies that a point has dissipated: plastic work is that of an intact ply, as the largest
    !> shear strain tells, less what damage has spared
-   pure function spent(self, mechanism, history) result(energy)
+   pure function dissipated_energy(self, mechanism, history) result(energy)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: mechanism
       real(wp), intent(in) :: history(lanes, *)
       real(wp) :: energy(lanes)
 
-      energy(:) = history(:, self%energy_at(mechanism))
+      energy(:) = history(:, self%energy_variable(mechanism))
       if (mechanism /= by_ply_plasticity) return
-      associate (own => self%ply%own, peak => abs(history(:, shear_peak)))
+      associate (own => self%ply%own, peak => largest_shear(history(:, shear_peak)))
          energy(:) = self%ply%curve%lost(own*peak, own*history(:, shear_set)) - energy
       end associate
-   end function spent
+   end function dissipated_energy
 
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)
@@ -143,8 +145,7 @@ contains
       call self%update_points(1, 1, step, strain, history, stress)
    end subroutine update
 
-   !> The same for some points of a layer: at once where no damage begins or grows, the
-   !> others one by one
+   !> The same for some points of a layer: at once where no damage begins or grows, else one by one
    pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: points, pitch
@@ -155,24 +156,25 @@ contains
 
       real(wp) :: e(lanes, 6), h(lanes, histories_most), s(lanes, 6)
       integer :: m
-      logical :: quiet(points)
+      logical :: updated(points)
 
       if (self%averages) then
-         quiet(:) = .false.
+         updated(:) = .false.
       else
-         call stay(self%ply, points, pitch, strain, history, stress, quiet)
+         call update_undamaged(self%ply, points, pitch, strain, history, stress, updated)
       end if
       do m = 1, points
-         if (quiet(m)) cycle
-         call take_own(self%ply%own, pitch, self%histories, strain(:, :, m), history(1, m, 1), e, h)
-         call self%advance(e, h, s)
-         call give_own(self%ply%own, pitch, self%histories, h, s, history(1, m, 1), &
+         if (updated(m)) cycle
+         call load_lanes(self%ply%own, pitch, self%histories, strain(:, :, m), history(1, m, 1), &
+            & e, h)
+         call self%update_point(e, h, s)
+         call store_lanes(self%ply%own, pitch, self%histories, h, s, history(1, m, 1), &
             & stress(:, :, m))
       end do
    end subroutine update_points
 
-   !> Stress and history after a step, of all lanes: the whole law, whatever happens at the point
-   pure subroutine advance(self, e, h, s)
+   !> Stress and history of all lanes after a step, by the whole law
+   pure subroutine update_point(self, e, h, s)
       class(ply_damage_type), intent(in) :: self
       !> Strain, history and stress
       real(wp), intent(in) :: e(lanes, 6)
@@ -182,26 +184,24 @@ contains
       type(ply_step_type) :: now
       real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
 
-      call advance_shear(self, e(:, 4), h, shear, now)
+      call update_shear(self, e(:, 4), h, shear, now)
       if (self%averages) then
-         call take_mean(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), drive, &
-            & drive_shear)
-         call advance_damage(self, drive, drive_shear, h, now, s(:, 1:3))
+         call load_mean_strains(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), &
+            & drive, drive_shear)
+         call update_damage(self, drive, drive_shear, h, now, s(:, 1:3))
          call self%ply%secant%damaged_stress(e, now%after, s)
          call find_share(e, shear(:, 2), h(:, own_strain:mean_strain - 1), now%share)
-         call keep_driving(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
+         call store_driving_strains(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
       else
-         call advance_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
+         call update_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
       end if
-      if (now%grows) call add_energies(self%ply%secant, self%ply%weak, e, shear(:, 2), now, &
-         & s(:, 1:2), h)
-      call add_damaged(self%ply%firm, self%ply%weak, e, shear(:, 1), now, s)
+      if (now%grows) call add_energies(self%ply, e, shear(:, 2), now, s(:, 1:2), h)
+      call degrade_stress(self%ply, e, shear(:, 1), now%after(:, 1:2), now%after(:, 3:4), s)
       if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, h)
-   end subroutine advance
+   end subroutine update_point
 
-   !> Damage after a step, and the normal stresses that the strains that drive it have on what
-   !> remains
-   pure subroutine advance_damage(self, e, shear, h, now, s)
+   !> Damage after a step, and the effective normal stresses of the strains that drive it
+   pure subroutine update_damage(self, e, shear, h, now, s)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33; sizes of the shear stress 12 before damage and of the elastic shear
       !> strain
@@ -213,40 +213,40 @@ contains
       real(wp) :: share(lanes, 2)
       logical :: begins
 
-      if (self%ply%any_closes) call put_acting_first(self, e, shear(:, 1), h, now%sense)
-      call find_remains(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
+      if (self%ply%any_closes) call put_active_first(self, e, shear(:, 1), h, now%sense)
+      call find_integrity(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
       now%after(:, :) = now%before
       call soften(self, e, shear(:, 2), h, now, now%share, s)
       call begin_damage(self, e, shear, s, h, now, begins)
       if (begins) then
          call soften(self, e, shear(:, 2), h, now, share, s)
          ! beyond that the step has not led here, and all of it falls at the strain of now
-         share(:, :) = merge(share, 1.0_wp, share >= least_led)
+         share(:, :) = merge(share, 1.0_wp, share >= min_path_ratio)
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
-      if (begins .or. now%grows) call set_gates(self%ply, h(:, fibre_damage:matrix_finish), &
-         & h(:, fibre_gate:matrix_gate))
-   end subroutine advance_damage
+      if (begins .or. now%grows) call set_thresholds(self%ply, h(:, fibre_damage:matrix_finish), &
+         & h(:, fibre_threshold:matrix_threshold))
+   end subroutine update_damage
 
-   !> Put the strains beyond which damage grows where the next step looks for them
-   pure subroutine set_gates(ply, mode, gate)
+   !> Set the growth thresholds of modes that have begun for the next step
+   pure subroutine set_thresholds(ply, mode, threshold)
       type(ply_batch_constants_type), intent(in) :: ply
-      !> History of each mode, and what its growth depends on
+      !> History of each mode, and its growth threshold
       real(wp), intent(in) :: mode(lanes, 3, 2)
-      real(wp), intent(inout) :: gate(lanes, 2)
+      real(wp), intent(inout) :: threshold(lanes, 2)
 
       real(wp) :: limit(lanes, 2)
       integer :: k
 
-      call find_limits(ply%plateau, ply%brittle, mode, limit)
+      call find_growth_strains(ply%plateau, ply%brittle, mode, limit)
       do k = 1, 2
-         gate(:, k) = merge(-limit(:, k)**2, gate(:, k), gate(:, k) < 0.0_wp &
-            & .and. ply%closes <= 0.0_wp)
+         threshold(:, k) = merge(growth_threshold(limit(:, k)), threshold(:, k), &
+            & has_begun(threshold(:, k)) .and. ply%closes <= 0.0_wp)
       end do
-   end subroutine set_gates
+   end subroutine set_thresholds
 
    !> Shear along its curve until the matrix cracks, and elastic from there
-   pure subroutine advance_shear(self, strain, h, shear, now)
+   pure subroutine update_shear(self, strain, h, shear, now)
       class(ply_damage_type), intent(in) :: self
       !> Shear strain 12
       real(wp), intent(in) :: strain(lanes)
@@ -258,26 +258,26 @@ contains
       real(wp) :: peak(lanes), set(lanes), size(lanes)
       integer :: l
 
-      size(:) = merge(0.0_wp, abs(strain), h(:, matrix_gate) < 0.0_wp)
+      size(:) = merge(0.0_wp, abs(strain), has_begun(h(:, matrix_threshold)))
       set(:) = h(:, shear_set)
-      peak(:) = abs(h(:, shear_peak))
+      peak(:) = largest_shear(h(:, shear_peak))
       call self%ply%curve%advance(size, peak, set, now%work, now%grows)
-      h(:, shear_peak) = sign(peak, h(:, shear_peak))
+      h(:, shear_peak) = with_largest_shear(peak, h(:, shear_peak))
       h(:, shear_set) = set
       associate (modulus => self%ply%secant%shear)
          !$omp simd
          do l = 1, lanes
-            shear(l, 2) = max(abs(strain(l)) - set(l), 0.0_wp)
+            shear(l, 2) = elastic_shear(strain(l), set(l))
             shear(l, 1) = modulus(l, 1)*shear(l, 2)
          end do
       end associate
-   end subroutine advance_shear
+   end subroutine update_shear
 
-   !> Find the signs of the normal stresses, and put first the damage that acts with them. The sign
-   !> of a stress depends on what remains in the other direction only, and on that by Poisson's
-   !> effect: there the damage that goes with the signs of an intact ply will do. Compression across
-   !> that is idle beside the shear counts as tension.
-   pure subroutine put_acting_first(self, e, shear, h, sense)
+   !> Find the signs of the normal stresses, and put the damage that is active with them first. The
+   !> sign of a stress depends only on the integrity in the other direction, by Poisson's effect:
+   !> there the damage that goes with the signs of an intact ply is enough. Compression across the
+   !> fibres that is small beside the shear counts as tension
+   pure subroutine put_active_first(self, e, shear, h, sense)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33; size of the shear stress 12 before damage
       real(wp), intent(in) :: e(lanes, 3), shear(lanes)
@@ -285,21 +285,21 @@ contains
       !> Stresses 11 and 22 of which the signs count
       real(wp), intent(out) :: sense(lanes, 2)
 
-      real(wp) :: remains(lanes, 4), stress(lanes, 3)
+      real(wp) :: integrity(lanes, 4), stress(lanes, 3)
 
       call self%ply%secant%intact_stress(e, stress)
       sense(:, 1) = stress(:, 1)
-      sense(:, 2) = stress(:, 2) + idle_push*shear
+      sense(:, 2) = stress(:, 2) + compression_tolerance*shear
       call swap_closed(self%ply%closes, sense, h)
-      call find_remains(self%ply%residual, self%ply%any_closes, h, sense, remains)
-      call self%ply%secant%damaged_stress(e, remains, stress)
+      call find_integrity(self%ply%residual, self%ply%any_closes, h, sense, integrity)
+      call self%ply%secant%damaged_stress(e, integrity, stress)
       call swap_closed(self%ply%closes, sense, h)
       sense(:, 1) = stress(:, 1)
-      sense(:, 2) = stress(:, 2) + idle_push*shear
+      sense(:, 2) = stress(:, 2) + compression_tolerance*shear
       call swap_closed(self%ply%closes, sense, h)
-   end subroutine put_acting_first
+   end subroutine put_active_first
 
-   !> Let damage grow that has begun, and find the normal stresses on what remains
+   !> Grow the damage that has begun, and find the effective normal stresses
    pure subroutine soften(self, e, elastic, h, now, share, stress)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33, size of the elastic shear strain
@@ -323,9 +323,9 @@ contains
             now%grows = .true.
             call grow(ply%plateau, ply%brittle, size, modes, share)
             ! where cracks close, another damage may meet the strain of the step at once
-            if (ply%any_closes) share(:, :) = merge(1.0_wp, share, share < least_led &
+            if (ply%any_closes) share(:, :) = merge(1.0_wp, share, share < min_path_ratio &
                & .and. spread(ply%closes > 0.0_wp, 2, 2))
-            call find_remains(ply%residual, ply%any_closes, h, now%sense, now%after)
+            call find_integrity(ply%residual, ply%any_closes, h, now%sense, now%after)
          else
             share(:, :) = 1.0_wp
          end if
@@ -336,8 +336,8 @@ contains
    !> Freeze the strains of the modes that begin in this step
    pure subroutine begin_damage(self, e, shear, stress, h, now, begins)
       class(ply_damage_type), intent(in) :: self
-      !> Strains 11, 22, 33; sizes of shear stress and elastic shear strain; normal stresses on what
-      !> remains
+      !> Strains 11, 22, 33; sizes of shear stress and elastic shear strain; effective normal
+      !> stresses
       real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2), stress(lanes, 3)
       real(wp), intent(inout) :: h(lanes, self%histories)
       type(ply_step_type), intent(inout) :: now
@@ -348,9 +348,9 @@ contains
       integer :: l
 
       trial(:, :) = stress
-      if (self%ply%any_intact) call take_intact(self%ply, e, trial)
-      call self%ply%onset%find_onset(trial, e, shear, abs(h(:, fibre_gate)), &
-         & abs(h(:, matrix_gate)), now%excess)
+      if (self%ply%any_intact) call use_intact_stress(self%ply, e, trial)
+      call self%ply%onset%find_onset(trial, e, shear, band_width(h(:, fibre_threshold)), &
+         & band_width(h(:, matrix_threshold)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)
@@ -366,20 +366,20 @@ contains
       ! once in the life of a mode at a point
       do l = 1, lanes
          if (any(now%excess(l, :) >= 0.0_wp)) then
-            h(l, shear_peak) = -max(abs(h(l, shear_peak)), no_strain)
+            h(l, shear_peak) = begun_shear(h(l, shear_peak))
          end if
          if (now%excess(l, 1) >= 0.0_wp) then
-            length = abs(h(l, fibre_gate))
+            length = band_width(h(l, fibre_threshold))
             call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
                & h(l, fibre_finish))
-            h(l, fibre_gate) = -length
+            h(l, fibre_threshold) = begun_threshold(length)
          end if
          if (now%excess(l, 2) >= 0.0_wp) then
-            length = abs(h(l, matrix_gate))
+            length = band_width(h(l, matrix_threshold))
             in_plane(:) = shear(l, :)
             call self%ply%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
                & h(l, matrix_onset), h(l, matrix_finish))
-            h(l, matrix_gate) = -length
+            h(l, matrix_threshold) = begun_threshold(length)
          end if
       end do
    end subroutine begin_damage

@@ -2,19 +2,19 @@
 !> drops to zero from somewhere along the line.
 module plydyn_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_history, only : began_in_compression
    implicit none
    private
 
-   public :: can_grow, find_limits, grow
+   public :: can_grow, find_growth_strains, grow
 
-   !> Least strain at which damage begins or goes on over that after the step that led there. With
-   !> less the point was beyond it before, by a criterion that has changed: compression that ends
-   !> changes the toughness of shear, closes a crack whose damage was all that acted, or has strains
-   !> of its own
-   real(wp), parameter, public :: least_led = 0.9_wp
+   !> Least ratio of the strain at which damage begins or goes on to that at the end of the step.
+   !> Below it the point was beyond that strain before the step, by a criterion that has changed.
+   !> The end of compression changes the toughness of shear, closes a crack, or has its own strains
+   real(wp), parameter, public :: min_path_ratio = 0.9_wp
 
-   !> History of a mode: damage; strain at onset, negative in compression, 0 before; strain at which
-   !> the falling line meets zero
+   !> History of a mode: damage; strain at onset, 0 before, see `began_in_compression`; strain at
+   !> which the falling line meets zero
    integer, parameter :: of_damage = 1, of_onset = 2, of_finish = 3
 
    !> Keeps divisors off zero where nothing has begun
@@ -24,7 +24,7 @@ module plydyn_law_ply_damage_growth
 
 contains
 
-   !> Whether damage that has begun grows in any lane: what `grow` takes does nothing elsewhere
+   !> Whether damage that has begun grows in any lane: `grow` changes nothing elsewhere
    pure logical function can_grow(plateau, brittle, strain, mode)
       !> As in `grow`
       real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2), strain(lanes, 2)
@@ -34,7 +34,7 @@ contains
       real(wp) :: limit(lanes, 2), most
       integer :: l
 
-      call find_limits(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, brittle, mode, limit)
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
@@ -43,9 +43,9 @@ contains
       can_grow = most > 0.0_wp
    end function can_grow
 
-   !> Strains beyond which damage grows that has begun: that which it stands for, or from which the
-   !> stress drops; out of reach where nothing has begun, or nothing is left
-   pure subroutine find_limits(plateau, brittle, mode, limit)
+   !> Strains beyond which damage that has begun grows: that which belongs to the damage, or from
+   !> which the stress drops; out of reach before onset and for full damage
+   pure subroutine find_growth_strains(plateau, brittle, mode, limit)
       !> As in `grow`
       real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2)
       !> History of each mode
@@ -63,15 +63,15 @@ contains
             onset = abs(mode(l, of_onset, k))
             last = mode(l, of_finish, k)
             fall = last - onset
-            floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
-            cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            floor = merge(plateau(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
+            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
             call find_reached(damage, onset, last, floor, part, rise)
             drop = merge(last - cut*fall, out_of_reach, cut > floor)
             limit(l, k) = merge(min(rise/part, drop), out_of_reach, min(fall, 1.0_wp - damage) &
                & > 0.0_wp)
          end do
       end do
-   end subroutine find_limits
+   end subroutine find_growth_strains
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
    !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
@@ -99,8 +99,8 @@ contains
             onset = abs(mode(l, of_onset, k))
             last = mode(l, of_finish, k)
             fall = last - onset
-            floor = merge(plateau(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
-            cut = merge(brittle(l, k), 0.0_wp, mode(l, of_onset, k) < 0.0_wp)
+            floor = merge(plateau(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
+            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
 
             call find_reached(damage, onset, last, floor, part, rise)
             share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
@@ -115,7 +115,7 @@ contains
       end do
    end subroutine grow
 
-   !> The strain that damage stands for, rise/part, on the line or on the plateau
+   !> The strain that belongs to a damage, rise/part, on the line or on the plateau
    pure subroutine find_reached(damage, onset, last, floor, part, rise)
       !> Damage
       real(wp), intent(in) :: damage

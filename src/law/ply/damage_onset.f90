@@ -46,7 +46,7 @@ module plydyn_law_ply_damage_onset
    real(wp), parameter :: least_share = 0.1_wp
    !> Compression across the fibres up to this share of the shear stress counts as tension: in pure
    !> shear round-off must not choose between two toughnesses
-   real(wp), parameter, public :: idle_push = 1.0e-3_wp
+   real(wp), parameter, public :: compression_tolerance = 1.0e-3_wp
    !> Least ratio of the strains when the stress drops at once
    real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
 
@@ -160,11 +160,11 @@ contains
       real(wp), intent(in) :: stress(lanes), strain(lanes), shear(lanes, 2), length(lanes)
       real(wp), intent(out) :: excess(lanes)
 
-      real(wp) :: by_shear, criterion, in_c, in_t, linear, s, toughness, work
+      real(wp) :: by_shear, criterion, in_c, in_t, linear, s, tolerance, toughness, work
       integer :: l
 
       associate (least => self%least, t => in_tension, c => in_compression)
-         !$omp simd private(s, by_shear, in_t, in_c, linear, criterion, toughness, work)
+         !$omp simd private(s, by_shear, in_t, in_c, linear, criterion, tolerance, toughness, work)
          do l = 1, lanes
             s = stress(l)
             in_t = self%matrix(l, t)
@@ -176,10 +176,11 @@ contains
             by_shear = shear(l, 1)*shear(l, 2)
             in_t = self%matrix_toughness(l, t)
             in_c = self%matrix_toughness(l, c)
-            toughness = work*merge(in_t, in_c, s >= -idle_push*shear(l, 1)) + tiny(toughness)
+            tolerance = compression_tolerance*shear(l, 1)
+            toughness = work*merge(in_t, in_c, s >= -tolerance) + tiny(toughness)
             in_t = self%shear_toughness(l, t)
             in_c = self%shear_toughness(l, c)
-            toughness = toughness + by_shear*merge(in_t, in_c, s >= -idle_push*shear(l, 1))
+            toughness = toughness + by_shear*merge(in_t, in_c, s >= -tolerance)
             work = work + by_shear
             excess(l) = max(criterion - 1.0_wp, self%ratio(l)*length(l)*work**2 - toughness)
          end do
@@ -232,7 +233,7 @@ contains
       real(wp) :: by_shear, least, scale, size, toughness, work
       integer :: sense
 
-      sense = merge(in_tension, in_compression, stress >= -idle_push*shear(1))
+      sense = merge(in_tension, in_compression, stress >= -compression_tolerance*shear(1))
       least = self%least(lane, 2)*abs(stress)
       work = max(stress*strain, least*abs(stress))
       by_shear = shear(1)*shear(2)

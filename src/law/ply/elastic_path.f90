@@ -1,27 +1,27 @@
-!> Points of plies at which no damage begins or grows: most points, most of the time.
+!> Fast paths of the ply-damage law for points at which no damage begins or grows in a step.
 !>
-!> Where none is damaged and all are far from onset, a few columns of their history tell so. Where
-!> some are, all points are taken through the law as it is without growth. Neither changes the
-!> history, but for that of shear while it grows. Everything else is left to the whole law, which
-!> finds the history as it was.
+!> The elastic path takes intact points that are far from onset, which a few history variables
+!> tell. The no-growth path takes the others, damaged ones too. Both leave the history as it is, but
+!> for that of the shear. Points where damage begins or grows are left to the whole law.
 module plydyn_law_ply_elastic_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : give, largest_band
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_shear_path, only : bend, keep_shear, most_points, shear_type
-   use plydyn_law_ply_no_growth_path, only : hold
+   use plydyn_law_ply_history, only : largest_band, store_columns
+   use plydyn_law_ply_no_growth_path, only : update_without_growth
+   use plydyn_law_ply_shear_path, only : elastic_shear, most_points, shear_type, store_shear, &
+      & update_shear
    implicit none
    private
 
-   public :: stay
+   public :: update_undamaged
 
-   !> Below this, with room for round-off, the sums of points far from onset are below 1
-   real(wp), parameter :: near = 0.99_wp
+   !> Largest sum of the onset criteria of a point that is far from onset; 1 less room for round-off
+   real(wp), parameter :: far_limit = 0.99_wp
 
 contains
 
-   !> Stress of points at which no lane begins to be damaged in a step, or is more than before
-   pure subroutine stay(ply, points, pitch, strain, history, stress, quiet)
+   !> Stress of the points at which no damage begins or grows
+   pure subroutine update_undamaged(ply, points, pitch, strain, history, stress, updated)
       !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Number of points, `most_points` at most; rows of the history from one of their variables to
@@ -29,60 +29,61 @@ contains
       integer, intent(in) :: points, pitch
       !> Total strain
       real(wp), intent(in) :: strain(lanes, 6, points)
-      !> History from the first of the points on; changes only at points that are quiet
+      !> History from the first of the points on; changes only at points that are updated
       real(wp), intent(inout) :: history(lanes, pitch, *)
-      !> Stress of the lanes that the law owns; means nothing at points that are not quiet
+      !> Stress of the lanes that the law owns; means nothing at points that are not updated
       real(wp), intent(inout) :: stress(lanes, 6, points)
-      !> Which points are quiet
-      logical, intent(out) :: quiet(points)
+      !> Points that are updated; the others need the whole law
+      logical, intent(out) :: updated(points)
 
       real(wp) :: all_lanes(lanes, 6, most_points)
       type(shear_type) :: shear
       integer :: m
 
-      call bend(ply, points, pitch, strain, history, shear)
+      call update_shear(ply, points, pitch, strain, history, shear)
       if (ply%whole) then
-         call find_stress(ply, points, pitch, strain, history, shear, stress, quiet)
+         call find_stress(ply, points, pitch, strain, history, shear, stress, updated)
       else
-         call find_stress(ply, points, pitch, strain, history, shear, all_lanes, quiet)
+         call find_stress(ply, points, pitch, strain, history, shear, all_lanes, updated)
          do m = 1, points
-            call give(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
+            call store_columns(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
          end do
       end if
       if (.not. shear%grows) return
       do m = 1, points
-         if (quiet(m)) call keep_shear(ply, m, pitch, shear, history)
+         if (updated(m)) call store_shear(ply, m, pitch, shear, history)
       end do
-   end subroutine stay
+   end subroutine update_undamaged
 
-   !> Stress of all lanes: where nothing is damaged or near to it, or else
-   pure subroutine find_stress(ply, points, pitch, strain, history, shear, stress, quiet)
+   !> Stress of all lanes, by the elastic path if it takes all points, else by the no-growth path
+   pure subroutine find_stress(ply, points, pitch, strain, history, shear, stress, updated)
       type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
-      !> What the step makes of the shear; gets the work that damage spares
+      !> Shear after the step; gets the plastic work that damage spares
       type(shear_type), intent(inout) :: shear
       real(wp), intent(out) :: stress(lanes, 6, points)
-      logical, intent(out) :: quiet(points)
+      logical, intent(out) :: updated(points)
 
       logical :: far
 
       far = .not. shear%begun
-      if (far) call resist(ply, points, pitch, strain, history, shear%set, stress, far)
-      quiet(:) = far
-      if (.not. far) call hold(ply, points, pitch, strain, history, shear, stress, quiet)
+      if (far) call find_intact_stress(ply, points, pitch, strain, history, shear%set, stress, far)
+      updated(:) = far
+      if (.not. far) call update_without_growth(ply, points, pitch, strain, history, shear, &
+         & stress, updated)
    end subroutine find_stress
 
-   !> Stress of intact plies, and whether all points are so far from onset that little is needed to
-   !> see it
-   pure subroutine resist(ply, points, pitch, strain, history, set, stress, far)
+   !> Stress of intact plies, and whether all points are far from onset. The formula of the normal
+   !> stresses is that of `intact_stress`: a call of it makes the kernel 10 % slower
+   pure subroutine find_intact_stress(ply, points, pitch, strain, history, set, stress, far)
       type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
-      !> Shear strain that stays
+      !> Permanent shear strain
       real(wp), intent(in) :: set(lanes, most_points)
       real(wp), intent(out) :: stress(lanes, 6, points)
-      !> All are
+      !> All points are far from onset
       logical, intent(out) :: far
 
       real(wp) :: across, along, each(lanes), elastic, most, s11, s22, tau
@@ -95,7 +96,7 @@ contains
             & h => history(:, 1, largest_band))
             !$omp simd private(across, along, elastic, s11, s22, tau)
             do l = 1, lanes
-               elastic = max(abs(e(l, 4)) - set(l, m), 0.0_wp)
+               elastic = elastic_shear(e(l, 4), set(l, m))
                tau = g(l, 1)*elastic
                s11 = c(l, 1)*e(l, 1) + c(l, 2)*e(l, 2) + c(l, 3)*e(l, 3)
                s22 = c(l, 2)*e(l, 1) + c(l, 4)*e(l, 2) + c(l, 5)*e(l, 3)
@@ -117,7 +118,7 @@ contains
       do l = 1, lanes
          most = max(most, each(l))
       end do
-      far = most <= near
-   end subroutine resist
+      far = most <= far_limit
+   end subroutine find_intact_stress
 
 end module plydyn_law_ply_elastic_path

@@ -1,37 +1,39 @@
-!> Where the history of a damaged ply keeps what.
+!> Layout of the history variables of the ply-damage law.
+!>
+!> The signs of three variables hold a state beside their size, so that an intact point reads few
+!> variables in a step: `has_begun`, `any_begun` and `began_in_compression` ask for it.
 module plydyn_law_ply_history
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   public :: find_remains, find_share, give, give_own, keep_driving, swap_closed, take_mean, &
-      & take_own
+   public :: any_begun, band_width, began_in_compression, begun_shear, begun_threshold, &
+      & find_integrity, find_share, growth_threshold, has_begun, integrity_of, largest_shear, &
+      & load_lanes, load_mean_strains, store_columns, store_driving_strains, store_lanes, &
+      & strain_excess, swap_closed, with_largest_shear
 
-   !> What an intact point looks at in every step, with the shear strain that stays: the largest
-   !> shear strain up to the onset of matrix damage, less than 0 once a mode has begun
+   !> Largest shear strain up to the onset of matrix damage; its sign says whether any mode has
+   !> begun, see `any_begun`
    integer, parameter, public :: shear_peak = 1
-   !> Largest width of the crack bands of all points of the element, the same at each: one look
-   !> serves for all of them
+   !> Largest width of the crack bands of all points of the element, the same at each of them
    integer, parameter, public :: largest_band = 2
-   !> What the next growth of a mode depends on: before onset the width of its crack band; then, as
-   !> less than 0, the square of the equivalent strain beyond which damage grows, or, where cracks
-   !> close, the width
-   integer, parameter, public :: fibre_gate = 3, matrix_gate = 4
-   !> History of fibres and of matrix: damage; equivalent strain at onset, negative in compression,
-   !> 0 before; equivalent strain at the end of softening
+   !> Growth threshold of a mode: before onset the width of its crack band; then the equivalent
+   !> strain beyond which damage grows or, where cracks close, the width again; see `has_begun`
+   integer, parameter, public :: fibre_threshold = 3, matrix_threshold = 4
+   !> History of fibres and of matrix: damage; equivalent strain at onset, 0 before, see
+   !> `began_in_compression`; equivalent strain at the end of softening
    integer, parameter, public :: fibre_damage = 5, fibre_onset = 6, fibre_finish = 7, &
       & matrix_damage = 8, matrix_onset = 9, matrix_finish = 10
    !> Energies dissipated per volume by fibres and by matrix
    integer, parameter, public :: fibre_energy = 11, matrix_energy = 12
-   !> Shear strain that stays; work per volume that it would have cost an intact ply beyond what it
-   !> has
-   integer, parameter, public :: shear_set = 13, shear_spared = 14
+   !> Permanent shear strain; plastic work per volume that damage has spared
+   integer, parameter, public :: shear_set = 13, spared_work = 14
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
    integer, parameter, public :: to_compression = 10
 
    !> Largest shear strain that marks a mode that has begun where there has been none
-   real(wp), parameter, public :: no_strain = 1.0e-30_wp
+   real(wp), parameter :: no_strain = 1.0e-30_wp
 
    !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
    !> their averages; cracks do not close there
@@ -43,9 +45,103 @@ module plydyn_law_ply_history
 
 contains
 
+   !> Whether damage of a mode has begun
+   elemental logical function has_begun(threshold)
+      !> Growth threshold of the mode
+      real(wp), intent(in) :: threshold
+
+      has_begun = threshold < 0.0_wp
+   end function has_begun
+
+   !> Width of the crack band of a mode that has not begun, or of any mode where cracks close
+   elemental real(wp) function band_width(threshold)
+      !> Growth threshold of the mode
+      real(wp), intent(in) :: threshold
+
+      band_width = abs(threshold)
+   end function band_width
+
+   !> Growth threshold of a mode that begins, with the width of its crack band
+   elemental real(wp) function begun_threshold(width)
+      !> Width of the crack band
+      real(wp), intent(in) :: width
+
+      begun_threshold = -width
+   end function begun_threshold
+
+   !> Growth threshold of a mode that has begun, with the strain beyond which its damage grows
+   elemental real(wp) function growth_threshold(strain)
+      !> Equivalent strain
+      real(wp), intent(in) :: strain
+
+      growth_threshold = -strain**2
+   end function growth_threshold
+
+   !> More than 0 where the strain of a mode that has begun is beyond its growth threshold
+   elemental real(wp) function strain_excess(square, threshold)
+      !> Square of the equivalent strain
+      real(wp), intent(in) :: square
+      !> Growth threshold of the mode
+      real(wp), intent(in) :: threshold
+
+      strain_excess = square + threshold
+   end function strain_excess
+
+   !> Whether damage of any mode has begun at a point
+   elemental logical function any_begun(peak)
+      !> Variable `shear_peak`, or the least of some
+      real(wp), intent(in) :: peak
+
+      any_begun = peak < 0.0_wp
+   end function any_begun
+
+   !> Largest size of the shear strain of a point up to the onset of matrix damage
+   elemental real(wp) function largest_shear(peak)
+      !> Variable `shear_peak`
+      real(wp), intent(in) :: peak
+
+      largest_shear = abs(peak)
+   end function largest_shear
+
+   !> Variable `shear_peak` with another largest strain, and the same modes begun
+   elemental real(wp) function with_largest_shear(strain, peak)
+      !> Largest size of the shear strain
+      real(wp), intent(in) :: strain
+      !> The variable before
+      real(wp), intent(in) :: peak
+
+      with_largest_shear = sign(strain, peak)
+   end function with_largest_shear
+
+   !> Variable `shear_peak` of a point at which a mode begins
+   elemental real(wp) function begun_shear(peak)
+      !> The variable before
+      real(wp), intent(in) :: peak
+
+      begun_shear = -max(largest_shear(peak), no_strain)
+   end function begun_shear
+
+   !> Whether damage of a mode began in compression
+   elemental logical function began_in_compression(onset)
+      !> Equivalent strain at onset, as the history has it
+      real(wp), intent(in) :: onset
+
+      began_in_compression = onset < 0.0_wp
+   end function began_in_compression
+
+   !> Part of a stiffness that damage leaves
+   elemental real(wp) function integrity_of(damage, residual)
+      !> Damage
+      real(wp), intent(in) :: damage
+      !> Least part
+      real(wp), intent(in) :: residual
+
+      integrity_of = max(1.0_wp - damage, residual)
+   end function integrity_of
+
    !> Strain and history of some lanes of a point; zero in the others
-   pure subroutine take_own(own, pitch, histories, strain, history, e, h)
-      !> 1 in the lanes to take, else 0
+   pure subroutine load_lanes(own, pitch, histories, strain, history, e, h)
+      !> 1 in the lanes to load, else 0
       real(wp), intent(in) :: own(lanes)
       !> As in `update_points` of a law; histories of a point
       integer, intent(in) :: pitch, histories
@@ -53,7 +149,7 @@ contains
       real(wp), intent(in) :: strain(lanes, 6)
       !> History from the point on
       real(wp), intent(in) :: history(lanes, pitch, *)
-      !> What is taken
+      !> Strain and history
       real(wp), intent(out) :: e(lanes, 6), h(lanes, histories)
 
       real(wp) :: value
@@ -73,15 +169,15 @@ contains
             h(l, k) = merge(value, 0.0_wp, own(l) > 0.0_wp)
          end do
       end do
-   end subroutine take_own
+   end subroutine load_lanes
 
-   !> Give history and stress of a point back to some lanes
-   pure subroutine give_own(own, pitch, histories, h, s, history, stress)
-      !> 1 in the lanes to give, else 0
+   !> Store history and stress of a point in some lanes
+   pure subroutine store_lanes(own, pitch, histories, h, s, history, stress)
+      !> 1 in the lanes to store, else 0
       real(wp), intent(in) :: own(lanes)
       !> As in `update_points` of a law; histories of a point
       integer, intent(in) :: pitch, histories
-      !> What is given
+      !> What is stored
       real(wp), intent(in) :: h(lanes, histories), s(lanes, 6)
       !> History from the point on
       real(wp), intent(inout) :: history(lanes, pitch, *)
@@ -91,18 +187,18 @@ contains
       integer :: k
 
       do k = 1, histories
-         call give(own, 1, h(:, k), history(:, 1, k))
+         call store_columns(own, 1, h(:, k), history(:, 1, k))
       end do
-      call give(own, 6, s, stress)
-   end subroutine give_own
+      call store_columns(own, 6, s, stress)
+   end subroutine store_lanes
 
-   !> Give numbers to some lanes
-   pure subroutine give(own, columns, from, to)
-      !> 1 in the lanes to give, else 0
+   !> Store columns of numbers in some lanes
+   pure subroutine store_columns(own, columns, from, to)
+      !> 1 in the lanes to store, else 0
       real(wp), intent(in) :: own(lanes)
       !> Numbers of a lane
       integer, intent(in) :: columns
-      !> What is given, and what gets it
+      !> Numbers to store, and where
       real(wp), intent(in) :: from(lanes, columns)
       real(wp), intent(inout) :: to(lanes, columns)
 
@@ -117,10 +213,10 @@ contains
             to(l, k) = merge(given, kept, own(l) > 0.0_wp)
          end do
       end do
-   end subroutine give
+   end subroutine store_columns
 
    !> Strains that drive damage, from their averages over neighbours
-   pure subroutine take_mean(modulus, mean, strain, shear)
+   pure subroutine load_mean_strains(modulus, mean, strain, shear)
       !> G12
       real(wp), intent(in) :: modulus(lanes)
       !> Averages
@@ -140,7 +236,7 @@ contains
          shear(l, 2) = abs(mean(l, 4))
          shear(l, 1) = modulus(l)*shear(l, 2)
       end do
-   end subroutine take_mean
+   end subroutine load_mean_strains
 
    !> Mean of the driving forces of a step over their values at the end, where damage grows with
    !> the strain of neighbours: strain before over strain now, which is what the work of the step
@@ -167,8 +263,8 @@ contains
       end do
    end subroutine find_share
 
-   !> Keep what neighbours average in the next step
-   pure subroutine keep_driving(e, elastic, own)
+   !> Store the strains that neighbours average in the next step
+   pure subroutine store_driving_strains(e, elastic, own)
       !> Total strain
       real(wp), intent(in) :: e(lanes, 6)
       !> Size of the elastic shear strain 12
@@ -185,13 +281,14 @@ contains
          own(l, 3) = e(l, 3)
          own(l, 4) = sign(elastic(l), e(l, 4))
       end do
-   end subroutine keep_driving
+   end subroutine store_driving_strains
 
-   !> Put first the damage that acts, of tension or of compression; a second call undoes it
+   !> Swap the damages of tension and of compression so that the active one is first; a second call
+   !> undoes it
    pure subroutine swap_closed(closes, trial, h)
       !> 1 in lanes where cracks close, else 0
       real(wp), intent(in) :: closes(lanes)
-      !> Trial stresses along and across the fibres: their signs say what acts
+      !> Trial stresses along and across the fibres, whose signs say which damage is active
       real(wp), intent(in) :: trial(lanes, 2)
       !> History in which tension and compression change places where the stress is negative
       real(wp), intent(inout) :: h(lanes, histories_closing)
@@ -211,40 +308,40 @@ contains
       end do
    end subroutine swap_closed
 
-   !> What remains of the stiffness along and across the fibres, for normal stress and for shear.
-   !> Where cracks close, damage of compression is also open in tension, and shear has both.
-   pure subroutine find_remains(residual, any_closes, h, sense, remains)
-      !> Least part that remains
+   !> Integrity along and across the fibres, for normal stress and for shear. Where cracks close,
+   !> damage of compression is also open in tension, and shear has both
+   pure subroutine find_integrity(residual, any_closes, h, sense, integrity)
+      !> Least integrity
       real(wp), intent(in) :: residual(lanes)
       !> Whether cracks close in any lane
       logical, intent(in) :: any_closes
-      !> History, the damage that acts first
+      !> History, the active damage first
       real(wp), intent(in) :: h(lanes, *)
-      !> Stresses along and across of which the signs count; not looked at unless cracks close
+      !> Stresses along and across whose signs count; not used unless cracks close
       real(wp), intent(in) :: sense(lanes, 2)
       !> R1 and R2 for normal stress, R1 and R2 for shear
-      real(wp), intent(out) :: remains(lanes, 4)
+      real(wp), intent(out) :: integrity(lanes, 4)
 
       real(wp) :: own
       integer :: from, k, l
 
       !$omp simd
       do l = 1, lanes
-         remains(l, 1) = max(1.0_wp - h(l, fibre_damage), residual(l))
-         remains(l, 2) = max(1.0_wp - h(l, matrix_damage), residual(l))
-         remains(l, 3) = remains(l, 1)
-         remains(l, 4) = remains(l, 2)
+         integrity(l, 1) = integrity_of(h(l, fibre_damage), residual(l))
+         integrity(l, 2) = integrity_of(h(l, matrix_damage), residual(l))
+         integrity(l, 3) = integrity(l, 1)
+         integrity(l, 4) = integrity(l, 2)
       end do
       if (.not. any_closes) return
       do k = 1, 2
          from = merge(fibre_damage, matrix_damage, k == 1) + to_compression
          !$omp simd private(own)
          do l = 1, lanes
-            own = remains(l, k)
-            remains(l, k + 2) = min(own, max(1.0_wp - h(l, from), residual(l)))
-            remains(l, k) = merge(remains(l, k + 2), own, sense(l, k) >= 0.0_wp)
+            own = integrity(l, k)
+            integrity(l, k + 2) = min(own, integrity_of(h(l, from), residual(l)))
+            integrity(l, k) = merge(integrity(l, k + 2), own, sense(l, k) >= 0.0_wp)
          end do
       end do
-   end subroutine find_remains
+   end subroutine find_integrity
 
 end module plydyn_law_ply_history

@@ -1,13 +1,13 @@
-!> Stiffness of a damaged ply: an orthotropic compliance whose moduli E1 and E2 are reduced to the
-!> parts R1 and R2 that remain, and whose Poisson terms are not reduced.
+!> Secant stiffness of a damaged ply. Damage multiplies the moduli E1 and E2 of the orthotropic
+!> compliance by the integrities R1 and R2, and leaves its Poisson terms.
 module plydyn_law_ply_secant
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_elastic, only : ply_stiffness
    implicit none
    private
 
-   !> Elastic constants of the lanes. With the parts that remain the stiffness of normal stress is,
-   !> times D = 1 - R1*pair1 - R2*pair2 - R1*R2*pair3:
+   !> Elastic constants of the lanes. The stiffness of normal stress is, times
+   !> D = 1 - R1*pair1 - R2*pair2 - R1*R2*pair3:
    !> R1*(c11(1) - R2*c11(2)), R2*(c22(1) - R1*c22(2)), c33(1) - R1*R2*c33(2) on the diagonal and
    !> R1*R2*c12, R1*(c13(1) + R2*c13(2)), R2*(c23(1) + R1*c23(2)) beside it
    type, public :: secant_type
@@ -83,14 +83,14 @@ contains
       end associate
    end subroutine intact_stress
 
-   !> Normal stresses of a point with damage, on the material that remains: multiply the first by R1
-   !> and the second by R2 to have the stresses of the ply
-   pure subroutine damaged_stress(self, strain, remains, stress)
+   !> Effective normal stresses of a damaged point: the stresses of the ply are the first times R1,
+   !> the second times R2, and the third
+   pure subroutine damaged_stress(self, strain, integrity, stress)
       class(secant_type), intent(in) :: self
       !> Strains 11, 22, 33
       real(wp), intent(in) :: strain(lanes, 3)
       !> R1 and R2
-      real(wp), intent(in) :: remains(lanes, 2)
+      real(wp), intent(in) :: integrity(lanes, 2)
       !> Stress 11 over R1, stress 22 over R2, stress 33
       real(wp), intent(out) :: stress(lanes, 3)
 
@@ -101,8 +101,8 @@ contains
          & c12 => self%c12, c13 => self%c13, c23 => self%c23, e => strain)
          !$omp simd private(k13, k23, part, r1, r2, r12)
          do l = 1, lanes
-            r1 = remains(l, 1)
-            r2 = remains(l, 2)
+            r1 = integrity(l, 1)
+            r2 = integrity(l, 2)
             r12 = r1*r2
             part = 1.0_wp/(1.0_wp - r1*pair(l, 1) - r2*pair(l, 2) - r12*pair(l, 3))
             k13 = c13(l, 1) + r2*c13(l, 2)

@@ -6,7 +6,7 @@
 !> left of E1, matrix that of E2 and G12, locking all of them; stiffness across the thickness stays.
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_growth, only : least_led
+   use plydyn_law_ply_damage_growth, only : min_path_ratio
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
@@ -27,11 +27,11 @@ module plydyn_law_ply_strain_damage
    !> Places of tension and of compression in pairs of constants
    integer, parameter :: in_tension = 1, in_compression = 2
 
-   !> Least part of a stiffness that remains
+   !> Least integrity
    real(wp), parameter, public :: strain_residual = 1.0e-6_wp
    !> Compression up to this share of the shear counts as tension: in pure shear round-off must not
    !> choose between two sets of strains
-   real(wp), parameter :: idle_push = 1.0e-3_wp
+   real(wp), parameter :: compression_tolerance = 1.0e-3_wp
 
    !> Constants of a ply, besides the elastic ones
    type, public, extends(law_constants_type) :: strain_constants_type
@@ -58,7 +58,7 @@ module plydyn_law_ply_strain_damage
       procedure :: update
       procedure :: set_lane
       procedure :: set_average
-      procedure :: show
+      procedure :: output_variables
    end type strain_damage_type
 
 contains
@@ -109,8 +109,8 @@ contains
       self%onset(lane, :, :) = constants%onset
       self%finish(lane, :, :) = constants%finish
       self%histories = histories
-      self%energy_at(by_fibre_damage) = along_energy
-      self%energy_at(by_matrix_damage) = across_energy
+      self%energy_variable(by_fibre_damage) = along_energy
+      self%energy_variable(by_matrix_damage) = across_energy
       self%band_rule(lane) = band_rule
    end subroutine set_lane
 
@@ -131,21 +131,21 @@ contains
    end subroutine set_average
 
    !> What is lost along the fibres, across them and in shear, and the energy
-   pure function show(self, lane, history) result(values)
+   pure function output_variables(self, lane, history) result(values)
       class(strain_damage_type), intent(in) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
-      real(wp) :: remains(strain_mechanisms)
+      real(wp) :: integrity(strain_mechanisms)
 
-      remains(:) = 1.0_wp - history(lane, :strain_mechanisms)
+      integrity(:) = 1.0_wp - history(lane, :strain_mechanisms)
       values(:) = 0.0_wp
-      values(shows_fibre_damage) = 1.0_wp - remains(by_fibres)*remains(by_locking)
-      values(shows_matrix_damage) = 1.0_wp - remains(by_matrix)*remains(by_locking)
+      values(shows_fibre_damage) = 1.0_wp - integrity(by_fibres)*integrity(by_locking)
+      values(shows_matrix_damage) = 1.0_wp - integrity(by_matrix)*integrity(by_locking)
       values(shows_shear_damage) = values(shows_matrix_damage)
       values(shows_dissipated) = history(lane, histories)
-   end function show
+   end function output_variables
 
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)
@@ -156,7 +156,7 @@ contains
       real(wp), intent(inout) :: stress(lanes, 6)
 
       real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
-      real(wp) :: remains(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3, 2)
+      real(wp) :: integrity(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3, 2)
       real(wp) :: drive(lanes, driving_strains), before_share(lanes, strain_mechanisms)
 
       before(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
@@ -171,14 +171,14 @@ contains
          call grow(self, drive, history, share)
       end if
       after(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
-      remains(:, 1) = before(:, by_fibres)*before(:, by_locking)
-      remains(:, 2) = before(:, by_matrix)*before(:, by_locking)
-      call self%secant%damaged_stress(strain, remains, normal(:, :, 1))
-      remains(:, 1) = after(:, by_fibres)*after(:, by_locking)
-      remains(:, 2) = after(:, by_matrix)*after(:, by_locking)
-      call self%secant%damaged_stress(strain, remains, normal(:, :, 2))
+      integrity(:, 1) = before(:, by_fibres)*before(:, by_locking)
+      integrity(:, 2) = before(:, by_matrix)*before(:, by_locking)
+      call self%secant%damaged_stress(strain, integrity, normal(:, :, 1))
+      integrity(:, 1) = after(:, by_fibres)*after(:, by_locking)
+      integrity(:, 2) = after(:, by_matrix)*after(:, by_locking)
+      call self%secant%damaged_stress(strain, integrity, normal(:, :, 2))
       call add_energies(self, strain(:, 4), normal, before, after, share, history)
-      call give_stress(self, strain, normal(:, :, 2), remains, stress)
+      call give_stress(self, strain, normal(:, :, 2), integrity, stress)
    end subroutine update
 
    !> Keep the strains of the point for its neighbours, and take the averages instead
@@ -234,7 +234,7 @@ contains
                ! strain at which the old damage was reached
                from = finish*onset/(finish - damage*(finish - onset))
                share(l, k) = min(from*last/now**2, 1.0_wp)
-               share(l, k) = merge(share(l, k), 1.0_wp, from >= least_led*now)
+               share(l, k) = merge(share(l, k), 1.0_wp, from >= min_path_ratio*now)
                damage = max(damage, finish*(last - onset)/(last*(finish - onset)))
                history(l, k) = merge(damage, history(l, k), self%owns(l))
             end do
@@ -260,8 +260,8 @@ contains
          size(l, by_matrix) = sqrt(strain(l, 2)**2 + half**2)
          size(l, by_locking) = abs(mean) + radius
          sense(l, by_fibres) = strain(l, 1)
-         sense(l, by_matrix) = strain(l, 2) + idle_push*abs(half)
-         sense(l, by_locking) = mean + idle_push*radius
+         sense(l, by_matrix) = strain(l, 2) + compression_tolerance*abs(half)
+         sense(l, by_locking) = mean + compression_tolerance*radius
       end do
    end subroutine find_strains
 
@@ -270,9 +270,9 @@ contains
       type(strain_damage_type), intent(in) :: self
       !> Shear strain 12
       real(wp), intent(in) :: shear(lanes)
-      !> Normal stresses on what remained and on what remains
+      !> Effective normal stresses before and after the step
       real(wp), intent(in) :: normal(lanes, 3, 2)
-      !> What remained and what remains, by mechanism
+      !> Integrity before and after the step, by mechanism
       real(wp), intent(in) :: before(lanes, strain_mechanisms), after(lanes, strain_mechanisms)
       real(wp), intent(in) :: share(lanes, strain_mechanisms)
       real(wp), intent(inout) :: history(lanes, *)
@@ -297,11 +297,11 @@ contains
    end subroutine add_energies
 
    !> Stress of the lanes that the law owns
-   pure subroutine give_stress(self, strain, normal, remains, stress)
+   pure subroutine give_stress(self, strain, normal, integrity, stress)
       type(strain_damage_type), intent(in) :: self
       real(wp), intent(in) :: strain(lanes, 6), normal(lanes, 3)
       !> R1 and R2
-      real(wp), intent(in) :: remains(lanes, 2)
+      real(wp), intent(in) :: integrity(lanes, 2)
       real(wp), intent(inout) :: stress(lanes, 6)
 
       real(wp) :: new(6)
@@ -309,10 +309,10 @@ contains
 
       !$omp simd private(k, new)
       do l = 1, lanes
-         new(1) = remains(l, 1)*normal(l, 1)
-         new(2) = remains(l, 2)*normal(l, 2)
+         new(1) = integrity(l, 1)*normal(l, 1)
+         new(2) = integrity(l, 2)*normal(l, 2)
          new(3) = normal(l, 3)
-         new(4) = remains(l, 2)*self%secant%shear(l, 1)*strain(l, 4)
+         new(4) = integrity(l, 2)*self%secant%shear(l, 1)*strain(l, 4)
          new(5) = self%secant%shear(l, 2)*strain(l, 5)
          new(6) = self%secant%shear(l, 3)*strain(l, 6)
          do k = 1, 6
