@@ -2,7 +2,7 @@
 !>
 !> A declaration is built card by card and field by field:
 !>
-!>     keyword = new_keyword("IMPACTOR_SPHERE", ours, "A rigid sphere that may hit a part.")
+!>     keyword = new_keyword("IMPACTOR_SPHERE", extension, "A rigid sphere that may hit a part.")
 !>     call keyword%add_card()
 !>     call keyword%add_integer("IID", "number of the impactor", least=1)
 !>     call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
@@ -14,7 +14,7 @@ module plydyn_deck_declaration
    public :: new_keyword
 
    !> Origin of a keyword: plydyn's own, or LS-DYNA's
-   logical, parameter, public :: ours = .true., standard = .false.
+   logical, parameter, public :: extension = .true., standard = .false.
    !> Status of a keyword
    integer, parameter, public :: is_read = 0, is_ignored = 1, is_refused = 2
    !> Kinds of fields; a text fills its card, words are a list that fills its card
@@ -67,7 +67,7 @@ module plydyn_deck_declaration
    type, public :: keyword_type
       !> Name without the star
       character(:), allocatable :: name
-      !> `ours` or `standard` (LS-DYNA's)
+      !> `extension` or `standard` (LS-DYNA's)
       logical :: own = standard
       !> What it is for
       character(:), allocatable :: sentence
@@ -109,7 +109,7 @@ contains
    pure function new_keyword(name, own, sentence, repeated, suffixes, alias) result(keyword)
       !> Name without the star
       character(*), intent(in) :: name
-      !> `ours` or `standard`
+      !> `extension` or `standard`
       logical, intent(in) :: own
       !> What it is for
       character(*), intent(in) :: sentence

@@ -1,4 +1,4 @@
-!> Everything in a deck that has a number, and what is wrong with the deck so far.
+!> Numbers that a deck defines, and the errors and warnings found so far.
 !>
 !> Readers define numbers with `define` and resolve references with `find`, which reports an
 !> undefined one at its place in the deck and gives index 0.
@@ -71,7 +71,7 @@ module plydyn_input_catalogue
       procedure :: find_all
       procedure :: find_set
       procedure :: add_set
-      procedure :: spot
+      procedure :: location
       procedure :: refuse
       procedure :: warn
       procedure :: warn_idle
@@ -87,23 +87,23 @@ contains
 
       integer :: i
 
-      call name_kind(a_node, "node", "*NODE")
-      call name_kind(a_quad, "element", "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
-      call name_kind(a_node_set, "node set", "*SET_NODE_LIST or *SET_NODE_GENERAL")
-      call name_kind(a_quad_set, "shell set", "*SET_SHELL_LIST")
-      call name_kind(a_box, "box", "*DEFINE_BOX")
-      call name_kind(a_curve, "curve", "*DEFINE_CURVE")
-      call name_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
-      call name_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
-      call name_kind(a_part, "part", "*PART_COMPOSITE or *PART")
-      call name_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
-      call name_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
-      call name_kind(a_profile, "profile", "*DATABASE_PROFILE")
-      call name_kind(a_table, "table", "*DEFINE_TABLE or *DEFINE_TABLE_2D")
-      call name_kind(a_brick, "brick", "*ELEMENT_SOLID")
-      call name_kind(a_solid_section, "solid section", "*SECTION_SOLID")
-      call name_kind(an_hourglass, "hourglass control", "*HOURGLASS")
-      call name_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
+      call register_kind(a_node, "node", "*NODE")
+      call register_kind(a_quad, "element", "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
+      call register_kind(a_node_set, "node set", "*SET_NODE_LIST or *SET_NODE_GENERAL")
+      call register_kind(a_quad_set, "shell set", "*SET_SHELL_LIST")
+      call register_kind(a_box, "box", "*DEFINE_BOX")
+      call register_kind(a_curve, "curve", "*DEFINE_CURVE")
+      call register_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
+      call register_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
+      call register_kind(a_part, "part", "*PART_COMPOSITE or *PART")
+      call register_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
+      call register_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
+      call register_kind(a_profile, "profile", "*DATABASE_PROFILE")
+      call register_kind(a_table, "table", "*DEFINE_TABLE or *DEFINE_TABLE_2D")
+      call register_kind(a_brick, "brick", "*ELEMENT_SOLID")
+      call register_kind(a_solid_section, "solid section", "*SECTION_SOLID")
+      call register_kind(an_hourglass, "hourglass control", "*HOURGLASS")
+      call register_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
       do i = 1, kinds
          call catalogue%registers(i)%sort()
       end do
@@ -113,14 +113,14 @@ contains
    contains
 
       !> Say what the things of a kind are called and which keyword defines them
-      subroutine name_kind(kind, what, keyword)
+      subroutine register_kind(kind, what, keyword)
          integer, intent(in) :: kind
          character(*), intent(in) :: what
          character(*), intent(in) :: keyword
 
          catalogue%registers(kind)%what = what
          catalogue%registers(kind)%keyword = keyword
-      end subroutine name_kind
+      end subroutine register_kind
 
    end function new_catalogue
 
@@ -355,7 +355,7 @@ contains
    end function range_of
 
    !> Line that defines something that has a number
-   pure type(file_position_type) function spot(self, kind, i)
+   pure type(file_position_type) function location(self, kind, i)
       !> The catalogue
       class(catalogue_type), intent(in) :: self
       !> What it is, such as `a_node`
@@ -363,8 +363,8 @@ contains
       !> Its index
       integer, intent(in) :: i
 
-      spot%line = self%registers(kind)%line(i)
-   end function spot
+      location%line = self%registers(kind)%line(i)
+   end function location
 
    !> Place in the order of the first number that is one; behind the last where there is none
    pure integer function first_number(register) result(first)

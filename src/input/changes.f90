@@ -1,4 +1,4 @@
-!> What the deck of a restart changes in the decks before it.
+!> Changes that the deck of a restart makes to the decks before it.
 module plydyn_input_changes
    use plydyn_deck_deck, only : deck_type
    use plydyn_deck_report, only : file_position_type

@@ -1,4 +1,4 @@
-!> What must hold between impactors and the plate at time zero.
+!> Checks of impactors and the plate at time zero.
 module plydyn_input_check_impact
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text

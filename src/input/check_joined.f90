@@ -1,4 +1,4 @@
-!> What must hold between the quads of a mesh: no two at one place, no nodes at one place unseen.
+!> Checks between the quads of a mesh: no two at one place, no unconnected nodes at one place.
 module plydyn_input_check_joined
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
@@ -51,7 +51,7 @@ contains
             before(i) = latest(least)
             latest(least) = i
          end associate
-         if (other > 0) call catalogue%report%refuse(catalogue%spot(a_quad, i), "element " &
+         if (other > 0) call catalogue%report%refuse(catalogue%location(a_quad, i), "element " &
             & //text(mesh%quad_id(i))//" has the corners of element "//text(mesh%quad_id(other)), &
             & "each element once", catalogue%registers(a_quad)%line(other))
       end do
@@ -77,7 +77,7 @@ contains
          do k = i - 1, 1, -1
             if (key(order(i)) - key(order(k)) > 2.0_wp*near*steps) exit
             if (norm2(mesh%position(:, order(i)) - mesh%position(:, order(k))) > near*extent) cycle
-            call catalogue%report%warn(catalogue%spot(a_node, maxval(order([i, k]))), "node " &
+            call catalogue%report%warn(catalogue%location(a_node, maxval(order([i, k]))), "node " &
                & //text(mesh%node_id(maxval(order([i, k]))))//" lies where node " &
                & //text(mesh%node_id(minval(order([i, k]))))//" does: nothing joins them", &
                & "one node in place of both, unless the plate is cut there")

@@ -1,4 +1,4 @@
-!> What must hold for a mesh: one plane, quads counter-clockwise and not folded, no stray nodes.
+!> Checks of a mesh: one plane, quads counter-clockwise and not folded, no stray nodes.
 module plydyn_input_check_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -55,7 +55,8 @@ contains
       extent = maxval(maxval(mesh%position, dim=2) - minval(mesh%position, dim=2))
       do i = 2, size(mesh%node_id)
          if (abs(mesh%position(3, i) - mesh%position(3, 1)) <= flat*extent) cycle
-         call catalogue%report%refuse(catalogue%spot(a_node, i), "node "//text(mesh%node_id(i)) &
+         call catalogue%report%refuse(catalogue%location(a_node, i), &
+            & "node "//text(mesh%node_id(i)) &
             & //" lies at z = "//number_words(mesh%position(3, i))//", the first node at z = " &
             & //number_words(mesh%position(3, 1)), "a laminate in one plane z = const", &
             & catalogue%registers(a_node)%line(1))
@@ -76,7 +77,8 @@ contains
       end do
       do i = 1, size(met)
          if (met(i)) cycle
-         call catalogue%report%refuse(catalogue%spot(a_node, i), "node "//text(mesh%node_id(i)) &
+         call catalogue%report%refuse(catalogue%location(a_node, i), &
+            & "node "//text(mesh%node_id(i)) &
             & //" belongs to no element", "only nodes of elements in the deck")
       end do
    end subroutine check_strays
@@ -177,7 +179,7 @@ contains
       character(*), intent(in) :: right
       type(catalogue_type), intent(inout) :: catalogue
 
-      call catalogue%report%refuse(catalogue%spot(a_quad, i), "element " &
+      call catalogue%report%refuse(catalogue%location(a_quad, i), "element " &
          & //text(catalogue%registers(a_quad)%id(i))//" "//wrong, right)
    end subroutine blame
 

@@ -1,4 +1,4 @@
-!> What must hold for a model as a whole.
+!> Checks of a model as a whole.
 module plydyn_input_check_model
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text

@@ -1,4 +1,4 @@
-!> What must hold for a mesh of bricks.
+!> Checks of a mesh of bricks.
 module plydyn_input_check_solid
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text

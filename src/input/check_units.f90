@@ -1,4 +1,4 @@
-!> Numbers that no material or impactor has in the units of the deck: a warning.
+!> Warnings of numbers that no material or impactor has in the units of the deck.
 module plydyn_input_check_units
    use plydyn_base_precision, only : wp
    use plydyn_deck_report, only : file_position_type

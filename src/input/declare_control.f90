@@ -1,7 +1,7 @@
-!> Keywords that frame a deck and say how to run.
+!> Keywords of the frame of a deck and of the control of a run.
 module plydyn_input_declare_control
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -138,7 +138,8 @@ contains
    function control_layerwise() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("CONTROL_LAYERWISE", ours, "Kinematics, health and scheme of the run.")
+      keyword = new_keyword("CONTROL_LAYERWISE", extension, &
+         & "Kinematics, energy balance and scheme of the run.")
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_integer("KINEM", &

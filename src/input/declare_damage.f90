@@ -1,7 +1,7 @@
 !> Keywords of plies that are damaged.
 module plydyn_input_declare_damage
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    use plydyn_input_declare_part, only : add_ply_elastic_cards
    implicit none
    private
@@ -14,7 +14,8 @@ contains
    function mat_ply_codam2() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("MAT_PLY_CODAM2", ours, "Ply with damage of fibres and of matrix " &
+      keyword = new_keyword("MAT_PLY_CODAM2", extension, &
+         & "Ply with damage of fibres and of matrix " &
          & //"after nonlinear shear: CODAM2 at the level of the ply.", suffixes="TITLE")
       keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. Damage starts at a " &
          & //"strength, and the stress then falls linearly with strain until the toughness is " &

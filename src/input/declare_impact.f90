@@ -1,7 +1,7 @@
-!> Keywords of impactors and of what is written.
+!> Keywords of impactors and of output.
 module plydyn_input_declare_impact
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -21,7 +21,7 @@ contains
    function impactor_sphere() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("IMPACTOR_SPHERE", ours, &
+      keyword = new_keyword("IMPACTOR_SPHERE", extension, &
          & "A rigid sphere or hemisphere; it moves and does not turn.", suffixes="TITLE")
       call keyword%add_card()
       call keyword%add_integer("IID", "number of the impactor", least=1)
@@ -46,7 +46,7 @@ contains
    function contact_impactor() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("CONTACT_IMPACTOR", ours, &
+      keyword = new_keyword("CONTACT_IMPACTOR", extension, &
          & "An impactor against a face of a part, without friction.", suffixes="TITLE")
       call keyword%add_card()
       call keyword%add_integer("CID", "number of the contact", least=1)
@@ -66,7 +66,7 @@ contains
    function database(name, own, what, unused) result(keyword)
       !> Name of the keyword
       character(*), intent(in) :: name
-      !> `ours` or `standard`
+      !> `extension` or `standard`
       logical, intent(in) :: own
       !> What is written
       character(*), intent(in) :: what
@@ -130,7 +130,7 @@ contains
    function database_field() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("DATABASE_FIELD", ours, "Which fields the field states hold.")
+      keyword = new_keyword("DATABASE_FIELD", extension, "Which fields the field states hold.")
       keyword%remark = "Names with blanks or commas between them, any number of lines. Without " &
          & //"the keyword: displacement, velocity and stress, and where a ply is damaged " &
          & //"DAMAGE_FIBRE, DAMAGE_MATRIX and DAMAGE_SHEAR, all from 0 to 1. PLASTIC_STRAIN, the " &
@@ -144,7 +144,7 @@ contains
    function database_profile() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("DATABASE_PROFILE", ours, &
+      keyword = new_keyword("DATABASE_PROFILE", extension, &
          & "Displacement, strain and stress through the thickness at a place of the plate.", &
          & repeated=.true.)
       call keyword%add_card()

@@ -1,7 +1,7 @@
-!> Keywords of what lies between plies.
+!> Keywords of interfaces between plies.
 module plydyn_input_declare_interface
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -14,7 +14,7 @@ contains
    function interface_cohesive() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("INTERFACE_COHESIVE", ours, &
+      keyword = new_keyword("INTERFACE_COHESIVE", extension, &
          & "What lies between the plies of a laminate.", repeated=.true.)
       keyword%remark = "Interface k lies between plies k and k + 1, counted from the bottom. " &
          & //"Interfaces that no card names are perfectly tied. CLOSE, FRIC and FIT need a " &
@@ -33,7 +33,7 @@ contains
       call keyword%add_integer("NQ", "quadrature: 0 Gauss points, 1 nodes", default=0, &
          & allowed=[0, 1])
       call keyword%add_integer("CLOSE", "stiffness against closing of a damaged face: 0 falls " &
-         & //"with the damage, down to 10 %; 1 stays whole", default=0, allowed=[0, 1])
+         & //"with the damage, down to 10 %; 1 is constant", default=0, allowed=[0, 1])
       call keyword%add_real("FRIC", "-", "coefficient of friction of failed faces", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_integer("FIT", "constants that are fitted: 0 none, 1 the shear stiffness, " &
@@ -115,10 +115,11 @@ contains
    function initial_delamination() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("INITIAL_DELAMINATION", ours, &
+      keyword = new_keyword("INITIAL_DELAMINATION", extension, &
          & "Interfaces that have failed before the run begins.", repeated=.true.)
-      keyword%remark = "The interfaces need a material that fails, as their faces still push and " &
-         & //"rub. The area counts as failed; its toughness is not in the energies. A circle " &
+      keyword%remark = "The interfaces need a material that fails, as their faces still have " &
+         & //"contact and friction. The area counts as failed; its toughness is not in the " &
+         & //"energies. A circle " &
          & //"must have a point of the interfaces in it, see NQ of *INTERFACE_COHESIVE."
       call keyword%add_card()
       call add_interface_place(keyword)
@@ -129,7 +130,7 @@ contains
    function initial_damage() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("INITIAL_DAMAGE", ours, &
+      keyword = new_keyword("INITIAL_DAMAGE", extension, &
          & "Interfaces that are damaged before the run begins.", repeated=.true.)
       keyword%remark = "The damage is that of the law: with DAMAGE d the interface has 1 - d of " &
          & //"its stiffness, and takes what is left of its toughness. Of two values for one " &

@@ -1,7 +1,7 @@
 !> Keywords of supports, motions, loads and initial velocities.
 module plydyn_input_declare_load
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -33,7 +33,7 @@ contains
    function boundary_face() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("BOUNDARY_FACE", ours, "Holds one face or plane of some nodes.", &
+      keyword = new_keyword("BOUNDARY_FACE", extension, "Holds one face or plane of some nodes.", &
          & repeated=.true.)
       call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
@@ -74,7 +74,7 @@ contains
    function boundary_face_motion() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("BOUNDARY_FACE_MOTION", ours, "Moves one face of some nodes.", &
+      keyword = new_keyword("BOUNDARY_FACE_MOTION", extension, "Moves one face of some nodes.", &
          & repeated=.true.)
       call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
@@ -155,7 +155,7 @@ contains
    function load_face_point() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("LOAD_FACE_POINT", ours, "A force at a node of a face.", &
+      keyword = new_keyword("LOAD_FACE_POINT", extension, "A force at a node of a face.", &
          & repeated=.true.)
       call keyword%add_card()
       call keyword%add_integer("NID", "node", least=1)
@@ -168,7 +168,7 @@ contains
    function load_face_line() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("LOAD_FACE_LINE", ours, &
+      keyword = new_keyword("LOAD_FACE_LINE", extension, &
          & "A force per length along the element edges between the nodes of a set.", &
          & repeated=.true.)
       keyword%remark = "Every element edge with all its nodes in the set carries the load."
@@ -197,7 +197,7 @@ contains
    function load_face_pressure() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("LOAD_FACE_PRESSURE", ours, &
+      keyword = new_keyword("LOAD_FACE_PRESSURE", extension, &
          & "A pressure onto a face: down onto the top one, up onto the bottom one.", &
          & repeated=.true.)
       call keyword%add_card()

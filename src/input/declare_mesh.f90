@@ -1,7 +1,7 @@
 !> Keywords of nodes, elements, sets and curves.
 module plydyn_input_declare_mesh
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -62,7 +62,7 @@ contains
    function element_plate_q9() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("ELEMENT_PLATE_Q9", ours, "Plate elements of nine nodes.", &
+      keyword = new_keyword("ELEMENT_PLATE_Q9", extension, "Plate elements of nine nodes.", &
          & repeated=.true.)
       keyword%remark = "Corners counter-clockwise seen from above (+z), then the mid-sides from " &
          & //"the one between N1 and N2 on, then the centre: the order of gmsh and of VTK."

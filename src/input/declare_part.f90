@@ -1,7 +1,7 @@
 !> Keywords of laminates and materials.
 module plydyn_input_declare_part
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
    implicit none
    private
 
@@ -71,7 +71,7 @@ contains
    function section_layerwise() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("SECTION_LAYERWISE", ours, &
+      keyword = new_keyword("SECTION_LAYERWISE", extension, &
          & "How the displacement runs through the thickness of a laminate.")
       keyword%remark = "Without the keyword: order 2 and one numerical layer per ply."
       call keyword%add_card()
@@ -153,7 +153,7 @@ contains
    function mat_ply_elastic() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("MAT_PLY_ELASTIC", ours, &
+      keyword = new_keyword("MAT_PLY_ELASTIC", extension, &
          & "Orthotropic linear elastic ply: 1 along the fibres, 2 across in the plane, 3 normal.", &
          & suffixes="TITLE")
       call add_ply_elastic_cards(keyword)

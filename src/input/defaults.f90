@@ -1,4 +1,4 @@
-!> A model before its deck is read, and what the deck does not say.
+!> Empty model, and defaults for what its deck does not give.
 module plydyn_input_defaults
    use plydyn_base_precision, only : wp
    use plydyn_deck_deck, only : deck_type

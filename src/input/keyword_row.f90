@@ -1,4 +1,4 @@
-!> What the list of keywords knows of each: declaration, reader, stage of reading, elements.
+!> Row of a keyword: its declaration, reader, stage of reading and elements.
 module plydyn_input_keyword_row
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type

@@ -2,7 +2,7 @@
 !>
 !> A new keyword is a declaration in `declare_….f90`, a reader in `read_….f90`, and its row here.
 module plydyn_input_keywords
-   use plydyn_deck_declaration, only : keyword_type, ours, standard
+   use plydyn_deck_declaration, only : keyword_type, extension, standard
    use plydyn_input_declare_control, only : control_energy, control_layerwise, control_parallel, &
       & control_termination, control_timestep, control_units, damping_global, frame_keywords, &
       & title
@@ -99,7 +99,7 @@ contains
       keywords = rows%declaration
    end function all_keywords
 
-   !> What frames a run: title, units, end, time step
+   !> Title, units, end, time step
    subroutine add_frame_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
@@ -167,7 +167,7 @@ contains
       call list%add(load_segment(), read_load_segment, stage_load, for_bricks)
    end subroutine add_solid_rows
 
-   !> What lies between plies
+   !> Interfaces between plies
    subroutine add_interface_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
@@ -179,7 +179,7 @@ contains
       call list%add(initial_damage(), read_initial_damage, stage_support)
    end subroutine add_interface_rows
 
-   !> What holds or moves the plate, and how it starts
+   !> Supports, prescribed motions, initial velocities
    subroutine add_support_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
@@ -215,7 +215,7 @@ contains
       call list%add(contact_impactor(), read_contact_impactor, stage_laminate)
    end subroutine add_impact_rows
 
-   !> What is written, and how often
+   !> Output and its intervals
    subroutine add_output_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
@@ -228,14 +228,14 @@ contains
       call list%add(database("DATABASE_BINARY_D3PLOT", standard, "field states", &
          & "LCDT BEAM NPLTC PSETID"), &
          & read_database_binary_d3plot, stage_output)
-      call list%add(database("DATABASE_IMPACTOR", ours, &
+      call list%add(database("DATABASE_IMPACTOR", extension, &
          & "lines of the impactor and contact histories", ""), &
          & read_database_impactor, stage_output, check=check_database_impactor)
       call list%add(database_history_node(), read_database_history_node, stage_output)
       call list%add(database_history_node_set(), read_database_history_node_set, stage_output)
       call list%add(database_field(), read_database_field, stage_output)
       call list%add(database_profile(), read_database_profile, stage_output, for_plates)
-      call list%add(database("DATABASE_DELAM", ours, "histories of delamination", ""), &
+      call list%add(database("DATABASE_DELAM", extension, "histories of delamination", ""), &
          & read_database_delam, stage_output, for_plates)
       call list%add(database_binary_d3dump(), read_database_binary_d3dump, stage_output)
       call list%add(database_binary_runrsf(), read_database_binary_runrsf, stage_output)

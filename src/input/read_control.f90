@@ -1,4 +1,4 @@
-!> Readers of what frames a run: title, units, time step, end, damping.
+!> Readers of title, units, time step, end and damping.
 module plydyn_input_read_control
    use plydyn_base_precision, only : wp
    use plydyn_deck_cards, only : cards_type

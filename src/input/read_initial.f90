@@ -1,4 +1,4 @@
-!> Readers of what is broken before the run begins.
+!> Readers of initial damage of interfaces.
 module plydyn_input_read_initial
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text

@@ -1,4 +1,4 @@
-!> Readers of what lies between plies: interface materials, and where they are.
+!> Readers of interfaces between plies: materials, and where they are.
 module plydyn_input_read_interface
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text

@@ -1,4 +1,4 @@
-!> Readers of what is written, and how often.
+!> Readers of output and its intervals.
 module plydyn_input_read_output
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : lower_case, upper_case

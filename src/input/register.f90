@@ -1,4 +1,4 @@
-!> The user's numbers of one kind of thing: what is defined where, and what is used.
+!> Register of the user's numbers of one kind: where they are defined, and which are used.
 module plydyn_input_register
    implicit none
    private

@@ -1,15 +1,15 @@
-!> What every material law of a point is: constants, and an update over a batch.
+!> Abstract material law of a batch: constants of the lanes, and the update of stress and history.
 !>
-!> The lanes of a batch are layers with materials of their own, so constants are arrays over the
-!> lanes, and a law works on the lanes it owns. Strain and stress are those of the ply axes, in the
-!> order 11, 22, 33, 12, 13, 23 with engineering shear.
+!> The lanes of a batch are layers with different materials: constants are arrays over the lanes,
+!> and a law works on the lanes it owns. Strain and stress are in ply axes, in the order 11, 22, 33,
+!> 12, 13, 23, with engineering shear.
 module plydyn_law_law
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   !> Ways to dissipate energy, in the order of their columns: what a law of plies has a history
-   !> variable for comes first
+   !> Mechanisms that dissipate energy, in the order of their columns; those with a history variable
+   !> of a ply first
    integer, parameter, public :: by_fibre_damage = 1, by_matrix_damage = 2, &
       & by_ply_plasticity = 3, by_metal_plasticity = 4, by_delamination = 5, by_friction = 6
    integer, parameter, public :: mechanisms = 6
@@ -17,8 +17,8 @@ module plydyn_law_law
       & "fibre damage", "matrix damage", "ply plasticity", "metal plasticity", "delamination", &
       & "friction"]
 
-   !> Scalars that a law can show of a point, in the order of the recovered values, and the names
-   !> of their fields
+   !> Scalar output variables of a point, in the order of the recovered values, and the names of
+   !> their fields
    integer, parameter, public :: shows_plastic_strain = 1, shows_fibre_damage = 2, &
       & shows_matrix_damage = 3, shows_shear_damage = 4, shows_dissipated = 5
    integer, parameter, public :: scalars = 5

@@ -1,4 +1,4 @@
-!> How to run, and what to write.
+!> Control of a run, and requests for output.
 module plydyn_model_control
    use plydyn_base_precision, only : wp
    implicit none
@@ -77,7 +77,7 @@ module plydyn_model_control
       character(:), allocatable :: place
    end type profile_type
 
-   !> What to write, and how often; an interval of 0 means every step
+   !> Requests for output; an interval of 0 means every step
    type, public :: request_type
       !> Time between two field states; 0 for twenty in all
       real(wp) :: field_interval = 0.0_wp

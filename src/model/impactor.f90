@@ -1,4 +1,4 @@
-!> Rigid impactors and what they touch.
+!> Rigid impactors, and their contacts with parts.
 module plydyn_model_impactor
    use plydyn_base_precision, only : wp
    implicit none

@@ -1,4 +1,4 @@
-!> What is broken before the run begins.
+!> Initial damage of interfaces.
 module plydyn_model_initial
    use plydyn_base_precision, only : wp
    implicit none

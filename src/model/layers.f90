@@ -1,4 +1,4 @@
-!> The numerical layers of a laminate, and how they meet.
+!> Numerical layers of a laminate, and their joints.
 module plydyn_model_layers
    use plydyn_base_precision, only : wp
    use plydyn_fem_expansion, only : thickness_nodes

@@ -1,4 +1,4 @@
-!> What holds or moves the plate, and how it starts.
+!> Supports, prescribed motions and initial velocities.
 module plydyn_model_support
    use plydyn_base_precision, only : wp
    implicit none

@@ -4,7 +4,7 @@ program test_deck_deck
    use plydyn_base_error, only : error_type, exit_input
    use plydyn_base_precision, only : wp
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
-   use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, ours
+   use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, extension
    use plydyn_deck_report, only : file_position_type, report_type
    use testing, only : begin, check, check_error, finish, write_lines
    implicit none
@@ -104,33 +104,33 @@ contains
 
    !> Some keywords to read
    subroutine declare()
-      known(1) = new_keyword("BALL", ours, "A ball.", suffixes="TITLE", alias="BALL_007")
+      known(1) = new_keyword("BALL", extension, "A ball.", suffixes="TITLE", alias="BALL_007")
       call known(1)%add_card()
       call known(1)%add_integer("IID", "number", least=1)
       call known(1)%add_real("RADIUS", "length", "radius", above=0.0_wp)
       call known(1)%add_card(optional=.true.)
       call known(1)%add_real("VX", "length/time", "velocity", default=0.0_wp)
       call known(1)%add_real("VY", "length/time", "velocity", default=7.0_wp)
-      known(2) = new_keyword("POINT", ours, "Points.", repeated=.true.)
+      known(2) = new_keyword("POINT", extension, "Points.", repeated=.true.)
       known(2)%width = 8
       call known(2)%add_card()
       call known(2)%add_integer("NID", "number", least=1)
       call known(2)%add_real("X", "length", "x")
-      known(3) = new_keyword("LIST", ours, "A list.")
+      known(3) = new_keyword("LIST", extension, "A list.")
       call known(3)%add_card()
       call known(3)%add_integer("SID", "number", least=1)
       call known(3)%add_card(repeated=.true.)
       call known(3)%add_list("NID", 2, "member")
-      known(4) = new_keyword("OLD", ours, "")
+      known(4) = new_keyword("OLD", extension, "")
       known(4)%status = is_refused
       known(4)%remark = "a *BALL"
-      known(5) = new_keyword("SHOW", ours, "")
+      known(5) = new_keyword("SHOW", extension, "")
       known(5)%status = is_ignored
-      known(6) = new_keyword("ONCE", ours, "")
+      known(6) = new_keyword("ONCE", extension, "")
       known(6)%once = .true.
       call known(6)%add_card()
       call known(6)%add_integer("N", "number")
-      known(7) = new_keyword("WORDS", ours, "")
+      known(7) = new_keyword("WORDS", extension, "")
       call known(7)%add_card(repeated=.true.)
       call known(7)%add_words("NAME", "names", "STRESS STRAIN")
    end subroutine declare

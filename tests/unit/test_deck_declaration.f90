@@ -1,7 +1,7 @@
 !> Declarations hold what they are told.
 program test_deck_declaration
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : integer_field, keyword_type, new_keyword, ours, real_field, &
+   use plydyn_deck_declaration, only : integer_field, keyword_type, new_keyword, extension, real_field, &
       & text_field, word_field
    use testing, only : begin, check, finish
    implicit none
@@ -9,7 +9,7 @@ program test_deck_declaration
    type(keyword_type) :: keyword, titled
    integer :: card, place
 
-   keyword = new_keyword("BALL", ours, "A ball.", suffixes="TITLE ID")
+   keyword = new_keyword("BALL", extension, "A ball.", suffixes="TITLE ID")
    call keyword%add_card()
    call keyword%add_integer("IID", "number", least=1)
    call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)

@@ -2,7 +2,7 @@
 program test_deck_values
    use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, ours
+   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
    use plydyn_deck_values, only : check_word, fault_type, number_words, range_words, read_number, &
       & split_words
@@ -13,7 +13,7 @@ program test_deck_values
    type(parameter_table_type) :: table
    type(fault_type) :: fault
 
-   keyword = new_keyword("BALL", ours, "A ball.")
+   keyword = new_keyword("BALL", extension, "A ball.")
    call keyword%add_card()
    call keyword%add_integer("ORDER", "order", least=1, most=4)
    call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)

@@ -15,7 +15,7 @@ program test_law_ply_batch_shear
    real(wp), parameter :: coefficient = 4.06e-9_wp, exponent = 5.4_wp, power_modulus = 5290.0_wp
 
    type(batch_shear_type) :: law
-   real(wp) :: peak(lanes), set(lanes), lost(lanes)
+   real(wp) :: peak(lanes), set(lanes), plastic_work(lanes)
 
    call set_lanes()
    call test_cycle()
@@ -61,7 +61,7 @@ contains
       do i = 1, 14
          found(i) = stress_after(strain(i), exponential)
          stays(i) = set(exponential)
-         loss(i) = lost(exponential)
+         loss(i) = plastic_work(exponential)
       end do
       call check(found, stress, 5.0e-4_wp, "gives the stresses of an independent program")
       call check(stays([3, 10]), [0.01668_wp, 0.02560_wp], 5.0e-6_wp, "and the strains that stay")
@@ -84,7 +84,8 @@ contains
       set(:) = 0.0_wp
       call own%find_set(1, peak, set)
       call check(set, spread(0.0_wp, 1, lanes), 1.0e-12_wp*last(1), "leaves nothing")
-      call check(own%lost(peak, set), spread(0.0_wp, 1, lanes), 1.0e-12_wp*modulus*last(1)**2, &
+      call check(own%plastic_work(peak, set), spread(0.0_wp, 1, lanes), &
+         & 1.0e-12_wp*modulus*last(1)**2, &
          & "and loses nothing")
 
       ! steep where some strain has already stayed
@@ -95,12 +96,12 @@ contains
       end do
       peak(:) = last(1)
       call own%find_set(1, peak, set)
-      before(:) = own%lost(peak, set)
+      before(:) = own%plastic_work(peak, set)
       call check(set, spread((1.0_wp - part)*last(1), 1, lanes), 1.0e-12_wp*last(1), "stays")
       peak(:) = last(2)
       call own%find_set(1, peak, set)
       call check(set, spread((1.0_wp - part)*last(1), 1, lanes), 1.0e-12_wp*last(1), "as it is")
-      call check(own%lost(peak, set), before, 1.0e-12_wp*before(1), "at no cost")
+      call check(own%plastic_work(peak, set), before, 1.0e-12_wp*before(1), "at no cost")
    end subroutine test_steep_table
 
    !> Every shape is the curve it says
@@ -145,7 +146,7 @@ contains
       loss = 0.0_wp
       do i = 1, steps
          tau = stress_after(reached*real(i, wp)/real(steps, wp), exponential)
-         loss = loss + lost(exponential)
+         loss = loss + plastic_work(exponential)
       end do
       ! integral of the exponential from zero, less what unloading gives back
       area = asymptote*(reached - tau/modulus) - tau**2/(2.0_wp*modulus)
@@ -172,15 +173,15 @@ contains
       end do
       call law%curve_stress(1, spread(reached, 1, lanes), none, stress)
       call rest()
-      call law%advance(spread(reached, 1, lanes), peak, set, lost, grows)
-      found(:) = law%lost(peak, set)
+      call law%advance(spread(reached, 1, lanes), peak, set, plastic_work, grows)
+      found(:) = law%plastic_work(peak, set)
       call check(found(line), 0.0_wp, 0.0_wp, "nothing along a line")
       call check(found([exponential, table, longer]), area([exponential, table, longer]) &
          & - stress([exponential, table, longer])**2/(2.0_wp*modulus), 1.0e-6_wp, &
          & "is the area that unloading does not give back")
       call check(found(power), area(power) - stress(power)**2/(2.0_wp*power_modulus), 1.0e-6_wp, &
          & "after Ramberg and Osgood too")
-      call check(lost, found, 0.0_wp, "all of it in one step")
+      call check(plastic_work, found, 0.0_wp, "all of it in one step")
    end subroutine test_lost
 
    !> Nothing changes below the largest strain, nor along a line
@@ -190,17 +191,17 @@ contains
 
       call begin("unloading")
       call rest()
-      call law%advance(spread(0.02_wp, 1, lanes), peak, set, lost, grows)
+      call law%advance(spread(0.02_wp, 1, lanes), peak, set, plastic_work, grows)
       call check(grows, "tells that a strain has grown")
       before(:) = set
-      call law%advance(spread(0.01_wp, 1, lanes), peak, set, lost, grows)
-      call check(.not. grows .and. maxval(abs(lost)) <= 0.0_wp, "and that none has")
+      call law%advance(spread(0.01_wp, 1, lanes), peak, set, plastic_work, grows)
+      call check(.not. grows .and. maxval(abs(plastic_work)) <= 0.0_wp, "and that none has")
       call check(set, before, 0.0_wp, "what stays stays to the last bit")
       call check(peak(line) + set(line), 0.0_wp, 0.0_wp, "a line remembers nothing")
       strain(:) = 0.0_wp
       strain(exponential) = 0.03_wp
-      call law%advance(strain, peak, set, lost, grows)
-      call check(lost(exponential) > 0.0_wp, "a lane goes on")
+      call law%advance(strain, peak, set, plastic_work, grows)
+      call check(plastic_work(exponential) > 0.0_wp, "a lane goes on")
       call check(peak(table), 0.02_wp, 0.0_wp, "where another, held at 0, keeps its history")
    end subroutine test_unloading
 
@@ -211,7 +212,7 @@ contains
       integer, parameter :: steps(3) = [2000, 20000, 200000]
       type(shear_curve_type) :: curve
       type(batch_shear_type) :: short
-      real(wp) :: area, plastic_work, tau
+      real(wp) :: area, spent, tau
       integer :: i, k, l
       logical :: grows
 
@@ -225,16 +226,16 @@ contains
       area = asymptote*(reached - tau/modulus) - tau**2/(2.0_wp*modulus)
       do k = 1, size(steps)
          call rest()
-         plastic_work = 0.0_wp
+         spent = 0.0_wp
          do i = 1, steps(k)
             call short%advance(spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
-               & set, lost, grows)
-            plastic_work = plastic_work + lost(exponential)
+               & set, plastic_work, grows)
+            spent = spent + plastic_work(exponential)
          end do
          call check(peak(exponential), reached, 0.0_wp, "the largest strain")
          call check(set(exponential), reached - tau/modulus, 1.0e-15_wp*sqrt(real(steps(k), wp)), &
             & "what stays is what the curve leaves")
-         call check(plastic_work, area, (modulus*reached/asymptote/steps(k))**2*area &
+         call check(spent, area, (modulus*reached/asymptote/steps(k))**2*area &
             & + 1.0e-12_wp*area, "and the work is the area")
          call check(set(line) + peak(line), 0.0_wp, 0.0_wp, "nothing changes along a line")
       end do
@@ -295,7 +296,7 @@ contains
       logical :: grows
 
       size(:) = abs(strain)
-      call law%advance(size, peak, set, lost, grows)
+      call law%advance(size, peak, set, plastic_work, grows)
       stress = sign(merge(power_modulus, modulus, lane == power) &
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after

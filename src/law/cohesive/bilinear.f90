@@ -53,7 +53,7 @@ module plydyn_law_cohesive_bilinear
       !> on the damage alone and not on the mode (Turon et al. 2010)
       logical :: consistent = .false.
       !> Let the penalty of closed faces fall with the damage to `penalty_floor`, for explicit steps
-      !> near the critical one; otherwise it stays
+      !> near the critical one; otherwise it is constant
       logical :: falling_penalty = .false.
       !> Coefficient of friction between failed faces
       real(wp) :: friction = 0.0_wp
@@ -140,8 +140,8 @@ contains
       call self%update_points(1, 1, opening, history, traction)
    end subroutine update
 
-   !> The same for all points of an element at once. Intact points below the onset stay as they are:
-   !> to see that all are takes less time than to ask each
+   !> The same for all points of an element at once: one test for all shows that all are intact and
+   !> below the onset
    pure subroutine update_points(self, points, pitch, opening, history, traction)
       class(cohesive_type), intent(in) :: self
       !> Number of points; rows of the history from one of their variables to the next
@@ -186,7 +186,7 @@ contains
       call update_damaged(self, points, pitch, opening, load, history, traction)
    end subroutine update_points
 
-   !> Damage, what it costs and what it leaves of the tractions
+   !> Damage, dissipated energies and degraded tractions
    pure subroutine update_damaged(self, points, pitch, opening, load, history, traction)
       class(cohesive_type), intent(in) :: self
       !> As in `update_points`
@@ -223,8 +223,8 @@ contains
       end do
    end subroutine update_damaged
 
-   !> Where damage can grow: something is left, and the load is past the least at which what is
-   !> there would grow with any mix of modes. That needs no power of the mix
+   !> Where damage can grow: it is below 1, and the load is past the least at which it would grow
+   !> with any mix of modes. That needs no power of the mix
    pure subroutine detect_growth(part, points, load, damage, before, grows)
       !> As in `cohesive_type`
       real(wp), intent(in) :: part

@@ -1,4 +1,4 @@
-!> Whether the constants of an interface can belong together.
+!> Checks of the constants of an interface.
 module plydyn_law_cohesive_check
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -82,7 +82,7 @@ contains
       end do
    end subroutine check_sign
 
-   !> The toughness must not be spent before the strength is reached, in no mix of modes
+   !> The toughness must exceed the elastic energy at the strength, in every mix of modes
    pure subroutine check_openings(constants, findings)
       !> Constants that are sound one by one
       type(cohesive_constants_type), intent(in) :: constants

@@ -1,4 +1,4 @@
-!> Lengths of the zone in which an interface softens, and what a mesh asks of the interface.
+!> Lengths of the process zone of an interface, and constants that a mesh can resolve.
 module plydyn_law_cohesive_process_zone_length
    use plydyn_base_precision, only : wp
    use plydyn_law_cohesive_bilinear, only : normal, shear

@@ -1,4 +1,4 @@
-!> Energy per area that an interface takes to fail in a mix of opening and sliding.
+!> Toughness of an interface in a mix of opening and sliding.
 module plydyn_law_cohesive_toughness
    use plydyn_base_precision, only : lanes, wp
    implicit none

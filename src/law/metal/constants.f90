@@ -1,4 +1,4 @@
-!> Constants of metals: what all laws of plasticity have in common.
+!> Constants that all laws of metal plasticity share.
 module plydyn_law_metal_constants
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : scalars, shows_dissipated, shows_plastic_strain

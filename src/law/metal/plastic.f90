@@ -29,13 +29,13 @@ module plydyn_law_metal_plastic
    !> Steps of the search: 6 are usual, 40 are needed over 60 decades
    integer, parameter :: steps_allowed = 100
    !> Most that hardening may count at the start, as a multiple of stiffness: powers start upright
-   real(wp), parameter :: steep = 10.0_wp
+   real(wp), parameter :: most_hardening = 10.0_wp
    !> Largest change in one step of the search, as the logarithm of the increment
-   real(wp), parameter :: stride = 50.0_wp
+   real(wp), parameter :: longest_step = 50.0_wp
    !> Least share of the stress to take away that an increment takes for certain
-   real(wp), parameter :: scant = 1.0e-3_wp
+   real(wp), parameter :: least_taken = 1.0e-3_wp
    !> Share of its upper bound under which the search does not fall by halving
-   real(wp), parameter :: depth = 1.0e-6_wp
+   real(wp), parameter :: least_share = 1.0e-6_wp
 
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
@@ -46,7 +46,7 @@ module plydyn_law_metal_plastic
       !> Rise of the back stress over plastic strain in tension
       real(wp) :: kinematic(lanes) = 0.0_wp
       !> 1 in the lanes of this law, 0 in others: a mask that runs side by side with reals
-      real(wp) :: mine(lanes) = 0.0_wp
+      real(wp) :: owned(lanes) = 0.0_wp
       !> Smallest yield stress there can be: nothing flows below it
       real(wp) :: onset(lanes) = huge(1.0_wp)
    contains
@@ -95,7 +95,7 @@ contains
       real(wp), intent(in) :: onset
 
       self%owns(lane) = .true.
-      self%mine(lane) = 1.0_wp
+      self%owned(lane) = 1.0_wp
       self%histories = histories
       self%energy_variable(by_metal_plasticity) = histories
       self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
@@ -157,14 +157,14 @@ contains
       real(wp) :: before(lanes), effective(lanes), increment(lanes), relative(lanes, 6)
       real(wp) :: resistance(lanes)
 
-      call try(self%shear, self%kinematic, strain, history, relative, effective)
+      call find_trial_stress(self%shear, self%kinematic, strain, history, relative, effective)
       flows = any(effective > self%onset)
       if (flows) then
-         before(:) = merge(history(:, effective_plastic_strain), 0.0_wp, self%mine > half)
+         before(:) = merge(history(:, effective_plastic_strain), 0.0_wp, self%owned > half)
          call self%flow(step, effective, before, increment, resistance)
          call advance(relative, effective, increment, resistance, history)
       end if
-      call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
+      call find_stress(self%owned, self%bulk, self%shear, strain, history, stress)
    end subroutine update_point
 
    !> Stress that belongs to a strain and its history, also where a rate has raised it
@@ -174,7 +174,7 @@ contains
       real(wp), intent(in) :: history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
 
-      call find_stress(self%mine, self%bulk, self%shear, strain, history, stress)
+      call find_stress(self%owned, self%bulk, self%shear, strain, history, stress)
    end subroutine stress_at
 
    !> Energy per volume that unloading gives back: elastic, and stored by the back stress.
@@ -211,7 +211,7 @@ contains
    end function norm_squared
 
    !> Relative stress if nothing flowed, and its effective value
-   pure subroutine try(shear, kinematic, strain, history, relative, effective)
+   pure subroutine find_trial_stress(shear, kinematic, strain, history, relative, effective)
       !> Shear modulus and kinematic modulus
       real(wp), intent(in) :: shear(lanes), kinematic(lanes)
       !> Total strain
@@ -247,7 +247,7 @@ contains
       do l = 1, lanes
          effective(l) = sqrt(1.5_wp*normal(l) + 3.0_wp*sheared(l))
       end do
-   end subroutine try
+   end subroutine find_trial_stress
 
    !> Plastic strain and dissipation of an increment along the relative stress
    pure subroutine advance(relative, effective, increment, resistance, history)
@@ -281,9 +281,9 @@ contains
    end subroutine advance
 
    !> Stress of the elastic part of strain, in the lanes of this law
-   pure subroutine find_stress(mine, bulk, shear, strain, history, stress)
+   pure subroutine find_stress(owned, bulk, shear, strain, history, stress)
       !> 1 in lanes of this law
-      real(wp), intent(in) :: mine(lanes)
+      real(wp), intent(in) :: owned(lanes)
       !> Bulk and shear modulus
       real(wp), intent(in) :: bulk(lanes), shear(lanes)
       !> Total strain
@@ -304,14 +304,14 @@ contains
          !$omp simd
          do l = 1, lanes
             new = pressed(l) + 2.0_wp*shear(l)*(strain(l, i) - history(l, i))
-            stress(l, i) = merge(new, stress(l, i), mine(l) > half)
+            stress(l, i) = merge(new, stress(l, i), owned(l) > half)
          end do
       end do
       do i = 4, 6
          !$omp simd
          do l = 1, lanes
             new = shear(l)*(strain(l, i) - history(l, i))
-            stress(l, i) = merge(new, stress(l, i), mine(l) > half)
+            stress(l, i) = merge(new, stress(l, i), owned(l) > half)
          end do
       end do
    end subroutine find_stress
@@ -334,33 +334,35 @@ contains
       real(wp), intent(out) :: resistance(lanes)
 
       real(wp) :: beyond(lanes), excess(lanes), flows(lanes), hardening(lanes), least(lanes)
-      real(wp) :: most(lanes), often, slope(lanes), still(lanes), viscosity(lanes), yield(lanes)
+      real(wp) :: at_rest(lanes), most(lanes), per_step, slope(lanes), viscosity(lanes)
+      real(wp) :: yield(lanes)
       integer :: i
 
-      still(:) = 0.0_wp
-      often = 0.0_wp
-      if (step > 0.0_wp) often = 1.0_wp/step
-      call self%yield_stress(before, still, yield, hardening, viscosity)
+      at_rest(:) = 0.0_wp
+      per_step = 0.0_wp
+      if (step > 0.0_wp) per_step = 1.0_wp/step
+      call self%yield_stress(before, at_rest, yield, hardening, viscosity)
       ! from the tangent at the start, and below the increment that would leave no stress
       slope(:) = 3.0_wp*self%shear + self%kinematic
       beyond(:) = max(effective - yield, tolerance*yield)
-      flows(:) = merge(self%mine, 0.0_wp, effective - yield > tolerance*effective)
-      increment(:) = beyond/(slope + min(max(hardening, 0.0_wp), steep*slope))
+      flows(:) = merge(self%owned, 0.0_wp, effective - yield > tolerance*effective)
+      increment(:) = beyond/(slope + min(max(hardening, 0.0_wp), most_hardening*slope))
       least(:) = 0.0_wp
       most(:) = merge(effective/slope, 2.0_wp*increment, flows > half)
       do i = 1, steps_allowed
-         call self%yield_stress(before + increment, often*increment, yield, hardening, viscosity)
+         call self%yield_stress(before + increment, per_step*increment, yield, hardening, viscosity)
          excess(:) = flows*(effective - slope*increment - yield)
          excess(:) = merge(excess, 0.0_wp, abs(excess) > tolerance*effective)
          if (all(abs(excess) <= 0.0_wp)) exit
-         call improve(beyond, excess, slope + hardening + often*viscosity, least, most, increment)
+         call take_newton_step(beyond, excess, slope + hardening + per_step*viscosity, least, &
+            & most, increment)
       end do
       increment(:) = flows*increment
       resistance(:) = yield - 0.5_wp*hardening*increment
    end subroutine search
 
    !> One step of the search
-   pure subroutine improve(beyond, excess, slope, least, most, increment)
+   pure subroutine take_newton_step(beyond, excess, slope, least, most, increment)
       !> Stress that the increment must take away
       real(wp), intent(in) :: beyond(lanes)
       !> What it leaves of that; 0 in lanes that have arrived
@@ -381,19 +383,19 @@ contains
          lower = merge(now, least(l), excess(l) > 0.0_wp)
          higher = merge(most(l), now, excess(l) > 0.0_wp)
          ! logarithm and exponential by as many terms as keep the order of the method
-         taken = max(beyond(l) - excess(l), scant*beyond(l))
+         taken = max(beyond(l) - excess(l), least_taken*beyond(l))
          w = abs(beyond(l) - taken)/(beyond(l) + taken)
          logarithm = 2.0_wp*w*(1.0_wp + w**2*(1.0_wp/3.0_wp + w**2/5.0_wp))
-         far = min(logarithm*abs(taken/(slope(l)*now)), stride)/8.0_wp
+         far = min(logarithm*abs(taken/(slope(l)*now)), longest_step)/8.0_wp
          growth = (1.0_wp + far*(1.0_wp + far/2.0_wp*(1.0_wp + far/3.0_wp)))**8
          next = merge(now*growth, now/growth, excess(l) > 0.0_wp)
          ! half way, in the logarithm, when the slope misleads
-         w = max(sqrt(lower*higher), depth*higher)
+         w = max(sqrt(lower*higher), least_share*higher)
          next = merge(next, w, next > lower .and. next < higher .and. slope(l) > 0.0_wp)
          increment(l) = merge(next, now, abs(excess(l)) > 0.0_wp)
          least(l) = lower
          most(l) = higher
       end do
-   end subroutine improve
+   end subroutine take_newton_step
 
 end module plydyn_law_metal_plastic

@@ -46,7 +46,7 @@ module plydyn_law_metal_tabulated
       !> Rate of the curve before, or its logarithm, (lanes, curves)
       real(wp), allocatable :: from(:, :)
       !> One over the distance from there; 0 where there is nothing to go to, (lanes, curves)
-      real(wp), allocatable :: per(:, :)
+      real(wp), allocatable :: inverse_length(:, :)
       !> Lanes in which the logarithm of the rate counts
       logical :: logarithmic(lanes) = .false.
       !> Rise with the rate, besides
@@ -97,7 +97,7 @@ contains
       logical, intent(in), optional :: logarithmic
 
       real(wp), allocatable :: strain(:)
-      real(wp) :: lowest, pace(size(curves))
+      real(wp) :: lowest, rate_measure(size(curves))
       integer :: c, last
 
       strain = common_strains(curves)
@@ -112,14 +112,14 @@ contains
       end do
       call self%own_lane(lane, young, poisson, onset=lowest)
 
-      pace(:) = curves%rate
+      rate_measure(:) = curves%rate
       self%logarithmic(lane) = .false.
       if (present(logarithmic)) self%logarithmic(lane) = logarithmic
-      if (self%logarithmic(lane)) pace(:) = log(pace)
-      self%per(lane, :) = 0.0_wp
+      if (self%logarithmic(lane)) rate_measure(:) = log(rate_measure)
+      self%inverse_length(lane, :) = 0.0_wp
       do c = 2, size(curves)
-         self%from(lane, c) = pace(c - 1)
-         self%per(lane, c) = 1.0_wp/(pace(c) - pace(c - 1))
+         self%from(lane, c) = rate_measure(c - 1)
+         self%inverse_length(lane, c) = 1.0_wp/(rate_measure(c) - rate_measure(c - 1))
       end do
    end subroutine set_lane
 
@@ -151,19 +151,19 @@ contains
       if (allocated(self%slope)) then
          old = self
          room(:) = max(room, [size(old%slope, 2), size(old%slope, 3)])
-         deallocate (self%start, self%offset, self%slope, self%from, self%per)
+         deallocate (self%start, self%offset, self%slope, self%from, self%inverse_length)
       end if
       allocate (self%start(lanes, room(1)), source=never)
       allocate (self%offset(lanes, room(1), room(2)), source=1.0_wp)
       allocate (self%slope(lanes, room(1), room(2)), source=0.0_wp)
-      allocate (self%from(lanes, room(2)), self%per(lanes, room(2)), source=0.0_wp)
+      allocate (self%from(lanes, room(2)), self%inverse_length(lanes, room(2)), source=0.0_wp)
       if (.not. allocated(old%slope)) return
       room(:) = [size(old%slope, 2), size(old%slope, 3)]
       self%start(:, :room(1)) = old%start
       self%offset(:, :room(1), :room(2)) = old%offset
       self%slope(:, :room(1), :room(2)) = old%slope
       self%from(:, :room(2)) = old%from
-      self%per(:, :room(2)) = old%per
+      self%inverse_length(:, :room(2)) = old%inverse_length
    end subroutine reserve
 
    !> Cut a curve at strains among which are all of its own
@@ -200,7 +200,7 @@ contains
          & strain, yield, hardening)
       viscosity(:) = 0.0_wp
       if (size(self%slope, 3) > 1) then
-         call climb(self, strain, rate, yield, hardening, viscosity)
+         call interpolate_rates(self, strain, rate, yield, hardening, viscosity)
       end if
       if (self%rate%acts) call self%rate%raise(rate, yield, hardening, viscosity)
    end subroutine yield_stress
@@ -236,7 +236,7 @@ contains
    end subroutine look_up
 
    !> Go from the first curve towards those of higher rates, as far as the rate has gone
-   pure subroutine climb(self, strain, rate, yield, hardening, viscosity)
+   pure subroutine interpolate_rates(self, strain, rate, yield, hardening, viscosity)
       class(plastic_curve_type), intent(in) :: self
       !> Effective plastic strain
       real(wp), intent(in) :: strain(lanes)
@@ -247,14 +247,14 @@ contains
       !> Derivative of the yield stress by the rate
       real(wp), intent(out) :: viscosity(lanes)
 
-      real(wp) :: above(lanes), below(lanes), flatter(lanes), pace(lanes), steeper(lanes)
+      real(wp) :: above(lanes), below(lanes), flatter(lanes), rate_measure(lanes), steeper(lanes)
       real(wp) :: steep(lanes)
       integer :: c
 
-      pace(:) = rate
+      rate_measure(:) = rate
       steep(:) = 1.0_wp
       if (any(self%logarithmic)) then
-         pace(:) = merge(log(max(rate, least_rate)), rate, self%logarithmic)
+         rate_measure(:) = merge(log(max(rate, least_rate)), rate, self%logarithmic)
          steep(:) = merge(1.0_wp/max(rate, least_rate), 1.0_wp, self%logarithmic)
       end if
       viscosity(:) = 0.0_wp
@@ -263,20 +263,21 @@ contains
       do c = 2, size(self%slope, 3)
          call look_up(size(self%slope, 2), self%start, self%offset(:, :, c), &
             & self%slope(:, :, c), strain, above, steeper)
-         call go(self%from(:, c), self%per(:, c), pace, above - below, steeper - flatter, yield, &
-            & hardening, viscosity)
+         call add_rate_interval(self%from(:, c), self%inverse_length(:, c), rate_measure, &
+            & above - below, steeper - flatter, yield, hardening, viscosity)
          below(:) = above
          flatter(:) = steeper
       end do
       viscosity(:) = steep*viscosity
-   end subroutine climb
+   end subroutine interpolate_rates
 
    !> Add the way from one curve to the next, as much of it as lies below the rate
-   pure subroutine go(from, per, pace, rise, steepening, yield, hardening, viscosity)
+   pure subroutine add_rate_interval(from, inverse_length, rate_measure, rise, steepening, &
+      & yield, hardening, viscosity)
       !> Where the way starts, and one over its length
-      real(wp), intent(in) :: from(lanes), per(lanes)
+      real(wp), intent(in) :: from(lanes), inverse_length(lanes)
       !> Rate, or its logarithm
-      real(wp), intent(in) :: pace(lanes)
+      real(wp), intent(in) :: rate_measure(lanes)
       !> Yield stress and hardening that the whole way brings
       real(wp), intent(in) :: rise(lanes), steepening(lanes)
       !> Sums of yield stress, hardening, and derivative by the rate or its logarithm
@@ -286,13 +287,13 @@ contains
       integer :: l
 
       do l = 1, lanes
-         share = (pace(l) - from(l))*per(l)
+         share = (rate_measure(l) - from(l))*inverse_length(l)
          viscosity(l) = viscosity(l) &
-            & + merge(rise(l)*per(l), 0.0_wp, share >= 0.0_wp .and. share < 1.0_wp)
+            & + merge(rise(l)*inverse_length(l), 0.0_wp, share >= 0.0_wp .and. share < 1.0_wp)
          share = min(max(share, 0.0_wp), 1.0_wp)
          yield(l) = yield(l) + share*rise(l)
          hardening(l) = hardening(l) + share*steepening(l)
       end do
-   end subroutine go
+   end subroutine add_rate_interval
 
 end module plydyn_law_metal_tabulated

@@ -20,7 +20,7 @@ contains
 
    !> Whether a curve can be: strain from zero on, rising; stress always positive
    pure logical function is_yield_curve(curve)
-      !> Curve to judge
+      !> The curve
       type(yield_curve_type), intent(in) :: curve
 
       integer :: points

@@ -1,11 +1,11 @@
 !> Shear in the plane of some plies up to the first matrix crack, along their curves.
 !>
-!> Stress follows the curve while the strain grows beyond all it has been, to either side. Below
-!> that it unloads with the first modulus down to the strain that stays, and is zero between
-!> there and its mirror image (the paper's eqs 7 and 8, the sign of the strain put in).
+!> Stress follows the curve while the strain is the largest so far, in either sense. Below that it
+!> unloads with the first modulus down to the permanent strain, and is zero between there and its
+!> mirror image (the paper's eqs 7 and 8, with the sign of the strain).
 !>
-!> So all that a point must remember is the largest strain: the strain that stays, and the work
-!> lost on it, follow. The strain that stays is needed in every step and kept, too; the work is not.
+!> The history needs the largest strain only: the permanent strain and the plastic work follow. The
+!> permanent strain is needed in every step and is a history variable, too; the work is not.
 module plydyn_law_ply_batch_shear
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
@@ -37,7 +37,7 @@ module plydyn_law_ply_batch_shear
       procedure :: set_lane
       procedure :: advance
       procedure :: find_set
-      procedure :: lost
+      procedure :: plastic_work
       procedure :: curve_stress
    end type batch_shear_type
 
@@ -119,16 +119,16 @@ contains
       call move_alloc(change, self%change)
    end subroutine set_table
 
-   !> Follow the curve where the strain has grown: largest strain, strain that stays, work lost
+   !> Follow the curve where the strain has grown: largest strain, permanent strain, plastic work
    pure subroutine advance(self, strain, peak, set, work, grows)
       class(batch_shear_type), intent(in) :: self
       !> Size of the shear strain; 0 where nothing is to change
       real(wp), intent(in) :: strain(lanes)
       !> Largest size of the shear strain so far
       real(wp), intent(inout) :: peak(lanes)
-      !> Shear strain that stays on unloading
+      !> Permanent shear strain
       real(wp), intent(inout) :: set(lanes)
-      !> Work per volume spent on what stays
+      !> Plastic work per volume of the step
       real(wp), intent(out) :: work(lanes)
       !> Whether any strain is larger than it has been
       logical, intent(out) :: grows
@@ -139,20 +139,20 @@ contains
       grows = any(self%curved*strain > peak)
       work(:) = 0.0_wp
       if (.not. grows) return
-      before(:) = self%lost(peak, set)
+      before(:) = self%plastic_work(peak, set)
       peak(:) = max(peak, self%curved*strain)
       call self%find_set(1, peak, set)
-      work(:) = self%lost(peak, set) - before
+      work(:) = self%plastic_work(peak, set) - before
    end subroutine advance
 
-   !> Shear strain that stays after a largest one
+   !> Permanent shear strain that belongs to a largest one
    pure subroutine find_set(self, points, peak, set)
       class(batch_shear_type), intent(in) :: self
       !> Number of points
       integer, intent(in) :: points
       !> Largest size of the shear strain; 0 along a line
       real(wp), intent(in) :: peak(lanes, points)
-      !> Strain that stays; in what stayed before, where it is searched for
+      !> Permanent strain; in: that before the step, from which a search starts
       real(wp), intent(inout) :: set(lanes, points)
 
       real(wp) :: each(lanes), farthest
@@ -191,7 +191,7 @@ contains
       end if
    end subroutine find_set
 
-   !> `find_set` for exponentials not far from the origin: of the strain stays the share
+   !> `find_set` for exponentials not far from the origin: the permanent share of the strain is
    !> 1 - (1 - exp(-x))/x with x = strain*modulus/asymptote
    pure subroutine expand_set(self, points, peak, set)
       class(batch_shear_type), intent(in) :: self
@@ -212,7 +212,7 @@ contains
       end do
    end subroutine expand_set
 
-   !> `find_set` for curves of any shape: never less than what stayed before
+   !> `find_set` for curves of any shape: never less than before
    pure subroutine search_set(self, points, peak, set)
       class(batch_shear_type), intent(in) :: self
       integer, intent(in) :: points
@@ -231,11 +231,11 @@ contains
       end do
    end subroutine search_set
 
-   !> Work per volume that an intact ply has spent on what stays since the beginning: the area under
+   !> Plastic work per volume of an intact ply since the beginning: the area under
    !> the curve up to the largest strain, less what unloading from there gives back
-   pure function lost(self, peak, set) result(work)
+   pure function plastic_work(self, peak, set) result(work)
       class(batch_shear_type), intent(in) :: self
-      !> Largest strain; strain that stays, as from `find_set`
+      !> Largest strain; permanent strain, as from `find_set`
       real(wp), intent(in) :: peak(lanes), set(lanes)
       real(wp) :: work(lanes)
 
@@ -253,7 +253,7 @@ contains
       work(:) = self%curved*max(work - 0.5_wp*stress**2*self%compliance, 0.0_wp)
       if (self%has(shape_power)) work(:) = merge(stress*set*self%exponent &
          & /(self%exponent + 1.0_wp), work, self%shape == shape_power)
-   end function lost
+   end function plastic_work
 
    !> Stress on the curve: a sum, in which what belongs to other shapes is zero
    pure subroutine curve_stress(self, points, strain, set, stress)

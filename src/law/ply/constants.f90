@@ -1,4 +1,4 @@
-!> What must be known of a ply that can be damaged.
+!> Constants of the ply-damage law.
 module plydyn_law_ply_constants
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
@@ -48,7 +48,7 @@ module plydyn_law_ply_constants
       real(wp) :: brittle = 0.0_wp
       !> Damage also weakens the shear across the thickness
       logical :: weakens_across = .true.
-      !> Least part of a stiffness that remains
+      !> Least integrity
       real(wp) :: residual = 1.0e-6_wp
       !> What to do about snap-back
       integer :: snap_back = snap_reduce

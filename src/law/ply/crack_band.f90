@@ -1,4 +1,4 @@
-!> Width of the band in which a crack of a smeared model opens, and how wide it may be.
+!> Width of the crack band of a smeared crack, and its upper bound.
 module plydyn_law_ply_crack_band
    use plydyn_base_precision, only : wp
    implicit none

@@ -130,7 +130,7 @@ contains
       energy(:) = history(:, self%energy_variable(mechanism))
       if (mechanism /= by_ply_plasticity) return
       associate (own => self%ply%own, peak => largest_shear(history(:, shear_peak)))
-         energy(:) = self%ply%curve%lost(own*peak, own*history(:, shear_set)) - energy
+         energy(:) = self%ply%curve%plastic_work(own*peak, own*history(:, shear_set)) - energy
       end associate
    end function dissipated_energy
 

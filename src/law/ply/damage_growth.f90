@@ -77,7 +77,7 @@ contains
    !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
    !> less than the brittle share.
    pure subroutine grow(plateau, brittle, strain, mode, share)
-      !> Share of the strength that remains, by mode, when onset was in compression
+      !> Share of the strength on the plateau, by mode, when onset was in compression
       real(wp), intent(in) :: plateau(lanes, 2)
       !> Share of the strength from which it drops to zero, likewise
       real(wp), intent(in) :: brittle(lanes, 2)
@@ -121,7 +121,7 @@ contains
       real(wp), intent(in) :: damage
       !> Size of the strain at onset, and strain at which the falling line meets zero
       real(wp), intent(in) :: onset, last
-      !> Share of the strength that remains
+      !> Share of the strength on the plateau
       real(wp), intent(in) :: floor
       !> Denominator and numerator
       real(wp), intent(out) :: part, rise

@@ -1,4 +1,4 @@
-!> The elastic law of orthotropic plies over a batch, for stacks where other layers yield or crack.
+!> Elastic law of orthotropic plies over a batch, for stacks in which other layers yield or crack.
 module plydyn_law_ply_orthotropic
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_constants, only : law_constants_type
@@ -7,7 +7,7 @@ module plydyn_law_ply_orthotropic
    implicit none
    private
 
-   !> Constants of a ply or metal that stays elastic
+   !> Constants of an elastic ply or metal
    type, public, extends(law_constants_type) :: elastic_constants_type
    contains
       procedure :: new_batch

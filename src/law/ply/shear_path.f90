@@ -163,8 +163,8 @@ contains
          before(:, 1) = ply%own*largest_shear(history(:, m, shear_peak))
          before(:, 2) = ply%own*history(:, m, shear_set)
          shear%spared(:, m) = (1.0_wp - integrity(:, 1, m)*integrity(:, 2, m)) &
-            & *(ply%curve%lost(shear%peak(:, m), shear%set(:, m)) &
-            & - ply%curve%lost(before(:, 1), before(:, 2)))
+            & *(ply%curve%plastic_work(shear%peak(:, m), shear%set(:, m)) &
+            & - ply%curve%plastic_work(before(:, 1), before(:, 2)))
       end do
    end subroutine find_spared_work
 

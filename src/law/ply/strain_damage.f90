@@ -2,8 +2,9 @@
 !> ply.
 !>
 !> Each of three mechanisms has a damage that grows with an equivalent strain from 0 at onset to 1
-!> at saturation, so that the stress of a straight path falls along a line. Fibres reduce what is
-!> left of E1, matrix that of E2 and G12, locking all of them; stiffness across the thickness stays.
+!> at saturation, so that the stress of a straight path falls along a line. Damage of fibres reduces
+!> E1, damage of the matrix E2 and G12, and locking all of them. None reduces the stiffness across
+!> the thickness.
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_damage_growth, only : min_path_ratio
