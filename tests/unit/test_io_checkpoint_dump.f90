@@ -182,8 +182,8 @@ contains
    !> A table that ends otherwise than when the file was written
    subroutine results_of_another_run()
       character(*), parameter :: table = "test_io_checkpoint_dump.energy.csv"
-      type(dump_input_type) :: dump
-      type(job_type) :: found
+      type(dump_input_type) :: dump(2)
+      type(job_type) :: found(2)
       integer :: i
 
       call begin("compare_results")
@@ -192,9 +192,9 @@ contains
       call job%places%add(table, file_position_type(amount=90_int64))
       call write_dump(path, job, job%places, alone, state, error)
       do i = 1, 2
-         call dump%open(path, error)
-         call dump%read_job(found, error)
-         call dump%compare_results(found, error)
+         call dump(i)%open(path, error)
+         call dump(i)%read_job(found(i), error)
+         call dump(i)%compare_results(found(i), error)
          if (i == 1) call check(.not. allocated(error), "the table that was there")
          if (i == 2) call check_error(error, table//" is of another run", "another one")
          call write_table(table, 99)

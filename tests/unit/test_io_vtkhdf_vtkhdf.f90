@@ -95,7 +95,7 @@ contains
       call other%mark(places, error)
       call check(places%list(2)%amount == 1, "which counts")
       call other%close(error)
-      places%list(1)%amount = 2
+      places%list(:)%amount = 2
       call other%create(path, comm_type(), grid([0, 8]), error)
       call other%declare_point_data("velocity", 3)
       call other%put_in_place(places, error)
