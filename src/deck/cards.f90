@@ -19,6 +19,8 @@ module plydyn_deck_cards
    type, public :: cards_type
       !> Name as declared, empty for a keyword that is not read
       character(:), allocatable :: name
+      !> Whether it is unknown or refused: what it would have defined is missing
+      logical :: is_unread = .false.
       !> What the keyword declares, its suffixes included
       type(keyword_type) :: declaration
       !> Whether every field has 20 columns

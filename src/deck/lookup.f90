@@ -1,7 +1,7 @@
 !> Finds the declaration of a keyword by name, or a suggestion for an unknown name.
 module plydyn_deck_lookup
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type
+   use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
    use plydyn_deck_nearest, only : nearest_word
    use plydyn_deck_report, only : file_position_type, report_type
    use plydyn_deck_values, only : split_words
@@ -39,9 +39,13 @@ contains
          stem = name(:max(len(name) - len(suffix) - 1, 0))
          i = find_keyword(stem, keywords)
          if (i > 0) then
-            if (.not. any(split_words(keywords(i)%suffixes) == suffix)) i = 0
+            if (keywords(i)%status == is_read .and. &
+               & .not. any(split_words(keywords(i)%suffixes) == suffix)) i = 0
          end if
       end if
+      if (i == 0) i = find_family(name, keywords)
+      cards%is_unread = i == 0
+      if (i > 0) cards%is_unread = keywords(i)%status == is_refused
       if (i == 0) then
          call report%refuse(place, "'*"//name//"' is not a keyword of plydyn", &
             & keyword_advice(name, keywords))
@@ -88,7 +92,9 @@ contains
       integer :: i
 
       do i = 1, size(keywords)
-         known(i) = keywords(i)%name
+         known(i) = ""
+         if (keywords(i)%status == is_read .and. .not. differ_in_digits(name, keywords(i)%name)) &
+            & known(i) = keywords(i)%name
       end do
       words = "one of those that 'plydyn --keywords' lists"
       stem = name
@@ -101,5 +107,45 @@ contains
       end do
       if (i > 0) words = "perhaps *"//trim(known(i))
    end function keyword_advice
+
+   !> Whether both names have numbers, and others: *MAT_262 is no misspelt *MAT_022
+   pure logical function differ_in_digits(one, other) result(differ)
+      character(*), intent(in) :: one, other
+
+      differ = len(digits_of(one)) > 0 .and. len(digits_of(other)) > 0 &
+         & .and. digits_of(one) /= digits_of(other)
+   end function differ_in_digits
+
+   !> The digits of a name
+   pure function digits_of(name) result(digits)
+      character(*), intent(in) :: name
+      character(:), allocatable :: digits
+
+      integer :: i
+
+      digits = ""
+      do i = 1, len(name)
+         if (index("0123456789", name(i:i)) > 0) digits = digits//name(i:i)
+      end do
+   end function digits_of
+
+   !> Index of the family that a name belongs to, such as `CONTACT_*TIE`: all names that begin with
+   !> the text before the star and have the text after it; 0 for none
+   pure integer function find_family(name, keywords) result(i)
+      !> Name without star, in capitals
+      character(*), intent(in) :: name
+      !> Declarations of the keywords that are known
+      type(keyword_type), intent(in) :: keywords(:)
+
+      integer :: star
+
+      do i = 1, size(keywords)
+         star = index(keywords(i)%name, "*")
+         if (star == 0 .or. star > len(name)) cycle
+         if (name(:star - 1) /= keywords(i)%name(:star - 1)) cycle
+         if (index(name(star:), keywords(i)%name(star + 1:)) > 0) return
+      end do
+      i = 0
+   end function find_family
 
 end module plydyn_deck_lookup

@@ -136,7 +136,13 @@ contains
       character(:), allocatable :: words
 
       words = ""
-      if (place%line > 0) words = source%where(place%line)//": "
+      if (place%line > 0) then
+         words = source%where(place%line)//": "
+      else if (source%file_count > 0) then
+         ! of the deck as a whole, the newest one of a restart
+         words = source%files(findloc(source%files(:source%file_count)%parent, 0, 1, &
+            & back=.true.))%path//": "
+      end if
       if (.not. allocated(place%keyword)) return
       if (len_trim(place%keyword) == 0) return
       words = words//trim(place%keyword)

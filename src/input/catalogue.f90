@@ -63,6 +63,12 @@ module plydyn_input_catalogue
       !> Lines of stored decks: what they define need not be used, as a restart may have replaced
       !> what used it
       integer :: stored_lines = 0
+      !> Parts of the deck could not be read: what is missing may be in them
+      logical :: has_unread = .false.
+      !> The deck has a body of rigid elements, which its mesh is not to be blamed for
+      logical :: has_rigid = .false.
+      !> The end time has been refused
+      logical :: end_is_told = .false.
       !> Findings
       type(report_type) :: report
    contains
@@ -161,7 +167,8 @@ contains
          index = register%index_of(cards%integer(name, nth))
          if (index > 0) then
             call register%mark(index)
-         else if (first_number(register) <= register%count .or. .not. self%report%has_errors()) then
+         else if (first_number(register) <= register%count .or. &
+            & (register%count == 0 .and. .not. self%has_unread)) then
             call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
                & //" is not defined", range_of(register), nth)
          end if

@@ -36,6 +36,7 @@ contains
       call check_faces(model, catalogue)
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
+            if (min(contact%impactor, contact%part) == 0) cycle
             inside = depth(model, contact)
             place%line = catalogue%registers(an_impactor)%line(contact%impactor)
             if (inside <= surely*model%impactors(contact%impactor)%radius) then
@@ -64,6 +65,7 @@ contains
       place%field = "FACE"
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
+            if (contact%part == 0) cycle
             if (size(faces_of_part(model%mesh, contact%part, contact%face)) > 0) cycle
             place%line = contact%line
             call catalogue%report%refuse(place, "part "//text(model%parts(contact%part)%id) &

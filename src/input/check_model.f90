@@ -39,7 +39,9 @@ contains
       end do
       call check_shared_numbers(catalogue)
       call check_presence(model, catalogue)
-      if (catalogue%mesh_is_sound .and. size(model%mesh%brick_id) > 0) then
+      if (catalogue%has_rigid) then
+         continue
+      else if (catalogue%mesh_is_sound .and. size(model%mesh%brick_id) > 0) then
          call check_bricks(model%mesh, catalogue)
          call refuse_averages(model%materials, catalogue)
       else if (catalogue%mesh_is_sound) then
@@ -48,7 +50,7 @@ contains
       end if
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
-      if (.not. catalogue%report%has_errors()) call check_impact(model, catalogue)
+      if (catalogue%mesh_is_sound .and. .not. catalogue%has_unread) call check_impact(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 
@@ -89,7 +91,7 @@ contains
 
       type(file_position_type) :: nowhere
 
-      if (catalogue%report%has_errors()) return
+      if (catalogue%has_unread) return
       if (size(model%mesh%node_id) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no nodes", "*NODE")
       end if
@@ -100,7 +102,7 @@ contains
       if (size(model%parts) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no part", "*PART_COMPOSITE")
       end if
-      if (model%control%end_time <= 0.0_wp) then
+      if (model%control%end_time <= 0.0_wp .and. .not. catalogue%end_is_told) then
          call catalogue%report%refuse(nowhere, "the deck has no end time", &
             & "*CONTROL_TERMINATION with ENDTIM")
       end if

@@ -153,7 +153,8 @@ contains
       call keyword%add_real("Y", "length", "y of the place")
       call keyword%add_integer("NPT", "points in each numerical layer, its faces included", &
          & default=5, least=2, most=100)
-      call keyword%add_real("DT", "time", "time between two profiles; 0 for every step", &
+      call keyword%add_real("DT", "time", "time between two profiles; blank for a " &
+         & //"hundred in the run, 0 for every step", &
          & default=0.0_wp, least=0.0_wp)
    end function database_profile
 

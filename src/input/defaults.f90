@@ -14,6 +14,8 @@ module plydyn_input_defaults
    integer, parameter :: usual_states = 20
    !> Lines of the history of delamination, likewise
    integer, parameter :: usual_lines = 1000
+   !> Profiles of each place, likewise
+   integer, parameter :: usual_profiles = 100
 
 contains
 
@@ -52,6 +54,9 @@ contains
          model%contacts(i)%place = place_of(deck, model%contacts(i)%line)
       end do
       do i = 1, size(model%request%profiles)
+         if (model%request%profiles(i)%interval < 0.0_wp) then
+            model%request%profiles(i)%interval = model%control%planned_end/usual_profiles
+         end if
          model%request%profiles(i)%place = place_of(deck, model%request%profiles(i)%line)
       end do
       associate (request => model%request)

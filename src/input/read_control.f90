@@ -42,6 +42,7 @@ contains
       type(model_type), intent(inout) :: model
 
       model%control%end_time = cards%real("ENDTIM")
+      catalogue%end_is_told = .not. cards%is_fine("ENDTIM")
       if (model%control%planned_end <= 0.0_wp) model%control%planned_end = model%control%end_time
       model%control%end_cycle = cards%integer("ENDCYC")
       model%control%smallest_share = cards%real("DTMIN")

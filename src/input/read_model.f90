@@ -2,6 +2,7 @@
 module plydyn_input_read_model
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
+   use plydyn_base_text, only : upper_case
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
@@ -40,6 +41,8 @@ contains
       catalogue = new_catalogue()
       rows = all_rows()
       call read_decks(archive, path, rows%declaration, deck, catalogue%report)
+      catalogue%has_unread = deck%has_unread
+      catalogue%has_rigid = has_rigid_body(deck)
       call apply_changes(deck, catalogue)
       call begin_model(model)
       if (len(path) > 0) then
@@ -52,6 +55,22 @@ contains
       call conclude(deck, catalogue%report, messages, error)
       if (len(path) > 0) call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
    end subroutine read_decks_of_run
+
+   !> Whether the deck has a material of rigid bodies, which are spheres here and have no mesh
+   logical function has_rigid_body(deck)
+      type(deck_type), intent(in) :: deck
+
+      character(:), allocatable :: line
+      integer :: i
+
+      has_rigid_body = .false.
+      do i = 1, size(deck%keywords)
+         if (.not. deck%keywords(i)%is_unread) cycle
+         line = upper_case(deck%source%line(deck%keywords(i)%line))
+         has_rigid_body = has_rigid_body .or. index(line, "*MAT_RIGID") == 1 &
+            & .or. index(line, "*MAT_020") == 1
+      end do
+   end function has_rigid_body
 
    !> Read the keywords of a deck, stage by stage and in their order
    subroutine read_keywords(deck, rows, catalogue, model)

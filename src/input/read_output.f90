@@ -228,6 +228,7 @@ contains
          new(nth)%position(:) = cards%reals(["X", "Y"], nth)
          new(nth)%points = cards%integer("NPT", nth)
          new(nth)%interval = cards%real("DT", nth)
+         if (.not. cards%has("DT", nth)) new(nth)%interval = -1.0_wp
          new(nth)%line = cards%line_of("X", nth)
          if (.not. catalogue%mesh_is_sound .or. .not. cards%is_fine("X", nth)) cycle
          if (is_near(model%mesh, new(nth)%position)) cycle

@@ -27,19 +27,30 @@ module plydyn_input_unsupported_keywords
    !> Would change the results: an error with advice
    character(longest_name), parameter :: whole_laminates(*) = [character(longest_name) :: &
       & "SECTION_SHELL", "INTEGRATION_SHELL", "ELEMENT_SHELL_COMPOSITE", &
-      & "ELEMENT_SHELL_THICKNESS", "ELEMENT_SHELL_BETA", "SECTION_TSHELL", "ELEMENT_TSHELL"]
+      & "ELEMENT_SHELL_THICKNESS", "ELEMENT_SHELL_BETA", "SECTION_TSHELL", "ELEMENT_TSHELL*", &
+      & "PART_COMPOSITE_TSHELL", "INTEGRATION_*", "ELEMENT_SHELL_*"]
    character(longest_name), parameter :: no_solids(*) = [character(longest_name) :: &
       & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: other_damage(*) = [character(longest_name) :: &
-      & "MAT_054", "MAT_055", "MAT_058", "MAT_022", &
+      & "MAT_054", "MAT_055", "MAT_058", "MAT_022", "MAT_059", "MAT_158", "MAT_219", "MAT_221", &
+      & "MAT_261", "MAT_262", "MAT_LAMINATED_FRACTURE_*", "MAT_COMPOSITE_FAILURE_*", &
+      & "MAT_RATE_SENSITIVE_COMPOSITE_FABRIC", "MAT_ORTHOTROPIC_SIMPLIFIED_DAMAGE", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
-      & "MAT_COHESIVE_TH"]
+      & "MAT_COHESIVE_TH", "MAT_184", "MAT_185", "MAT_240", "MAT_279", "MAT_COHESIVE_*"]
+   !> What holds parts together there, and plies of one part here
+   character(longest_name), parameter :: ties(*) = [character(longest_name) :: &
+      & "CONTACT_*TIE", "CONTACT_*COHESIVE", "ELEMENT_*COHESIVE", "SECTION_*COHESIVE"]
    character(longest_name), parameter :: own_impactor(*) = [character(longest_name) :: &
       & "MAT_RIGID", "RIGIDWALL_GEOMETRIC_SPHERE_MOTION", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &
       & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &
-      & "CONTACT_ENTITY", "INITIAL_VELOCITY_GENERATION", "INITIAL_VELOCITY_RIGID_BODY"]
+      & "CONTACT_ENTITY", "INITIAL_VELOCITY_GENERATION", "INITIAL_VELOCITY_RIGID_BODY", &
+      & "MAT_020", "MAT_RIGID_*", "RIGIDWALL_*", "PART_INERTIA", "CONSTRAINED_RIGID_BODIES"]
+   !> Behind all other families of contacts
+   character(longest_name), parameter :: contacts(*) = [character(longest_name) :: &
+      & "CONTACT_AUTOMATIC_*", "CONTACT_ERODING_*", "CONTACT_SURFACE_*", "CONTACT_NODES_*", &
+      & "CONTACT_ONE_WAY_*", "CONTACT_SINGLE_*", "CONTACT_RIGID_*"]
    character(longest_name), parameter :: other_elements(*) = [character(longest_name) :: &
       & "CONTROL_SHELL", "CONTROL_ACCURACY", "CONTROL_BULK_VISCOSITY", &
       & "CONTROL_CONTACT"]
@@ -68,6 +79,9 @@ contains
          & listed(other_damage, is_refused, &
          & "strengths and toughnesses of each ply in *MAT_PLY_CODAM2, or *MAT_PLY_ELASTIC"), &
          & listed(other_bonds, is_refused, "a bilinear law, *MAT_COHESIVE_MIXED_MODE"), &
+         & listed(ties, is_refused, "plies of one *PART_COMPOSITE with *INTERFACE_COHESIVE " &
+         & //"between them and, where they may come apart, *MAT_COHESIVE_MIXED_MODE"), &
+         & listed(contacts, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(other_elements, is_refused, &
          & "nothing: plydyn has no elements that this keyword is for")]

@@ -300,8 +300,50 @@ contains
          write (unit, "(3a)") "file of interfaces            ", &
             & fixed_text(interfaces_bytes(model, domain)/megabyte, 3), " MB"
       end if
+      write (unit, "(3a)") "tables, about                 ", &
+         & fixed_text(tables_bytes(model, domain, steps)/megabyte, 3), " MB"
       write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
    end subroutine write_effort
+
+   !> Bytes of all histories and profiles
+   real(wp) function tables_bytes(model, domain, steps) result(bytes)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      !> Steps of the run
+      real(wp), intent(in) :: steps
+
+      !> Bytes of a number, columns of the energies, of an impactor, of each face of a node, of each
+      !> support and motion, and of a profile
+      real(wp), parameter :: number_bytes = 17.0_wp
+      integer, parameter :: energy = 18, impactor = 11, node = 6, support = 3, profile = 27
+      integer :: i
+
+      associate (request => model%request)
+         bytes = energy*lines(request%energy_interval) &
+            & + size(model%impactors)*impactor*lines(request%impactor_interval) &
+            & + size(request%nodes)*node*2*lines(request%node_interval)
+         if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
+            & *support*(1 + size(model%holds) + size(model%motions))
+         do i = 1, size(request%profiles)
+            bytes = bytes + lines(request%profiles(i)%interval)*profile &
+               & *request%profiles(i)%points*real(size(domain%layers%order), wp)
+         end do
+      end associate
+      bytes = number_bytes*bytes
+
+   contains
+
+      !> Lines of a table
+      real(wp) function lines(interval)
+         !> Time between two of them; 0 for every step
+         real(wp), intent(in) :: interval
+
+         lines = steps
+         if (interval > 0.0_wp) lines = min(steps, domain%control%end_time/interval)
+         lines = lines + 1.0_wp
+      end function lines
+
+   end function tables_bytes
 
    !> How the run ended
    subroutine write_end(unit, model, domain, state, dissipated, lost, seconds, words)
