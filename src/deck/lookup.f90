@@ -93,8 +93,8 @@ contains
 
       do i = 1, size(keywords)
          known(i) = ""
-         if (keywords(i)%status == is_read .and. .not. differ_in_digits(name, keywords(i)%name)) &
-            & known(i) = keywords(i)%name
+         if (keywords(i)%status /= is_read) cycle
+         if (.not. differ_in_digits(name, keywords(i)%name)) known(i) = keywords(i)%name
       end do
       words = "one of those that 'plydyn --keywords' lists"
       stem = name

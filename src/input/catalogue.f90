@@ -67,6 +67,8 @@ module plydyn_input_catalogue
       logical :: has_unread = .false.
       !> The deck has a body of rigid elements, which its mesh is not to be blamed for
       logical :: has_rigid = .false.
+      !> Kinds of which nothing is defined, which has been told
+      logical :: missing_is_told(kinds) = .false.
       !> The end time has been refused
       logical :: end_is_told = .false.
       !> Findings
@@ -167,12 +169,25 @@ contains
          index = register%index_of(cards%integer(name, nth))
          if (index > 0) then
             call register%mark(index)
-         else if (first_number(register) <= register%count .or. &
-            & (register%count == 0 .and. .not. self%has_unread)) then
-            call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
-               & //" is not defined", range_of(register), nth)
+         else if (register%count > 0) then
+            ! where no number is right, that has been told
+            if (first_number(register) <= register%count) call refuse_missing()
+         else if (.not. (self%has_unread .or. self%missing_is_told(kind))) then
+            self%missing_is_told(kind) = .true.
+            call refuse_missing()
          end if
       end associate
+
+   contains
+
+      !> Report that there is no such thing
+      subroutine refuse_missing()
+         associate (register => self%registers(kind))
+            call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
+               & //" is not defined", range_of(register), nth)
+         end associate
+      end subroutine refuse_missing
+
    end subroutine find
 
    !> Indices of what the members of a list refer to

@@ -50,7 +50,9 @@ contains
       end if
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
-      if (catalogue%mesh_is_sound .and. .not. catalogue%has_unread) call check_impact(model, catalogue)
+      if (catalogue%mesh_is_sound .and. .not. catalogue%has_unread) then
+         call check_impact(model, catalogue)
+      end if
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 
