@@ -334,14 +334,12 @@ contains
       real(wp), intent(out) :: resistance(lanes)
 
       real(wp) :: beyond(lanes), excess(lanes), flows(lanes), hardening(lanes), least(lanes)
-      real(wp) :: at_rest(lanes), most(lanes), per_step, slope(lanes), viscosity(lanes)
-      real(wp) :: yield(lanes)
+      real(wp) :: most(lanes), per_step, slope(lanes), viscosity(lanes), yield(lanes)
       integer :: i
 
-      at_rest(:) = 0.0_wp
       per_step = 0.0_wp
       if (step > 0.0_wp) per_step = 1.0_wp/step
-      call self%yield_stress(before, at_rest, yield, hardening, viscosity)
+      call self%yield_stress(before, spread(0.0_wp, 1, lanes), yield, hardening, viscosity)
       ! from the tangent at the start, and below the increment that would leave no stress
       slope(:) = 3.0_wp*self%shear + self%kinematic
       beyond(:) = max(effective - yield, tolerance*yield)
