@@ -1,12 +1,13 @@
 !> plydyn: read, build, run, stop. The only place that prints errors and ends the program.
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
-   use plydyn_base_error, only : error_type, exit_normal, exit_output, fail
+   use plydyn_base_error, only : error_type, exit_input, exit_normal, exit_output, fail
    use plydyn_base_file_identity, only : make_folder
    use plydyn_base_files, only : is_same_path
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
+   use plydyn_base_text, only : text
    use plydyn_command, only : command_type, read_command, usage
    use plydyn_input_read_model, only : keyword_manual, read_decks_of_run
    use plydyn_model_model, only : model_type
@@ -26,7 +27,7 @@ program plydyn
    use plydyn_run_observers, only : make_observers
    use plydyn_run_restart, only : resume
    use plydyn_run_setup, only : run_type, set_up
-   use plydyn_run_threads, only : choose_threads, set_threads
+   use plydyn_run_threads, only : choose_threads, most_threads, set_threads
    use plydyn_run_step_cost, only : seconds_per_step
    use plydyn_version, only : build_text, version
    implicit none
@@ -239,6 +240,12 @@ contains
 
       if (len(messages) > 0) write (output_unit, "(a)") messages
       parts%model%control%threads = choose_threads(threads, parts%model%control%threads)
+      if (parts%model%control%threads > most_threads()) then
+         call fail(error, exit_input, text(parts%model%control%threads)//" threads are too many " &
+            & //"for this machine: right would be at most "//text(most_threads()) &
+            & //", by NCPU of *CONTROL_PARALLEL, ncpu= or OMP_NUM_THREADS")
+         return
+      end if
       call set_threads(parts%model%control%threads)
       call set_up(comm, parts, error)
    end subroutine build_run

@@ -1,10 +1,11 @@
 !> Threads of a run. Results are the same to the last bit for any number of them.
 module plydyn_run_threads
-   use omp_lib, only : omp_get_max_threads, omp_set_dynamic, omp_set_num_threads
+   use omp_lib, only : omp_get_max_threads, omp_get_num_procs, omp_set_dynamic, &
+      & omp_set_num_threads
    implicit none
    private
 
-   public :: choose_threads, set_threads
+   public :: choose_threads, most_threads, set_threads
 
 contains
 
@@ -21,6 +22,14 @@ contains
       if (deck > 0) threads = deck
       if (command > 0) threads = command
    end function choose_threads
+
+   !> Most threads that a run may ask for: more take memory and only slow each other down
+   integer function most_threads()
+      !> For each processor, and on machines of few
+      integer, parameter :: per_processor = 16, at_least = 256
+
+      most_threads = max(at_least, per_processor*omp_get_num_procs())
+   end function most_threads
 
    !> Let the loops run on so many threads
    subroutine set_threads(threads)

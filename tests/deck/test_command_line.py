@@ -40,6 +40,7 @@ def said(*words: object) -> tuple[int, str]:
         (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
         (["run", DECK, "-j"], USAGE, "-j needs a name after it"),
         (["run", DECK, "ncpu=0"], USAGE, "a number of threads from 1 to"),
+        (["check", DECK, "ncpu=4096"], INPUT, "4096 threads are too many for this machine"),
         (["run", DECK, "ncpu=two"], USAGE, "a number of threads from 1 to"),
         (["run", DECK, "-x"], USAGE, "'-x' is not understood"),
         (["run", DECK, "--wall-time", "soon"], USAGE, "hours, minutes and seconds"),
