@@ -182,7 +182,7 @@ def test_a_full_disk_is_an_error_and_keeps_the_states_before(tmp_path: Path) -> 
 
 @pytest.mark.parametrize(
     ("place", "reason"),
-    [("none/a.vtkhdf", "No such file"), ("folder", "directory")],
+    [("none/a.vtkhdf", "No such file"), ("folder", "no regular file")],
     ids=["no folder", "a folder"],
 )
 def test_a_path_that_is_no_good_is_named_with_its_reason(
