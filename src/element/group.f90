@@ -7,6 +7,7 @@ module plydyn_element_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_element_crack_bands, only : crack_band_type
+   use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : output_group_type
    use plydyn_fem_columns, only : columns_type
    use plydyn_model_initial, only : initial_damage_type
@@ -38,6 +39,7 @@ module plydyn_element_group
       procedure :: set_damage
       ! the time loop
       procedure(add_forces), deferred :: add_forces
+      procedure :: find_volume
       ! stable step
       procedure :: find_rates
       procedure :: rate_without_thickness
@@ -175,6 +177,15 @@ contains
       !> History of all Gauss points
       real(wp), intent(inout) :: history(:)
    end subroutine set_damage
+
+   !> Find the least ratio of volumes, det F; nothing where the group has no volume
+   pure subroutine find_volume(self, displacement, least)
+      class(element_group_type), intent(in) :: self
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> Least ratio of volumes so far
+      type(least_volume_type), intent(inout) :: least
+   end subroutine find_volume
 
    !> Largest eigenvalue of each element of the rank, and the user's number of the layer that has
    !> it; nothing where the group has no mass of its own

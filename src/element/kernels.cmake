@@ -1,6 +1,6 @@
 # The plate kernels: one module for each number of plane nodes and each order of expansion, all
 # expanded from the same pieces in kernel/, so that every loop bound is known to the compiler.
-foreach(piece thickness plane_q4 plane_q9 linear large law)
+foreach(piece thickness plane_q4 plane_q9 linear large law volume)
   file(READ ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in ${piece})
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/${piece}.f90.in)

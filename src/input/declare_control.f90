@@ -152,6 +152,9 @@ contains
          & //"does the thickness of plies", default=0, allowed=[0, 1, 2])
       call keyword%add_real("DTMAX", "time", "largest step; 0 for none", default=0.0_wp, &
          & least=0.0_wp)
+      call keyword%add_real("VOLLIM", "-", "with KINEM 1 the run stops when the volume of an " &
+         & //"element at a Gauss point falls below this share of that at time zero", &
+         & default=0.0_wp, most=1.0_wp)
       keyword%remark = "With IMPL the step may be several times larger, and inertia is added to " &
          & //"the opening of interfaces, with 2 also to stretch and shear through the thickness, " &
          & //"in proportion to the square of the step; the listing tells how much. DTMAX keeps " &

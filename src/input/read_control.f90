@@ -4,7 +4,8 @@ module plydyn_input_read_control
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_units, only : derived_units
-   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
+   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
+      & total_lagrangian
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes
    implicit none
@@ -101,6 +102,9 @@ contains
          control%scheme = cards%integer("IMPL")
          control%largest_step = cards%real("DTMAX")
          control%step_line = cards%line_of("DTMAX")
+         if (control%kinematics == total_lagrangian) then
+            control%volume_limit = cards%real("VOLLIM")
+         end if
          if (control%scheme == all_explicit) return
          if (size(model%mesh%brick_id) > 0) then
             call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")

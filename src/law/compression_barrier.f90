@@ -1,9 +1,9 @@
 !> Barrier against material that is turned inside out by large displacement.
 !>
-!> The law of Saint Venant and Kirchhoff loses its stiffness at a stretch of 0.58 and carries nothing
+!> The law of Saint Venant and Kirchhoff loses its stiffness at a stretch of 0.58 and carries none
 !> at 0: layers below an impactor fold. Below a ratio of volumes J0 = 0.8 the energy per volume
-!> M b(J) is added, with -b'(J) = (J0 - J)**2/J. It is smooth, nothing above J0, and without bound as
-!> J goes to 0 (as the volumetric terms of compressible neo-Hookean solids: Bonet and Wood, 2008,
+!> M b(J) is added, with -b'(J) = (J0 - J)**2/J. It is smooth, nothing above J0, and unbounded as J
+!> goes to 0 (as the volumetric terms of compressible neo-Hookean solids: Bonet and Wood, 2008,
 !> section 6.4). M is the stiffness C33 of the intact material: crushed material still fills space.
 !> In uniaxial strain the stiffness of stress over stretch stays above 0.46 C33.
 module plydyn_law_compression_barrier

@@ -2,9 +2,11 @@
 module plydyn_method_time_step
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_law_compression_barrier, only : barrier_ratio, barrier_stiffness
    use plydyn_method_accelerations, only : can_predict
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_leapfrog_coefficients, only : new_leapfrog_coefficients
+   use plydyn_model_control, only : total_lagrangian
    use plydyn_method_workspace, only : workspace_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -68,13 +70,16 @@ contains
 
       associate (control => domain%control)
          step = domain%step
+         if (control%kinematics == total_lagrangian) then
+            step = step*compression_share(state%least_volume)
+         end if
          if (cycle == 0 .and. control%first_step > 0.0_wp) then
             step = min(step, control%first_step)
          end if
          if (control%step_curve > 0) then
             step = min(step, domain%curves(control%step_curve)%at(time))
          end if
-         left = state%end_time - time
+         left = state%end%time - time
          if (left <= step*(1.0_wp + stretch)) then
             step = left
          else if (left < 2.0_wp*step) then
@@ -82,5 +87,18 @@ contains
          end if
       end associate
    end function next_step
+
+   !> Share of the stable step that is left where the compression barrier acts: the stiffness
+   !> of a layer along its thickness is at most 1 + b''(J) times C33. The ratio may fall somewhat
+   !> until the next look
+   pure real(wp) function compression_share(ratio) result(share)
+      !> Least ratio of volumes at the last look
+      real(wp), intent(in) :: ratio
+
+      real(wp), parameter :: fall = 0.95_wp
+
+      share = 1.0_wp
+      if (ratio < barrier_ratio) share = 1.0_wp/sqrt(1.0_wp + barrier_stiffness(fall*ratio))
+   end function compression_share
 
 end module plydyn_method_time_step

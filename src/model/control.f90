@@ -50,6 +50,8 @@ module plydyn_model_control
       real(wp) :: damping = 0.0_wp
       !> The run stops when the energy balance is off by more than this share
       real(wp) :: energy_limit = 0.05_wp
+      !> The run stops when the ratio of volumes of an element falls below this
+      real(wp) :: volume_limit = -huge(1.0_wp)
       !> Threads; 0 where the deck says nothing
       integer :: threads = 0
       !> Names of units

@@ -23,8 +23,8 @@ contains
 
       integer :: i
 
-      state%end_time = domain%control%end_time
-      state%end_cycle = domain%control%end_cycle
+      state%end%time = domain%control%end_time
+      state%end%cycle = domain%control%end_cycle
       associate (n => domain%columns%freedoms)
          allocate (state%displacement(n), state%velocity(n))
       end associate

@@ -19,6 +19,7 @@ module plydyn_run_observers
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
    use plydyn_run_stability_monitor, only : new_stability_monitor
+   use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private
 
@@ -45,6 +46,7 @@ contains
       call observers%start(job%path)
       call add(new_end_of_run())
       call add_other(new_run_control(run%domain%comm, job, most_seconds))
+      call add_other(new_volume_monitor(job, run%model%mesh))
       call add(energy_history_type())
       call add(node_history_type())
       call add(support_history_type())

@@ -32,15 +32,15 @@ contains
       integer :: end_cycle
 
       associate (changes => run%model%changes, state => run%state)
-         end_time = state%end_time
-         end_cycle = state%end_cycle
+         end_time = state%end%time
+         end_cycle = state%end%cycle
          call dump%read_state(run%state_parts, .not. changes%conditions, state, error)
          if (allocated(error)) return
          call run%contacts%restore(state, error)
          if (allocated(error)) return
          if (changes%end) then
-            state%end_time = end_time
-            state%end_cycle = end_cycle
+            state%end%time = end_time
+            state%end%cycle = end_cycle
             call check_end(state, error)
             if (allocated(error)) return
          end if
@@ -55,8 +55,8 @@ contains
       !> The end has passed
       type(error_type), allocatable, intent(out) :: error
 
-      if (state%end_time > state%time .and. (state%end_cycle == 0 &
-         & .or. state%end_cycle > state%cycle)) return
+      if (state%end%time > state%time .and. (state%end%cycle == 0 &
+         & .or. state%end%cycle > state%cycle)) return
       call fail(error, exit_input, "*CONTROL_TERMINATION ends the run before it goes on: the " &
          & //"restart file is of time "//text(state%time)//", cycle "//text(state%cycle) &
          & //"; ENDTIM and ENDCYC, if given, must lie behind")

@@ -95,7 +95,7 @@ contains
       self%is_pending = .not. (self%is_pending .or. state%is_finished())
       if (self%is_pending) return
       call share_requests(self, domain%comm, asked_by, asked)
-      if (asked%end_time > 0.0_wp) state%end_time = asked%end_time
+      if (asked%end_time > 0.0_wp) state%end%time = asked%end_time
       requests%fields = asked%plot
       requests%progress = asked%status
       requests%flush = asked%flush

@@ -69,18 +69,22 @@ contains
 
       real(wp), allocatable :: clock(:)
       integer, allocatable :: counts(:)
+      real(wp), allocatable :: least_volume(:)
 
-      clock = [state%time, state%step, state%step_before, state%first_step, state%end_time]
+      clock = [state%time, state%step, state%step_before, state%first_step, state%end%time]
       call exchange%reals("clock", clock)
       state%time = clock(1)
       state%step = clock(2)
       state%step_before = clock(3)
       state%first_step = clock(4)
-      state%end_time = clock(5)
-      counts = [state%cycle, state%end_cycle]
+      state%end%time = clock(5)
+      counts = [state%cycle, state%end%cycle]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)
-      state%end_cycle = counts(2)
+      state%end%cycle = counts(2)
+      least_volume = [state%least_volume]
+      call exchange%reals("least_volume", least_volume)
+      state%least_volume = least_volume(1)
    end subroutine exchange_clock
 
    !> Accelerations, without the columns of forces behind them

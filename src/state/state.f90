@@ -65,14 +65,21 @@ module plydyn_state_state
       real(wp), allocatable :: numbers(:)
    end type contact_memory_type
 
+   !> Time and number of steps at which a run ends; a number of 0 is no limit
+   type, public :: run_end_type
+      real(wp) :: time = 0.0_wp
+      integer :: cycle = 0
+   end type run_end_type
+
    !> The state of a run
    type, public :: state_type
       !> Time and number of steps made
       real(wp) :: time = 0.0_wp
       integer :: cycle = 0
-      !> Time and number of steps at which the run ends; a number of 0 is no limit
-      real(wp) :: end_time = 0.0_wp
-      integer :: end_cycle = 0
+      !> The end of the run
+      type(run_end_type) :: end
+      !> Least ratio of volumes of all elements at the last look of `plydyn_run_volume_monitor`
+      real(wp) :: least_volume = 1.0_wp
       !> The step under way, the step before it, and the first step of the run
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp, first_step = 0.0_wp
       !> Displacement at this time, velocity half a step before, acceleration at this time,
@@ -133,8 +140,8 @@ contains
       real(wp), intent(in) :: time
       integer, intent(in) :: cycle
 
-      is_end = time >= self%end_time*(1.0_wp - epsilon(1.0_wp)) &
-         & .or. (self%end_cycle > 0 .and. cycle >= self%end_cycle)
+      is_end = time >= self%end%time*(1.0_wp - epsilon(1.0_wp)) &
+         & .or. (self%end%cycle > 0 .and. cycle >= self%end%cycle)
    end function is_end
 
    !> Energy stored, dissipated and lost, in the form that central differences conserve

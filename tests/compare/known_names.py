@@ -20,7 +20,9 @@ ADDED_FILES: dict[str, str] = {
 DROPPED_FILES: dict[str, str] = {}
 
 #: Columns of histories, `ending: header`, that only one of the builds writes, and why
-ADDED_COLUMNS: dict[str, str] = {}
+ADDED_COLUMNS: dict[str, str] = {
+    r".*energy.csv: least volume.*": "least ratio of volumes, of every 200th step",
+}
 DROPPED_COLUMNS: dict[str, str] = {}
 
 #: Old name, new name as in `re.sub`. A new name of the same content needs no line here
@@ -35,7 +37,10 @@ SHORTENED_DATA: dict[str, str] = {
 }
 
 #: Arrays and attributes that only one of the builds writes, and why
-ADDED_DATA: dict[str, str] = {}
+ADDED_DATA: dict[str, str] = {
+    r"state/least_volume": "the step follows it with large displacement",
+    r"run/ends": "last bytes of the result files, by which a restart knows them",
+}
 DROPPED_DATA: dict[str, str] = {}
 
 #: What is no number of the model, and why

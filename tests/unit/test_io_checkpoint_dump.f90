@@ -67,7 +67,7 @@ contains
 
       state%time = 0.1_wp
       state%cycle = 17
-      state%end_time = 2.0_wp
+      state%end%time = 2.0_wp
       state%step = 3.0_wp
       state%step_before = 4.0_wp
       state%sums%acceleration_square = 5.0_wp

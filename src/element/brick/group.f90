@@ -6,12 +6,13 @@ module plydyn_element_brick_group
    use plydyn_element_brick_bricks, only : bricks_type, corners
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
    use plydyn_element_brick_energies, only : add_brick_dissipation, add_control_energy
-   use plydyn_element_brick_kernel, only : add_brick_forces
+   use plydyn_element_brick_kernel, only : add_brick_forces, brick_volume_ratios
    use plydyn_element_brick_make, only : add_brick_masses, find_shapes, set_batches
    use plydyn_element_brick_stable_rate, only : part_rates
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : element_group_type
+   use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : cell_type
    use plydyn_element_recover, only : recovered
    use plydyn_fem_columns, only : alignment_offset, columns_type
@@ -40,6 +41,7 @@ module plydyn_element_brick_group
       procedure :: set_history
       procedure :: start_history
       procedure :: add_forces
+      procedure :: find_volume
       procedure :: find_rates
       procedure :: add_dissipation
       procedure :: add_hourglass_energy
@@ -152,6 +154,22 @@ contains
       call add_brick_forces(self%bricks, elements, self%large, step, displacement, velocity, &
          & history(self%bricks%first_history:), force)
    end subroutine add_forces
+
+   pure subroutine find_volume(self, displacement, least)
+      class(brick_group_type), intent(in) :: self
+      real(wp), intent(in), contiguous :: displacement(:)
+      type(least_volume_type), intent(inout) :: least
+
+      real(wp) :: ratio(lanes)
+      integer :: b, l
+
+      do b = 1, size(self%bricks%shape)
+         ratio(:) = brick_volume_ratios(self%bricks, b, displacement)
+         do l = 1, min(lanes, size(self%element) - lanes*(b - 1))
+            call least%take(ratio(l), self%element(lanes*(b - 1) + l), 0)
+         end do
+      end do
+   end subroutine find_volume
 
    subroutine find_rates(self, model, implicit, rate, layer)
       class(brick_group_type), intent(in) :: self

@@ -11,7 +11,7 @@ module plydyn_element_brick_kernel
    implicit none
    private
 
-   public :: add_brick_forces, gather, hourglass_energy, mean_volume_strain
+   public :: add_brick_forces, brick_volume_ratios, gather, hourglass_energy, mean_volume_strain
 
 contains
 
@@ -51,6 +51,29 @@ contains
          call scatter(bricks%target(:, :, b), f, force)
       end do
    end subroutine add_brick_forces
+
+   !> Least ratio of volumes at the points of each brick of a batch
+   pure function brick_volume_ratios(bricks, batch, displacement) result(ratio)
+      !> The bricks of a part
+      type(bricks_type), intent(in) :: bricks
+      !> The batch
+      integer, intent(in) :: batch
+      !> Displacement of all points
+      real(wp), intent(in) :: displacement(*)
+      real(wp) :: ratio(lanes)
+
+      real(wp) :: h(lanes, 3, 3), u(lanes, corners, 3)
+      integer :: l, m
+
+      ratio(:) = huge(1.0_wp)
+      call gather(bricks%place(:, :, batch), displacement, u)
+      do m = 1, bricks%points
+         call gradient_of(u, bricks%shapes(bricks%shape(batch))%gradient(:, :, :, m), h)
+         do l = 1, lanes
+            ratio(l) = min(ratio(l), volume_ratio(h(l, :, :)))
+         end do
+      end do
+   end function brick_volume_ratios
 
    !> Motion of the nodes of a batch
    pure subroutine gather(place, motion, u)

@@ -4,8 +4,9 @@ module plydyn_element_plate_group
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : element_group_type, group_item_type
+   use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : cell_type
-   use plydyn_element_plate_kernels, only : add_layer_forces
+   use plydyn_element_plate_kernels, only : add_layer_forces, find_least_volume
    use plydyn_element_plate_crack_bands, only : add_batch_bands
    use plydyn_element_plate_dissipation, only : add_batch_dissipation
    use plydyn_element_plate_initial_history, only : start_histories
@@ -52,6 +53,7 @@ module plydyn_element_plate_group
       procedure :: set_history
       procedure :: start_history
       procedure :: add_forces
+      procedure :: find_volume
       procedure :: find_rates
       procedure :: rate_without_thickness
       procedure :: point_factor
@@ -200,6 +202,17 @@ contains
             & force)
       end do
    end subroutine add_forces
+
+   pure subroutine find_volume(self, displacement, least)
+      class(plate_group_type), intent(in) :: self
+      real(wp), intent(in), contiguous :: displacement(:)
+      type(least_volume_type), intent(inout) :: least
+
+      type(least_volume_type) :: own
+
+      call find_least_volume(self%plate, displacement, own)
+      if (own%element < huge(1)) call least%take(own%ratio, own%element, self%layers%ply(own%layer))
+   end subroutine find_volume
 
    subroutine find_rates(self, model, implicit, rate, layer)
       class(plate_group_type), intent(in) :: self

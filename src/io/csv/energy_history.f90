@@ -19,7 +19,7 @@ module plydyn_io_csv_energy_history
    character(20), parameter :: names(*) = [character(20) :: "cycle", "time", "step", "kinetic", &
       & "internal", "dissipated", "impactor", "damping", "external", "contact", mechanism_names, &
       & "hourglass", "half-step correction", "total", "error", "momentum x", "momentum y", &
-      & "momentum z"]
+      & "momentum z", "least volume"]
 
    !> The history
    type, public, extends(history_recorder_type) :: energy_history_type
@@ -45,8 +45,9 @@ contains
          columns(:, 1) = names
          columns(:, 2) = u%energy
          columns(1:3, 2) = [character(20) :: "-", u%time, u%time]
-         columns(size(names) - 3, 2) = "-"
-         columns(size(names) - 2:, 2) = trim(u%force)//" "//u%time
+         columns(size(names) - 4, 2) = "-"
+         columns(size(names) - 3:size(names) - 1, 2) = trim(u%force)//" "//u%time
+         columns(size(names), 2) = "-"
       end associate
       call self%open_file(job, domain%comm, job%path//".energy.csv", columns, &
          & model%request%energy_interval, error)
@@ -72,7 +73,7 @@ contains
          call self%write_line([real(state%cycle, wp), state%time, state%step_before, e%kinetic, &
             & e%internal, sum(dissipated), e%impactor, e%damping, e%external, e%contact, &
             & dissipated, hourglass, e%half_step_correction - e%step_change - e%added, e%total(), &
-            & e%error(), e%momentum], error)
+            & e%error(), e%momentum, state%least_volume], error)
       end associate
    end subroutine record_energies
 

@@ -125,7 +125,7 @@ contains
       call self%timer%advance(seconds)
       self%progress%cycle = state%cycle
       self%progress%time = state%time
-      self%progress%end_time = state%end_time
+      self%progress%end_time = state%end%time
       self%progress%step = state%step_before
       self%progress%cause = self%cause
       if (self%has_curve .and. state%step_before < self%largest) self%progress%cause = "LCTM"

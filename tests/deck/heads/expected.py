@@ -14,7 +14,8 @@ HEADS = {
     "energy": ["cycle [-]", "time [ms]", "step [ms]"]
     + [f"{name} [J]" for name in SHARES]
     + ["error [-]"]
-    + [f"momentum {axis} [kN ms]" for axis in "xyz"],
+    + [f"momentum {axis} [kN ms]" for axis in "xyz"]
+    + ["least volume [-]"],
     "impactor_7": [
         "time [ms]",
         "force [kN]",

@@ -1,0 +1,105 @@
+!> Watches the ratio of volumes, det F: the step follows the stiffness of compressed layers. Warns
+!> of the first element that is pressed nearly flat, and stops a run that turns one inside out.
+module plydyn_run_volume_monitor
+   use plydyn_base_error, only : error_type, exit_run, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_least_volume, only : find_least_volume
+   use plydyn_element_least_volume, only : least_volume_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: new_volume_monitor
+
+   !> Steps between two looks
+   integer, parameter :: steps_per_look = 200
+   !> Ratio below which there is a warning
+   real(wp), parameter :: warning_ratio = 0.3_wp
+
+   !> Looks at all elements now and then
+   type, public, extends(observer_type) :: volume_monitor_type
+      private
+      !> Where a warning goes
+      type(job_type) :: job
+      !> The user's numbers
+      type(mesh_type) :: mesh
+      !> Whether there was a warning
+      logical :: has_warned = .false.
+   contains
+      procedure :: due
+      procedure :: notify
+   end type volume_monitor_type
+
+contains
+
+   !> A monitor
+   function new_volume_monitor(job, mesh) result(self)
+      !> The job
+      type(job_type), intent(in) :: job
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      type(volume_monitor_type) :: self
+
+      self%job = job
+      self%mesh = mesh
+   end function new_volume_monitor
+
+   !> Every so many steps, and at the end
+   pure logical function due(self, time, cycle, is_last)
+      class(volume_monitor_type), intent(in) :: self
+      !> As in `observer_type`
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      due = is_last .or. mod(cycle, steps_per_look) == 0
+   end function due
+
+   !> Look at a step
+   subroutine notify(self, domain, contacts, state, requests, error)
+      class(volume_monitor_type), intent(inout) :: self
+      !> As in `observer_type`
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
+      type(state_type), intent(inout) :: state
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      type(least_volume_type) :: least
+
+      if (.not. self%due(state%time, state%cycle, state%is_finished())) return
+      least = find_least_volume(domain, state%displacement)
+      state%least_volume = least%ratio
+      if (least%ratio < domain%control%volume_limit) then
+         call fail(error, exit_run, place_of(self, domain, state, least)//", below the limit of " &
+            & //text(domain%control%volume_limit)//" (VOLLIM of *CONTROL_LAYERWISE)")
+      else if (least%ratio < warning_ratio .and. .not. self%has_warned) then
+         self%has_warned = .true.
+         if (domain%comm%is_root()) call self%job%note("warning: " &
+            & //place_of(self, domain, state, least)//"; no law of plies is known to hold there")
+      end if
+   end subroutine notify
+
+   !> Which element is pressed to which ratio, and when
+   function place_of(self, domain, state, least) result(words)
+      class(volume_monitor_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      type(least_volume_type), intent(in) :: least
+      character(:), allocatable :: words
+
+      associate (group => domain%groups(least%group)%item)
+         words = group%element_kind//" "//text(group%element_id(self%mesh, least%element))
+         if (least%layer > 0) words = words//", "//group%layer_kind//" "//text(least%layer)
+         words = words//" is pressed to "//text(least%ratio, 3)//" of its volume at cycle " &
+            & //text(state%cycle)//", time "//text(state%time)
+      end associate
+   end function place_of
+
+end module plydyn_run_volume_monitor
