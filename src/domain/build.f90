@@ -8,6 +8,7 @@ module plydyn_domain_build
    use plydyn_base_text, only : text
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
+   use plydyn_domain_build_fixtures, only : build_fixtures
    use plydyn_domain_build_groups, only : build_groups
    use plydyn_domain_build_elements, only : build_elements, build_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
@@ -98,6 +99,7 @@ contains
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
       call build_surfaces(model, numbering, owner, domain)
+      call build_fixtures(model, numbering, owner, domain)
       call join_ranks(division, numbering, owner, domain)
    end subroutine build_share
 

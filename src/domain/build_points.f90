@@ -12,7 +12,7 @@ module plydyn_domain_build_points
    implicit none
    private
 
-   public :: build_loads, build_supports, build_surfaces
+   public :: build_loads, build_supports, build_surface, build_surfaces
 
 contains
 
@@ -92,17 +92,39 @@ contains
       !> Has its masses, supports and inertia; gets faces
       type(domain_type), intent(inout) :: domain
 
-      integer :: i, point(2)
+      integer :: i
 
       allocate (domain%contact%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
-         point(:) = face_point(domain%layers, model%contacts(i)%face)
-         domain%contact%surfaces(i) = new_surface(model%contacts(i), model%mesh, domain%layers)
-         call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, &
-            & domain%contact%surfaces(i))
-         call set_resistance(domain, point, domain%contact%surfaces(i))
+         associate (contact => model%contacts(i))
+            call build_surface(model, contact%part, contact%face, numbering, owner, domain, &
+               & domain%contact%surfaces(i))
+         end associate
       end do
    end subroutine build_surfaces
+
+   !> A face of the plate on the points that a rank has. All ranks must come here
+   subroutine build_surface(model, part, face, numbering, owner, domain, surface)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part, or `all_parts`; `bottom_face` or `top_face`
+      integer, intent(in) :: part, face
+      !> The rank's numbers of columns
+      type(local_to_global_type), intent(in) :: numbering
+      !> Rank that counts each column
+      integer, intent(in) :: owner(:)
+      !> Has its masses, supports and inertia
+      type(domain_type), intent(in) :: domain
+      !> The face
+      type(surface_type), intent(out) :: surface
+
+      integer :: point(2)
+
+      point(:) = face_point(domain%layers, face)
+      surface = new_surface(part, face, model%mesh, domain%layers)
+      call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, surface)
+      call set_resistance(domain, point, surface)
+   end subroutine build_surface
 
    !> Inverse masses of all points of a face, and what moves them
    subroutine set_resistance(domain, point, surface)

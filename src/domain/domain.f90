@@ -10,6 +10,7 @@ module plydyn_domain_domain
    use plydyn_element_group, only : group_item_type
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
+   use plydyn_model_fixture, only : fixture_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_support, only : initial_velocity_type
@@ -65,6 +66,8 @@ module plydyn_domain_domain
       !> Motions of the rows of the column for that of the point; see `followers`. Only where
       !> columns share their inertia
       real(wp), allocatable :: follow(:, :, :)
+      !> Area of each point; only for fixtures
+      real(wp), allocatable :: area(:)
       !> Points of each facet in the order of the deck, (4 or 9, facets)
       integer, allocatable :: facet(:, :)
    end type surface_type
@@ -164,7 +167,19 @@ module plydyn_domain_domain
       type(initial_velocity_type), allocatable :: initial_velocities(:)
    end type supports_type
 
-   !> Impactors and the faces that they may touch
+   !> A fixture and the points that it may touch
+   type, public, extends(fixture_type) :: placed_fixture_type
+      !> Index into `fixture_faces`
+      integer :: surface = 0
+      !> Height of its face at time zero without a prescribed motion, length
+      real(wp) :: height = 0.0_wp
+      !> Points of the face that this rank has under the fixture at time zero
+      integer, allocatable :: below(:)
+      !> Area of all points under it, those of other ranks too
+      real(wp) :: area = 0.0_wp
+   end type placed_fixture_type
+
+   !> Impactors, fixtures and the faces that they may touch
    type, public :: contact_bodies_type
       !> Rigid impactors
       type(impactor_type), allocatable :: impactors(:)
@@ -172,6 +187,9 @@ module plydyn_domain_domain
       type(contact_type), allocatable :: contacts(:)
       !> The face that each contact is on
       type(surface_type), allocatable :: surfaces(:)
+      !> Fixtures, and the faces of the plate that they meet
+      type(placed_fixture_type), allocatable :: fixtures(:)
+      type(surface_type), allocatable :: fixture_faces(:)
    end type contact_bodies_type
 
    !> Averages over neighbours that drive the damage of plies

@@ -6,7 +6,6 @@ module plydyn_domain_surfaces
    use plydyn_domain_domain, only : surface_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point
-   use plydyn_model_impactor, only : contact_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_outer_faces, only : faces_of_part
@@ -20,9 +19,9 @@ contains
 
    !> The face of a contact, as the whole model numbers its nodes: quads on the outer layer of a
    !> laminate, or outer faces of bricks
-   pure function new_surface(contact, mesh, layers) result(self)
-      !> As the deck says
-      type(contact_type), intent(in) :: contact
+   pure function new_surface(part, face, mesh, layers) result(self)
+      !> Index of the part, or `all_parts`; `bottom_face` or `top_face`
+      integer, intent(in) :: part, face
       !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Layers of the laminate
@@ -33,7 +32,7 @@ contains
       integer :: f, i, number(size(mesh%node_id)), point(2)
       integer, allocatable :: faces(:, :), node(:)
 
-      faces = faces_of_part(mesh, contact%part, contact%face)
+      faces = faces_of_part(mesh, part, face)
       met(:) = .false.
       do f = 1, size(faces, 2)
          met(faces(:, f)) = .true.
@@ -42,7 +41,7 @@ contains
       self%node = node
       number(:) = 0
       number(node) = [(i, i=1, size(node))]
-      point(:) = face_point(layers, contact%face)
+      point(:) = face_point(layers, face)
       self%position = mesh%position(:, node)
       if (layers%order(point(1)) > 0) then
          self%position(3, :) = self%position(3, :) + layers%height(point(1), point(2))

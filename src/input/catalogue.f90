@@ -19,8 +19,8 @@ module plydyn_input_catalogue
    integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
       & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
       & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14, &
-      & a_solid_section = 15, an_hourglass = 16, a_brick = 17
-   integer, parameter :: kinds = 17
+      & a_solid_section = 15, an_hourglass = 16, a_brick = 17, a_fixture = 18
+   integer, parameter :: kinds = 18
 
    !> Some nodes or quads
    type :: members_type
@@ -106,6 +106,7 @@ contains
       call register_kind(a_part, "part", "*PART_COMPOSITE or *PART")
       call register_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
       call register_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
+      call register_kind(a_fixture, "fixture", "*FIXTURE_PLANE or another *FIXTURE_")
       call register_kind(a_profile, "profile", "*DATABASE_PROFILE")
       call register_kind(a_table, "table", "*DEFINE_TABLE or *DEFINE_TABLE_2D")
       call register_kind(a_brick, "brick", "*ELEMENT_SOLID")

@@ -17,6 +17,7 @@ module plydyn_input_changes
    character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
       & "CONTROL_TERMINATION", "DAMPING_GLOBAL", "DEFINE_CURVE", "DEFINE_BOX", "SET_NODE_LIST", &
       & "SET_NODE_GENERAL", "SET_SHELL_LIST", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
+      & "DATABASE_FIXTURE", &
       & "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
       & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
 

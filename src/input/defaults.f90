@@ -31,7 +31,7 @@ contains
       allocate (model%initial_damages(0))
       allocate (model%point_loads(0), model%line_loads(0), model%pressures(0))
       allocate (model%segment_loads(0), model%body_loads(0))
-      allocate (model%impactors(0), model%contacts(0))
+      allocate (model%impactors(0), model%contacts(0), model%fixtures(0))
       allocate (model%request%fields(0), model%request%nodes(0), model%request%profiles(0))
    end subroutine begin_model
 

@@ -7,6 +7,8 @@ module plydyn_input_keywords
       & control_termination, control_timestep, control_units, damping_global, frame_keywords, &
       & title
    use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2
+   use plydyn_input_declare_fixture, only : fixture_bar, fixture_clamp, fixture_plane, &
+      & fixture_punch, fixture_ring
    use plydyn_input_declare_impact, only : contact_impactor, database, database_field, &
       & database_history_node, database_history_node_set, database_profile, database_spcforc, &
       & impactor_sphere
@@ -33,6 +35,8 @@ module plydyn_input_keywords
       & read_control_termination, read_control_timestep, read_control_units, &
       & read_damping_global, read_title
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
+   use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
+      & read_fixture_plane, read_fixture_punch, read_fixture_ring
    use plydyn_input_read_impact, only : read_contact_impactor, read_impactor_sphere
    use plydyn_input_read_initial, only : read_initial_damage
    use plydyn_input_read_interface, only : read_interface_cohesive, read_mat_cohesive_elastic, &
@@ -45,10 +49,12 @@ module plydyn_input_keywords
    use plydyn_input_read_metal, only : read_define_table, read_define_table_2d, &
       & read_mat_piecewise_linear_plasticity, read_mat_plastic_kinematic, &
       & read_mat_simplified_johnson_cook
-   use plydyn_input_read_output, only : check_database_impactor, check_database_nodout, &
+   use plydyn_input_read_output, only : check_database_fixture, check_database_impactor, &
+      & check_database_nodout, &
       & check_database_spcforc, read_database_binary_d3dump, read_database_binary_d3plot, &
       & read_database_binary_runrsf, read_database_delam, read_database_field, &
-      & read_database_glstat, read_database_history_node, read_database_history_node_set, &
+      & read_database_fixture, read_database_glstat, read_database_history_node, &
+      & read_database_history_node_set, &
       & read_database_impactor, read_database_nodout, read_database_profile, &
       & read_database_spcforc
    use plydyn_input_read_part, only : read_part_composite, read_part_composite_long, &
@@ -83,6 +89,7 @@ contains
       call add_support_rows(list)
       call add_load_rows(list)
       call add_impact_rows(list)
+      call add_fixture_rows(list)
       call add_output_rows(list)
       call list%add_unread(ignored_keywords())
       call list%add_unread(refused_keywords())
@@ -215,6 +222,17 @@ contains
       call list%add(contact_impactor(), read_contact_impactor, stage_laminate)
    end subroutine add_impact_rows
 
+   !> Rigid bodies that the plate lies on, and clamps
+   subroutine add_fixture_rows(list)
+      type(keyword_list_type), intent(inout) :: list
+
+      call list%add(fixture_plane(), read_fixture_plane, stage_laminate)
+      call list%add(fixture_ring(), read_fixture_ring, stage_laminate)
+      call list%add(fixture_punch(), read_fixture_punch, stage_laminate)
+      call list%add(fixture_bar(), read_fixture_bar, stage_laminate)
+      call list%add(fixture_clamp(), read_fixture_clamp, stage_laminate)
+   end subroutine add_fixture_rows
+
    !> Output and its intervals
    subroutine add_output_rows(list)
       type(keyword_list_type), intent(inout) :: list
@@ -231,6 +249,8 @@ contains
       call list%add(database("DATABASE_IMPACTOR", extension, &
          & "lines of the impactor and contact histories", ""), &
          & read_database_impactor, stage_output, check=check_database_impactor)
+      call list%add(database("DATABASE_FIXTURE", extension, "lines of the fixture histories", ""), &
+         & read_database_fixture, stage_output, check=check_database_fixture)
       call list%add(database_history_node(), read_database_history_node, stage_output)
       call list%add(database_history_node_set(), read_database_history_node_set, stage_output)
       call list%add(database_field(), read_database_field, stage_output)

@@ -14,6 +14,7 @@ module plydyn_input_read_output
    private
 
    public :: read_database_glstat, read_database_impactor, check_database_impactor, &
+      & read_database_fixture, check_database_fixture, &
       & read_database_nodout, check_database_nodout, read_database_spcforc, &
       & check_database_spcforc, read_database_binary_d3plot, read_database_binary_d3dump, &
       & read_database_binary_runrsf, read_database_delam, read_database_field, &
@@ -48,6 +49,25 @@ contains
       if (size(model%impactors) == 0) call catalogue%warn(cards, "DT", &
          & "there are no impactors to write", "*IMPACTOR_SPHERE, or not this keyword")
    end subroutine check_database_impactor
+
+   !> *DATABASE_FIXTURE: time between two lines of the fixture histories
+   subroutine read_database_fixture(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%request%fixture_interval = cards%real("DT")
+   end subroutine read_database_fixture
+
+   !> Warn of histories of fixtures that are not there
+   subroutine check_database_fixture(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      if (size(model%fixtures) == 0) call catalogue%warn(cards, "DT", &
+         & "there are no fixtures to write", "*FIXTURE_PLANE, or not this keyword")
+   end subroutine check_database_fixture
 
    !> *DATABASE_NODOUT: time between two lines of the node histories
    subroutine read_database_nodout(cards, catalogue, model)

@@ -10,6 +10,7 @@ module plydyn_method_contact_step
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
+   use plydyn_method_fixture_step, only : correct_fixtures
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_supports, only : is_active
@@ -140,12 +141,12 @@ contains
    end subroutine restore
 
    !> Move the impactors over the coming step without contact, and find where contact may be
-   subroutine predict(self, domain, speed_bound, state)
+   subroutine predict(self, domain, reduction, state)
       class(contacts_type), intent(inout) :: self
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Bound on every component of the velocity of the plate over the step
-      real(wp), intent(in) :: speed_bound
+      !> Has bounds on the motion of the plate, of the step before
+      type(global_reduction_type), intent(in) :: reduction
       !> Impactors; the plate is not predicted yet
       type(state_type), intent(inout) :: state
 
@@ -154,10 +155,10 @@ contains
       do i = 1, size(domain%contact%impactors)
          call move_impactor(domain, i, state)
       end do
-      self%reaches_all = size(domain%supports%motions) > 0
+      self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) > 0
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
-            call pair%candidates%update_slack(largest_move(domain, state%step, speed_bound), &
+            call pair%candidates%update_slack(largest_move(domain, state%step, reduction), &
                & state%impactors(impactor)%centre)
             ! a second pair of an impactor depends on the correction of the first
             self%reaches_all = self%reaches_all .or. pair%candidates%needs_all &
@@ -182,7 +183,8 @@ contains
       end do
    end subroutine mark_reached
 
-   !> Push the impactors and the plate apart where they meet
+   !> Push the impactors and the plate apart where they meet, then the plate out of the fixtures:
+   !> these do not give way, so that their condition is the one that holds at the end of the step
    subroutine correct(self, domain, state, reduction)
       class(contacts_type), intent(inout) :: self
       !> The domain
@@ -199,6 +201,7 @@ contains
          call correct_pair(self%pairs(i), domain, i, state, reduction)
          call mark_reached(self%pairs(i), self%reached)
       end do
+      call correct_fixtures(domain, state, reduction)
    end subroutine correct
 
    !> The patch in contact with an impactor at the end of the last step
@@ -301,13 +304,15 @@ contains
 
    !> Bound on the displacement of a point of the plate in the step; unknown, and then larger than
    !> any, where motions are prescribed
-   pure real(wp) function largest_move(domain, step, speed_bound) result(move)
+   pure real(wp) function largest_move(domain, step, reduction) result(move)
       type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: step, speed_bound
+      real(wp), intent(in) :: step
+      type(global_reduction_type), intent(in) :: reduction
 
       move = sqrt(huge(1.0_wp))
-      if (size(domain%supports%motions) > 0 .or. speed_bound > move) return
-      move = sqrt(3.0_wp)*step*speed_bound
+      if (size(domain%supports%motions) > 0 .or. reduction%speed_bound > move) return
+      ! fixtures moved points at the end of the last step, when impactors had seen them
+      move = sqrt(3.0_wp)*(step*reduction%speed_bound + reduction%largest_push)
    end function largest_move
 
    !> Sort the listed points by the ranks that count them

@@ -4,7 +4,7 @@
 !> travels with them in a word for each rank, which the others leave zero.
 module plydyn_method_global_reduction
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_exact_sum, only : exact_sum_type
+   use plydyn_base_exact_sum, only : exact_sum_type, exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : motion_sums_type
@@ -28,6 +28,10 @@ module plydyn_method_global_reduction
    type, public, extends(step_sums_type) :: global_reduction_type
       !> Bound on every component of the velocity of all points over the step to come
       real(wp) :: speed_bound = huge(1.0_wp)
+      !> Largest correction by a fixture over the last step, length
+      real(wp) :: largest_push = 0.0_wp
+      !> Sums of all fixtures, see `plydyn_method_fixture_step`; not allocated without any
+      type(exact_sums_type) :: fixtures
       !> Ranks that ask for attention after the step
       integer :: requests = 0
    contains
@@ -45,6 +49,8 @@ contains
 
       self%step_sums_type = step_sums_type()
       self%requests = 0
+      self%largest_push = 0.0_wp
+      if (allocated(self%fixtures%limb)) call self%fixtures%clear()
    end subroutine clear
 
    !> Add sums over some points
@@ -71,18 +77,28 @@ contains
       type(comm_type), intent(in) :: comm
 
       integer(int64), allocatable :: words(:, :)
-      integer :: n
+      integer :: last, n
 
       if (comm%ranks == 1) return
       n = storage_size(self%step_sums_type)/storage_size(0_int64)
-      allocate (words(n + 1 + comm%ranks, 1), source=0_int64)
+      last = n + 1 + 2*comm%ranks
+      if (allocated(self%fixtures%limb)) last = last + size(self%fixtures%limb)
+      allocate (words(last, 1), source=0_int64)
       words(:n, 1) = transfer(self%step_sums_type, words(:n, 1))
       words(n + 1, 1) = int(self%requests, int64)
       words(n + 2 + comm%rank, 1) = transfer(self%speed_bound, 0_int64)
+      words(n + 2 + comm%ranks + comm%rank, 1) = transfer(self%largest_push, 0_int64)
+      if (allocated(self%fixtures%limb)) then
+         words(n + 2 + 2*comm%ranks:, 1) = reshape(self%fixtures%limb, [size(self%fixtures%limb)])
+      end if
       call comm%sum(words)
       self%step_sums_type = transfer(words(:n, 1), self%step_sums_type)
       self%requests = int(words(n + 1, 1))
-      self%speed_bound = maxval(transfer(words(n + 2:, 1), [0.0_wp]))
+      self%speed_bound = maxval(transfer(words(n + 2:n + 1 + comm%ranks, 1), [0.0_wp]))
+      self%largest_push = maxval(transfer(words(n + 2 + comm%ranks:n + 1 + 2*comm%ranks, 1), &
+         & [0.0_wp]))
+      if (.not. allocated(self%fixtures%limb)) return
+      self%fixtures%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%fixtures%limb))
    end subroutine sum_over_ranks
 
    !> The sums over all points as numbers

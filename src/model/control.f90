@@ -89,6 +89,8 @@ module plydyn_model_control
       real(wp) :: energy_interval = 0.0_wp
       !> Time between two lines of the impactor histories
       real(wp) :: impactor_interval = 0.0_wp
+      !> Time between two lines of the fixture histories
+      real(wp) :: fixture_interval = 0.0_wp
       !> Time between two lines of the node histories
       real(wp) :: node_interval = 0.0_wp
       !> Nodes with a history, indices into `mesh%node_id`

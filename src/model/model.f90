@@ -2,6 +2,7 @@
 module plydyn_model_model
    use plydyn_model_control, only : changes_type, control_type, request_type
    use plydyn_model_curve, only : curve_type
+   use plydyn_model_fixture, only : fixture_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layup, only : part_type
@@ -49,6 +50,8 @@ module plydyn_model_model
       type(impactor_type), allocatable :: impactors(:)
       !> Contacts between an impactor and a part
       type(contact_type), allocatable :: contacts(:)
+      !> Fixtures
+      type(fixture_type), allocatable :: fixtures(:)
       !> Time, step, kinematics
       type(control_type) :: control
       !> What to write

@@ -8,6 +8,9 @@ module plydyn_model_outer_faces
 
    public :: faces_of_part
 
+   !> Stands for all parts
+   integer, parameter, public :: all_parts = 0
+
    !> Corners of the faces of a brick, counter-clockwise seen from outside
    integer, parameter :: face_corner(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, 1, 2, 6, 5, 2, 3, 7, &
       & 6, 3, 4, 8, 7, 4, 1, 5, 8], [4, 6])
@@ -21,7 +24,7 @@ contains
    pure function faces_of_part(mesh, part, side) result(faces)
       !> The mesh
       type(mesh_type), intent(in) :: mesh
-      !> Index of the part
+      !> Index of the part, or `all_parts`
       integer, intent(in) :: part
       !> `bottom_face` or `top_face`
       integer, intent(in) :: side
@@ -29,18 +32,27 @@ contains
 
       integer :: e
 
-      if (any(mesh%quad_part == part)) then
-         faces = mesh%quad_node(:, pack([(e, e=1, size(mesh%quad_part))], mesh%quad_part == part))
+      if (any(is_of(mesh%quad_part, part))) then
+         faces = mesh%quad_node(:, pack([(e, e=1, size(mesh%quad_part))], &
+            & is_of(mesh%quad_part, part)))
       else
          faces = brick_faces(mesh, part, side)
       end if
    end function faces_of_part
 
+   !> Whether an element of a part is chosen
+   elemental logical function is_of(part, chosen)
+      !> Part of the element, and the chosen one or `all_parts`
+      integer, intent(in) :: part, chosen
+
+      is_of = part == chosen .or. chosen == all_parts
+   end function is_of
+
    !> Outer faces of a part of bricks that look up or down
    pure function brick_faces(mesh, part, side) result(faces)
       !> The bricks
       type(mesh_type), intent(in) :: mesh
-      !> Index of the part
+      !> Index of the part, or `all_parts`
       integer, intent(in) :: part
       !> `bottom_face` or `top_face`
       integer, intent(in) :: side
@@ -53,7 +65,7 @@ contains
       call find_outer(mesh, outer)
       kept = 0
       do e = 1, size(mesh%brick_id)
-         if (mesh%brick_part(e) /= part) cycle
+         if (.not. is_of(mesh%brick_part(e), part)) cycle
          do f = 1, 6
             k = f + 6*(e - 1)
             if (.not. outer(k)) cycle

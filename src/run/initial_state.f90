@@ -45,6 +45,7 @@ contains
          state%support_velocity = [state%support_velocity, &
             & state%velocity(domain%supports%motions(i)%freedom)]
       end do
+      allocate (state%fixtures(size(domain%contact%fixtures)))
       allocate (state%contacts(size(domain%contact%contacts)))
       allocate (state%impactors(size(domain%contact%impactors)))
       do i = 1, size(domain%contact%impactors)

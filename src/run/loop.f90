@@ -7,6 +7,7 @@ module plydyn_run_loop
    use plydyn_method_central_difference, only : predict, undo_prediction
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_energy, only : measure_energies, update_energies
+   use plydyn_method_fixture_step, only : update_fixtures
    use plydyn_method_forces, only : add_external_power
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_observer, only : observers_type
@@ -46,7 +47,7 @@ contains
 
       do while (.not. state%is_finished())
          call choose_step(domain, state)
-         call contacts%predict(domain, reduction%speed_bound, state)   ! impactors
+         call contacts%predict(domain, reduction, state)   ! impactors
          call prepare_step(domain, contacts, state, observers%read_motion(state), work)
          call reduction%clear()
 
@@ -65,6 +66,7 @@ contains
          call observers%look_for_requests(state, reduction%requests)
          call reduction%sum(domain%comm)
          call update_energies(domain, reduction, state)
+         call update_fixtures(reduction, state)
          call state%advance_clock()
          call observers%notify(domain, contacts, state, reduction%requests > 0, error)
          if (allocated(error)) exit

@@ -5,6 +5,7 @@ module plydyn_run_observers
    use plydyn_io_csv_contact_history, only : contact_history_type
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
+   use plydyn_io_csv_fixture_history, only : new_fixture_history
    use plydyn_io_csv_impactor_history, only : new_impactor_history
    use plydyn_io_csv_node_history, only : node_history_type
    use plydyn_io_csv_profile, only : new_profile_file
@@ -52,6 +53,9 @@ contains
       call add(support_history_type())
       do i = 1, size(run%model%impactors)
          call add(new_impactor_history(i))
+      end do
+      do i = 1, size(run%model%fixtures)
+         call add(new_fixture_history(i))
       end do
       do i = 1, size(run%model%request%profiles)
          call add(new_profile_file(i))

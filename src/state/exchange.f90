@@ -2,7 +2,8 @@
 module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_state_state, only : contact_memory_type, energies_type, impactor_state_type, &
+   use plydyn_state_state, only : contact_memory_type, energies_type, fixture_state_type, &
+      & impactor_state_type, &
       & motion_sums_type, state_type
    implicit none
    private
@@ -59,6 +60,7 @@ contains
       call exchange%reals("support_velocity", state%support_velocity)
       call exchange_sums(exchange, state%sums, state%energies)
       call exchange_impactors(exchange, state%impactors)
+      call exchange_fixtures(exchange, state%fixtures)
       call exchange_contacts(exchange, state%contacts)
    end subroutine exchange_state
 
@@ -139,6 +141,29 @@ contains
          end associate
       end do
    end subroutine exchange_impactors
+
+   !> Fixtures
+   subroutine exchange_fixtures(exchange, fixtures)
+      class(exchange_type), intent(inout) :: exchange
+      type(fixture_state_type), intent(inout) :: fixtures(:)
+
+      real(wp), allocatable :: numbers(:)
+      integer :: i
+
+      do i = 1, size(fixtures)
+         associate (own => fixtures(i))
+            numbers = [own%force, own%impulse, own%area, real(own%contacts, wp), own%slip, &
+               & own%friction]
+            call exchange%reals("fixture_"//text(i), numbers)
+            own%force(:) = numbers(1:3)
+            own%impulse(:) = numbers(4:6)
+            own%area = numbers(7)
+            own%contacts = nint(numbers(8))
+            own%slip = numbers(9)
+            own%friction = numbers(10)
+         end associate
+      end do
+   end subroutine exchange_fixtures
 
    !> Memory of the contacts
    subroutine exchange_contacts(exchange, contacts)

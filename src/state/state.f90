@@ -20,7 +20,7 @@ module plydyn_state_state
       real(wp) :: step_change = 0.0_wp
       !> Taken by damping, and lost where contact nodes meet
       real(wp) :: damping = 0.0_wp, contact = 0.0_wp
-      !> Work of loads, supports and gravity
+      !> Work of loads, supports, fixtures that move, and gravity
       real(wp) :: external = 0.0_wp
       !> Kinetic energy at time zero
       real(wp) :: start = 0.0_wp
@@ -28,6 +28,8 @@ module plydyn_state_state
       real(wp) :: reference = 0.0_wp
       !> Momentum of plate and impactors
       real(wp) :: momentum(3) = 0.0_wp
+      !> Taken by friction on fixtures
+      real(wp) :: friction = 0.0_wp
    contains
       procedure :: total
       procedure :: error => balance_error
@@ -44,6 +46,17 @@ module plydyn_state_state
       integer :: contacts = 0
       real(wp) :: penetration = 0.0_wp
    end type impactor_state_type
+
+   !> A fixture
+   type, public :: fixture_state_type
+      !> Force of the plate on it over the last step, and its impulse so far
+      real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
+      !> Area of the points in contact, and how many they are
+      real(wp) :: area = 0.0_wp
+      integer :: contacts = 0
+      !> Path of the points in contact along it so far, their mean by normal force; work of friction
+      real(wp) :: slip = 0.0_wp, friction = 0.0_wp
+   end type fixture_state_type
 
    !> Sums over all points at a full step, where the velocity is v + 1/2 dt a
    type, public :: motion_sums_type
@@ -101,6 +114,8 @@ module plydyn_state_state
       type(energies_type) :: energies
       !> Impactors
       type(impactor_state_type), allocatable :: impactors(:)
+      !> Fixtures
+      type(fixture_state_type), allocatable :: fixtures(:)
       !> Memory of the contacts at the last checkpoint; `contacts%save` brings it up to date
       type(contact_memory_type), allocatable :: contacts(:)
    contains
@@ -150,7 +165,7 @@ contains
 
       total = self%kinetic + self%added - self%half_step_correction &
          & + self%step_change + self%internal + self%impactor &
-         &  + self%damping + self%contact
+         &  + self%damping + self%contact + self%friction
    end function total
 
    !> Error of the energy balance, as a share of the energy that went in

@@ -63,6 +63,10 @@ def _compare(file: str, name: str, old: np.ndarray, new: np.ndarray, report: Rep
     if why and new.size < old.size and not old.reshape(-1)[new.size :].any():
         report.note(f"{file}: {name} has lost zeros at its end: {why}")
         old = old.reshape(-1)[: new.size]
+    why = reason(known_names.LENGTHENED_DATA, name)
+    if why and new.size > old.size and not new.reshape(-1)[old.size :].any():
+        report.note(f"{file}: {name} has got zeros at its end: {why}")
+        new = new.reshape(-1)[: old.size]
     if _is_text(old) or _is_text(new):
         if old.tolist() != new.tolist():
             report.note(f"{file}: {name} says {new.tolist()!r}, was {old.tolist()!r}")

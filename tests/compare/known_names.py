@@ -22,6 +22,7 @@ DROPPED_FILES: dict[str, str] = {}
 #: Columns of histories, `ending: header`, that only one of the builds writes, and why
 ADDED_COLUMNS: dict[str, str] = {
     r".*energy.csv: least volume.*": "least ratio of volumes, of every 200th step",
+    r".*\.energy\.csv: contact friction \[.*\]": "work of friction on fixtures",
 }
 DROPPED_COLUMNS: dict[str, str] = {}
 
@@ -34,6 +35,11 @@ SPLIT_DATA: dict[str, tuple[str, ...]] = {}
 #: Arrays that the newer build keeps without their last values, which were zero, and why
 SHORTENED_DATA: dict[str, str] = {
     r"state/sums": "the last was a bound on speeds, which no restart file kept: always zero",
+}
+
+#: Arrays that the newer build keeps with more values at their end, which are zero, and why
+LENGTHENED_DATA: dict[str, str] = {
+    r"state/energies": "the last is the work of friction on fixtures",
 }
 
 #: Arrays and attributes that only one of the builds writes, and why

@@ -17,9 +17,9 @@ module plydyn_io_csv_energy_history
    !> Columns. A constant: gfortran 12 may blank the first word of a list of texts that is an actual
    !> argument
    character(20), parameter :: names(*) = [character(20) :: "cycle", "time", "step", "kinetic", &
-      & "internal", "dissipated", "impactor", "damping", "external", "contact", mechanism_names, &
-      & "hourglass", "half-step correction", "total", "error", "momentum x", "momentum y", &
-      & "momentum z", "least volume"]
+      & "internal", "dissipated", "impactor", "damping", "external", "contact", &
+      & "contact friction", mechanism_names, "hourglass", "half-step correction", "total", &
+      & "error", "momentum x", "momentum y", "momentum z", "least volume"]
 
    !> The history
    type, public, extends(history_recorder_type) :: energy_history_type
@@ -72,8 +72,8 @@ contains
       associate (e => state%energies)
          call self%write_line([real(state%cycle, wp), state%time, state%step_before, e%kinetic, &
             & e%internal, sum(dissipated), e%impactor, e%damping, e%external, e%contact, &
-            & dissipated, hourglass, e%half_step_correction - e%step_change - e%added, e%total(), &
-            & e%error(), e%momentum, state%least_volume], error)
+            & e%friction, dissipated, hourglass, e%half_step_correction - e%step_change - e%added, &
+            & e%total(), e%error(), e%momentum, state%least_volume], error)
       end associate
    end subroutine record_energies
 

@@ -9,6 +9,7 @@ module plydyn_io_listing_listing
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : bottom_face
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_vtkhdf_field_size, only : fields_bytes, interfaces_bytes
    use plydyn_io_job, only : job_type, no_unit
@@ -237,6 +238,14 @@ contains
             & 0.5_wp*model%impactors(i)%mass*sum(model%impactors(i)%velocity**2), &
             & trim(model%control%units%energy)
       end do
+      do i = 1, size(domain%contact%fixtures)
+         associate (fixture => domain%contact%fixtures(i))
+            write (unit, "(a,i0,t31,a,es14.7,1x,a)") "fixture ", fixture%id, &
+               & fixture%kind//merge(" below the bottom face", " above the top face   ", &
+               & fixture%face == bottom_face)//", over ", fixture%area, &
+               & trim(model%control%units%length)//"2 of it"
+         end associate
+      end do
    end subroutine write_masses
 
    !> Nodes, and the elements of each set that show themselves
@@ -369,11 +378,12 @@ contains
          write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
          write (unit, "(2a)") "elapsed ", duration_text(seconds)
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
-         write (unit, "(a,10(/,a,es14.6,1x,a))") "energies", &
+         write (unit, "(a,11(/,a,es14.6,1x,a))") "energies", &
             & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
             & trim(u%energy), "  dissipated", dissipated, &
             & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
             & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
+            & "  contact friction ", e%friction, trim(u%energy), &
             & "  added     ", e%added, trim(u%energy), &
             & "  half-step correction ", e%half_step_correction - e%step_change, trim(u%energy), &
             & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)

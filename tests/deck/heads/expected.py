@@ -6,6 +6,7 @@ from runs import ROOT, Results
 
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
 SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
+SHARES += ("contact friction",)
 SHARES += ("fibre damage", "matrix damage", "ply plasticity", "metal plasticity")
 SHARES += ("delamination", "friction", "hourglass", "half-step correction", "total")
 NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")

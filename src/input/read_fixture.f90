@@ -1,0 +1,199 @@
+!> Readers of fixtures.
+module plydyn_input_read_fixture
+   use plydyn_base_precision, only : wp
+   use plydyn_contact_bodies_outline, only : circle_outline, outline_type, rectangle_outline, &
+      & strip_outline
+   use plydyn_deck_cards, only : cards_type
+   use plydyn_input_catalogue, only : a_curve, a_fixture, catalogue_type
+   use plydyn_input_read_load, only : find_curve
+   use plydyn_model_fixture, only : fixture_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: read_fixture_bar, read_fixture_clamp, read_fixture_plane, read_fixture_punch, &
+      & read_fixture_ring
+
+   !> Shapes of windows and punches, numbered as on the card
+   integer, parameter :: a_rectangle = 1, a_circle = 2
+   !> Fields of the curves of a motion
+   character(3), parameter :: motion_names(3) = ["LCX", "LCY", "LCZ"]
+
+contains
+
+   !> *FIXTURE_PLANE: a plane with a window
+   subroutine read_fixture_plane(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(fixture_type) :: fixture
+
+      call read_body(cards, "plane", "EDGE", catalogue, fixture)
+      call read_outline(cards, cards%integer("WINDOW"), .true., catalogue, fixture)
+      model%fixtures = [model%fixtures, fixture]
+   end subroutine read_fixture_plane
+
+   !> *FIXTURE_RING: a flat ring
+   subroutine read_fixture_ring(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(fixture_type) :: fixture
+
+      call read_body(cards, "ring", "EDGE", catalogue, fixture)
+      call read_ring(cards, catalogue, fixture)
+      if (2.0_wp*fixture%body%edge > cards%real("RO") - cards%real("RI")) then
+         call catalogue%refuse(cards, "EDGE", "the ring is narrower than its two edges", &
+            & "an edge of half the width of the ring at most")
+      end if
+      model%fixtures = [model%fixtures, fixture]
+   end subroutine read_fixture_ring
+
+   !> *FIXTURE_PUNCH: a flat punch
+   subroutine read_fixture_punch(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(fixture_type) :: fixture
+
+      call read_body(cards, "punch", "EDGE", catalogue, fixture)
+      call read_outline(cards, cards%integer("SHAPE"), .false., catalogue, fixture)
+      if (fixture%body%edge > minval(fixture%body%outlines(1)%half)) then
+         call catalogue%refuse(cards, "EDGE", "the punch is narrower than its two edges", &
+            & "an edge of half the width of the punch at most")
+      end if
+      model%fixtures = [model%fixtures, fixture]
+   end subroutine read_fixture_punch
+
+   !> *FIXTURE_BAR: a round bar
+   subroutine read_fixture_bar(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(fixture_type) :: fixture
+
+      call read_body(cards, "bar", "RADIUS", catalogue, fixture)
+      associate (first => cards%reals(["X1", "Y1"]), last => cards%reals(["X2", "Y2"]))
+         if (norm2(last - first) > 0.0_wp) then
+            fixture%body%outlines = [strip_outline(first, last, fixture%body%edge)]
+         else
+            call catalogue%refuse(cards, "X2", "the bar has no length", "two ends that are apart")
+         end if
+      end associate
+      model%fixtures = [model%fixtures, fixture]
+   end subroutine read_fixture_bar
+
+   !> *FIXTURE_CLAMP: a soft tip that presses
+   subroutine read_fixture_clamp(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(fixture_type) :: fixture
+
+      call read_head(cards, "clamp", catalogue, fixture)
+      fixture%is_clamp = .true.
+      fixture%force = cards%real("FORCE")
+      fixture%stiffness = cards%real("STIFF")
+      call find_curve(cards, 1, catalogue, model%curves, fixture%curve)
+      call read_ring(cards, catalogue, fixture)
+      model%fixtures = [model%fixtures, fixture]
+   end subroutine read_fixture_clamp
+
+   !> Number, face, distance, edge, friction and motion of a rigid body
+   subroutine read_body(cards, kind, edge, catalogue, fixture)
+      type(cards_type), intent(in) :: cards
+      !> What it is, and the field of the radius of its edges
+      character(*), intent(in) :: kind, edge
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The fixture
+      type(fixture_type), intent(out) :: fixture
+      integer :: c
+
+      call read_head(cards, kind, catalogue, fixture)
+      fixture%gap = cards%real("GAP")
+      fixture%body%edge = cards%real(edge)
+      do c = 1, size(motion_names)
+         if (cards%integer(motion_names(c)) == 0) cycle
+         call catalogue%find(a_curve, cards, motion_names(c), fixture%motion(c))
+      end do
+   end subroutine read_body
+
+   !> Number, face and friction of a fixture
+   subroutine read_head(cards, kind, catalogue, fixture)
+      type(cards_type), intent(in) :: cards
+      !> What it is
+      character(*), intent(in) :: kind
+      type(catalogue_type), intent(inout) :: catalogue
+      !> The fixture
+      type(fixture_type), intent(out) :: fixture
+
+      call catalogue%define(a_fixture, cards, "FID")
+      fixture%id = cards%integer("FID")
+      fixture%kind = kind
+      fixture%face = cards%integer("FACE")
+      fixture%body%upward = -fixture%face
+      allocate (fixture%body%outlines(0))
+      fixture%friction%static = cards%real("FS")
+      fixture%friction%dynamic = cards%real("FD")
+      fixture%friction%decay = cards%real("DC")
+      fixture%line = cards%line_of("FID")
+   end subroutine read_head
+
+   !> Outline of a rectangle or a circle; none for shape 0
+   subroutine read_outline(cards, shape_number, is_hole, catalogue, fixture)
+      type(cards_type), intent(in) :: cards
+      !> `a_rectangle`, `a_circle` or 0
+      integer, intent(in) :: shape_number
+      !> Whether the body lies outside of it
+      logical, intent(in) :: is_hole
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets the outline
+      type(fixture_type), intent(inout) :: fixture
+
+      type(outline_type) :: outline
+      real(wp) :: centre(2), sides(2)
+
+      centre(:) = cards%reals(["XC", "YC"])
+      sides(:) = cards%reals(["LX", "LY"])
+      associate (radius => cards%real("RADIUS"))
+         if (shape_number == a_rectangle) then
+            outline = rectangle_outline(centre, sides, radius, is_hole)
+            if (minval(sides) <= 0.0_wp) call catalogue%refuse(cards, "LX", &
+               & "the rectangle has no area", "LX and LY above 0")
+            if (2.0_wp*radius > minval(sides)) call catalogue%refuse(cards, "RADIUS", &
+               & "the corners are rounder than the rectangle is wide", &
+               & "half of its shorter side at most")
+         else if (shape_number == a_circle) then
+            outline = circle_outline(centre, radius, is_hole)
+            if (radius <= 0.0_wp) call catalogue%refuse(cards, "RADIUS", &
+               & "the circle has no radius", "RADIUS above 0")
+         else
+            return
+         end if
+      end associate
+      fixture%body%outlines = [outline]
+   end subroutine read_outline
+
+   !> Outlines of a ring, or of a circle where there is no inner radius
+   subroutine read_ring(cards, catalogue, fixture)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Gets the outlines
+      type(fixture_type), intent(inout) :: fixture
+
+      associate (centre => cards%reals(["XC", "YC"]), inner => cards%real("RI"), &
+         & outer => cards%real("RO"))
+         fixture%body%outlines = [circle_outline(centre, outer, .false.)]
+         if (inner > 0.0_wp) fixture%body%outlines = [fixture%body%outlines, &
+            & circle_outline(centre, inner, .true.)]
+         if (inner >= outer) call catalogue%refuse(cards, "RO", &
+            & "the outer radius is not above the inner one", "RO above RI")
+      end associate
+   end subroutine read_ring
+
+end module plydyn_input_read_fixture
