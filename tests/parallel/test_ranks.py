@@ -14,6 +14,7 @@ import pytest
 from broken import CYCLES, KINDS, averaged, averaged_parts, impact, unlike, weak_plies
 from decks import Deck, Ply
 from elasticity import CARBON
+from fixture_decks import all_fixtures
 from meshes import regular
 from ranks import launch, peaks, results
 from restart_files import change
@@ -27,6 +28,8 @@ CASES: dict[str, Callable[[], Deck]] = {
     "springs": springs,
     "averages in two parts": averaged_parts,
     "bricks of many chunks": solid,
+    "fixtures": all_fixtures,
+    "fixtures under implicit columns": lambda: all_fixtures(2),
 }
 
 

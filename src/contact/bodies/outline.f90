@@ -1,7 +1,7 @@
 !> Outline of a flat face: a rectangle with rounded corners, a circle or a strip with round ends.
 !>
-!> All of them are rounded rectangles: the corners of a circle have its radius, those of a strip half
-!> of its width.
+!> All of them are rounded rectangles: the corners of a circle have its radius, those of a strip
+!> half of its width.
 module plydyn_contact_bodies_outline
    use plydyn_base_precision, only : wp
    implicit none
