@@ -1,7 +1,8 @@
 !> Declarations hold what they are told.
 program test_deck_declaration
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : integer_field, keyword_type, new_keyword, extension, real_field, &
+   use plydyn_deck_declaration, only : integer_field, keyword_type, new_keyword, extension, &
+      & real_field, &
       & text_field, word_field
    use testing, only : begin, check, finish
    implicit none

@@ -37,7 +37,8 @@ contains
                      do i = 1, mechanisms
                         if (law%energy_variable(i) == 0) cycle
                         energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
-                           & *sum(batch%half_thickness(:, block)*law%dissipated_energy(i, h), law%owns)
+                           & *sum(batch%half_thickness(:, block)*law%dissipated_energy(i, h), &
+                           & law%owns)
                      end do
                   end do
                end do

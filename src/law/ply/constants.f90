@@ -72,6 +72,7 @@ module plydyn_law_ply_constants
    interface
       !> A law without lanes
       module subroutine new_batch(self, law)
+         implicit none
          class(ply_constants_type), intent(in) :: self
          !> The law
          class(law_type), allocatable, intent(out) :: law
@@ -79,6 +80,7 @@ module plydyn_law_ply_constants
 
       !> Give a lane its ply
       pure module subroutine set_lane(self, lane, law)
+         implicit none
          class(ply_constants_type), intent(in) :: self
          !> Lane, which the law owns from then on
          integer, intent(in) :: lane
