@@ -28,6 +28,9 @@ module plydyn_io_vtkhdf_vtkhdf
    !> Most points whose values lie together in the file
    integer, parameter :: points_per_chunk = 2**24
 
+   !> Characters of the name of a list of offsets
+   integer, parameter :: list_length = len(point_data_offsets) + field_name_length
+
    !> A file of states being written
    type, public, extends(grid_file_type) :: vtkhdf_type
       private
@@ -129,8 +132,8 @@ contains
          if (good) call self%file%copy_rows(point_data//trim(self%fields(i)), self%components(i), &
             & self%states*all_points(self), other, good)
       end do
-      if (good) call copy_states(self%file, self%states, [point_data_offsets//self%fields, &
-         & cell_data_offsets//self%cell_fields], other, good)
+      if (good) call copy_states(self%file, self%states, [character(list_length) :: &
+         & point_data_offsets//self%fields, cell_data_offsets//self%cell_fields], other, good)
    end subroutine copy_all
 
    !> A real per point
