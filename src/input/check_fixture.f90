@@ -95,14 +95,16 @@ contains
       type(file_position_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
-      real(wp) :: depth(size(facet, 1)), inward(2), length
+      real(wp) :: depth(0:size(facet, 1)), inward(2), length
       integer :: cut, f, k, touched
 
       cut = 0
       touched = 0
       do f = 1, size(facet, 2)
          associate (xy => mesh%position(:2, facet(:, f)))
-            do k = 1, size(depth)
+            ! the middle, and the nodes
+            call fixture%body%find_depth(sum(xy, dim=2)/size(xy, 2), depth(0), inward)
+            do k = 1, size(xy, 2)
                call fixture%body%find_depth(xy(:, k), depth(k), inward)
             end do
             length = norm2(xy(:, 3) - xy(:, 1))

@@ -78,7 +78,11 @@ contains
       allocate (state%history(0), state%load_factor(1), state%support_force(2))
       state%load_factor(:) = 9.0_wp
       state%support_force(:) = [10.0_wp, 11.0_wp]
-      allocate (state%support_velocity(0), state%impactors(1), state%contacts(1))
+      allocate (state%support_velocity(0), state%impactors(1), state%contacts(1), &
+         & state%fixtures(1))
+      state%fixtures(1)%impulse(:) = [1.5_wp, -2.5_wp, 3.5_wp]
+      state%fixtures(1)%contacts = 4
+      state%fixtures(1)%friction = 0.25_wp
       state%impactors(1)%centre(:) = [12.0_wp, 13.0_wp, 14.0_wp]
       state%impactors(1)%contacts = 15
       state%contacts(1)%places = [16, 17]
@@ -112,6 +116,10 @@ contains
       call check(.not. allocated(error), "tells its state")
       call check(other%displacement, state%displacement, 0.0_wp, "motion")
       call check(other%energies%momentum, state%energies%momentum, 0.0_wp, "energies")
+      associate (fixture => other%fixtures(1))
+         call check([fixture%impulse, fixture%friction, real(fixture%contacts, wp)], &
+            & [1.5_wp, -2.5_wp, 3.5_wp, 0.25_wp, 4.0_wp], 0.0_wp, "fixtures")
+      end associate
       call check(other%sums%acceleration_square, 5.0_wp, 0.0_wp, "sums")
       call check(other%cycle == 17 .and. other%impactors(1)%contacts == 15, "whole numbers")
       call check(all(other%contacts(1)%places == [16, 17]), "memory of a contact")
@@ -124,6 +132,9 @@ contains
       call fill(other)
       other%displacement(:) = 0.0_wp
       other%impactors(1)%contacts = 0
+      other%fixtures(1)%impulse(:) = 0.0_wp
+      other%fixtures(1)%friction = 0.0_wp
+      other%fixtures(1)%contacts = 0
       deallocate (other%contacts(1)%places, other%contacts(1)%numbers)
    end subroutine like
 
