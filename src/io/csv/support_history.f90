@@ -29,7 +29,7 @@ module plydyn_io_csv_support_history
    type, public, extends(history_recorder_type) :: support_history_type
       private
       !> Which sum each held and prescribed freedom is a part of, in the order of
-      !> `state%support_force`; 0 where another rank counts the point
+      !> `state%supports%force`; 0 where another rank counts the point
       integer, allocatable :: sum(:)
       !> Sums of the whole and of each support, three components each
       type(exact_sums_type) :: sums
@@ -178,7 +178,7 @@ contains
 
       call self%sums%clear()
       do i = 1, size(self%sum)
-         if (self%sum(i) > 0) call self%sums%add(self%sum(i), -state%support_force(i))
+         if (self%sum(i) > 0) call self%sums%add(self%sum(i), -state%supports%force(i))
       end do
       call self%comm%sum(self%sums%limb)
       if (self%comm%is_root()) then

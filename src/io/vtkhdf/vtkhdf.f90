@@ -85,6 +85,7 @@ contains
 
       type(file_position_type) :: position
 
+      if (.not. allocated(self%fields)) allocate (self%fields(0), self%components(0))
       position = positions%at(self%path)
       if (position%amount >= 0) then
          self%states = int(position%amount)
@@ -132,9 +133,23 @@ contains
          if (good) call self%file%copy_rows(point_data//trim(self%fields(i)), self%components(i), &
             & self%states*all_points(self), other, good)
       end do
-      if (good) call copy_states(self%file, self%states, [character(list_length) :: &
-         & point_data_offsets//self%fields, cell_data_offsets//self%cell_fields], other, good)
+      if (good) call copy_states(self%file, self%states, [lists_of(point_data_offsets, &
+         & self%fields), lists_of(cell_data_offsets, self%cell_fields)], other, good)
    end subroutine copy_all
+
+   !> Names of the lists of offsets of some fields
+   pure function lists_of(folder, fields) result(lists)
+      !> Group of the lists
+      character(*), intent(in) :: folder
+      !> Names of the fields
+      character(*), intent(in) :: fields(:)
+      character(list_length) :: lists(size(fields))
+      integer :: i
+
+      do i = 1, size(fields)
+         lists(i) = folder//fields(i)
+      end do
+   end function lists_of
 
    !> A real per point
    subroutine write_point_reals(self, name, values)
@@ -170,8 +185,8 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call add_state(self%file, time, point_data_offsets//self%fields, &
-         & self%states*all_points(self), cell_data_offsets//self%cell_fields)
+      call add_state(self%file, time, lists_of(point_data_offsets, self%fields), &
+         & self%states*all_points(self), lists_of(cell_data_offsets, self%cell_fields))
       call self%file%flush(error)
       if (allocated(error)) return
       call count_states(self%file, self%states + 1)
