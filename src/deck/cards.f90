@@ -3,7 +3,7 @@ module plydyn_deck_cards
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
       & text_field
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : longest_word, split_words
    implicit none
    private
@@ -214,7 +214,7 @@ contains
    end subroutine list
 
    !> Position of the keyword
-   pure type(file_position_type) function head(self)
+   pure type(deck_location_type) function head(self)
       class(cards_type), intent(in) :: self
 
       head%line = self%line
@@ -222,7 +222,7 @@ contains
    end function head
 
    !> Position of a field
-   pure type(file_position_type) function place(self, name, nth)
+   pure type(deck_location_type) function place(self, name, nth)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth

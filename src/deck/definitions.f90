@@ -6,7 +6,7 @@ module plydyn_deck_definitions
    use plydyn_deck_layout, only : locate, span_type
    use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -213,7 +213,7 @@ contains
    end function is_name
 
    !> Position of a character
-   pure type(file_position_type) function location(line, column, keyword)
+   pure type(deck_location_type) function location(line, column, keyword)
       !> Line
       integer, intent(in) :: line
       !> Column

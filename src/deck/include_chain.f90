@@ -3,7 +3,7 @@ module plydyn_deck_include_chain
    use plydyn_base_file_identity, only : is_same_file
    use plydyn_base_text, only : text
    use plydyn_deck_file, only : file_type
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
    private
 
@@ -21,7 +21,7 @@ contains
       !> The file, without its content
       type(file_type), intent(in) :: file
       !> What asks for it
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Findings
       type(report_type), intent(inout) :: report
       !> Whether it can be read

@@ -3,7 +3,7 @@ module plydyn_deck_lookup
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
    use plydyn_deck_nearest, only : nearest_word
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_values, only : split_words
    implicit none
    private
@@ -22,7 +22,7 @@ contains
       !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
       !> Position of the keyword
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Receives name and declaration if the keyword is read
       type(cards_type), intent(inout) :: cards
       !> Findings

@@ -4,7 +4,7 @@ module plydyn_deck_parameter
    use plydyn_base_text, only : lower_case
    use plydyn_deck_nearest, only : nearest_word
    use plydyn_deck_number, only : read_real
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
    private
 
@@ -62,7 +62,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: nowhere
+      type(deck_location_type) :: nowhere
       type(setting_type) :: setting
       integer :: begin, equals, last, wrong_at
 
@@ -105,7 +105,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: nowhere
+      type(deck_location_type) :: nowhere
       integer :: i
 
       do i = 1, size(self%settings)

@@ -6,7 +6,7 @@ module plydyn_deck_parser
    use plydyn_deck_definitions, only : define_expressions, define_values
    use plydyn_deck_lookup, only : declare
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_source, only : source_type
    use plydyn_deck_table, only : read_rows
    use plydyn_deck_values, only : longest_word, split_words
@@ -115,7 +115,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       do i = begin, first - 1
@@ -138,7 +138,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       if (source%ended) return
@@ -189,7 +189,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(head_type) :: head
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
 
       call split_head(source%line(first), head)
       place%line = first
@@ -237,7 +237,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       do i = first + 1, last
@@ -256,7 +256,7 @@ contains
       !> Its first line, and the last one before the next keyword
       integer, intent(in) :: first, last
       !> Position of the keyword
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Findings
       type(report_type), intent(inout) :: report
 
@@ -322,7 +322,7 @@ contains
       !> Words after *KEYWORD
       character(*), intent(in) :: options
       !> Position of the keyword
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Receives the format
       type(context_type), intent(inout) :: context
       !> Findings

@@ -3,7 +3,7 @@ module plydyn_deck_render
    use plydyn_base_text, only : printable, text
    use plydyn_deck_layout, only : locate, span_type
    use plydyn_deck_report, only : finding_type, severity_error, severity_note, severity_warning, &
-      & max_per_kind, file_position_type, report_type
+      & max_per_kind, deck_location_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -130,7 +130,7 @@ contains
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)
       !> Position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
@@ -154,7 +154,7 @@ contains
    !> The line of the deck, and a caret under the error
    function line_text(place, source) result(words)
       !> Position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
@@ -172,7 +172,7 @@ contains
    !> Columns to mark with carets
    subroutine find_columns(place, line, first, last)
       !> Position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> The line
       character(*), intent(in) :: line
       !> First and last column; zeros for no caret

@@ -10,7 +10,7 @@ module plydyn_deck_report
    integer, parameter, public :: severity_error = 1, severity_warning = 2, severity_note = 3
 
    !> Position in the deck
-   type, public :: file_position_type
+   type, public :: deck_location_type
       !> Line, an index into the lines of the source; 0 without one
       integer :: line = 0
       !> First and last column of the field, or of the text; 0 if unknown
@@ -23,14 +23,14 @@ module plydyn_deck_report
       integer :: card = 0
       !> Name of the field, empty without one
       character(:), allocatable :: field
-   end type file_position_type
+   end type deck_location_type
 
    !> One finding
    type, public :: finding_type
       !> `severity_error`, `severity_warning` or `severity_note`
       integer :: severity = severity_error
       !> Its position
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       !> What is wrong
       character(:), allocatable :: wrong
       !> What would be right
@@ -74,7 +74,7 @@ contains
    subroutine refuse(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
       !> Its position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       !> What would be right
@@ -89,7 +89,7 @@ contains
    subroutine warn(self, place, wrong, right, also)
       class(report_type), intent(inout) :: self
       !> Its position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> What is doubtful
       character(*), intent(in) :: wrong
       !> What to do about it
@@ -104,7 +104,7 @@ contains
    subroutine note(self, place, what, consequence)
       class(report_type), intent(inout) :: self
       !> Its position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> The fact
       character(*), intent(in) :: what
       !> Its consequence
@@ -125,7 +125,7 @@ contains
       type(report_type), intent(inout) :: self
       !> `severity_error`, `severity_warning` or `severity_note`
       integer, intent(in) :: severity
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       character(*), intent(in) :: wrong, right
       integer, intent(in), optional :: also
 
@@ -187,7 +187,7 @@ contains
    !> Keyword and message without numbers and quotations
    pure function kind_pattern(place, wrong) result(pattern)
       !> Its position
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong
       character(:), allocatable :: pattern

@@ -6,7 +6,7 @@ module plydyn_deck_rows
       & words_field
    use plydyn_deck_layout, only : is_free, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, &
       & read_number, split_words
    implicit none
@@ -181,7 +181,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(fault_type) :: fault
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
 
       if (field%kind == word_field) then
          call check_word(field, line(span%first:span%last), fault)
@@ -221,7 +221,7 @@ contains
    end function is_behind_comma
 
    !> Position of a field
-   type(file_position_type) function field_place(cards, row, i) result(place)
+   type(deck_location_type) function field_place(cards, row, i) result(place)
       type(cards_type), intent(in) :: cards
       integer, intent(in) :: row
       !> Index of the field on the card
@@ -237,7 +237,7 @@ contains
    end function field_place
 
    !> Position of a character
-   type(file_position_type) function at_column(cards, row, column) result(place)
+   type(deck_location_type) function at_column(cards, row, column) result(place)
       type(cards_type), intent(in) :: cards
       integer, intent(in) :: row
       !> Column of the character

@@ -5,7 +5,7 @@ module plydyn_deck_source
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, read_content
    use plydyn_deck_include_chain, only : check_chain
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
    private
 
@@ -163,7 +163,7 @@ contains
       type(report_type), intent(inout) :: report
 
       type(file_type) :: file
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       character(:), allocatable :: wrong
       integer :: document
       logical :: is_fine
@@ -318,7 +318,7 @@ contains
       integer, intent(in) :: i
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       logical :: exists
 
       inquire (file=relative_path(source, i)//"/.", exist=exists)
@@ -384,7 +384,7 @@ contains
       character(*), intent(in) :: rest
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
 
       if (verify(rest, " "//line_feed//carriage_return) == 0) return
       place%line = source%line_count

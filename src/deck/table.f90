@@ -4,7 +4,7 @@ module plydyn_deck_table
    use plydyn_deck_cards, only : cards_type, is_absent
    use plydyn_deck_declaration, only : keyword_type, text_field, word_field, words_field
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_rows, only : read_row
    use plydyn_deck_source, only : source_type
    implicit none
@@ -50,7 +50,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: front, most, needed
 
       front = cards%declaration%leading_cards

@@ -7,7 +7,7 @@ module plydyn_input_catalogue
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : name_length
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_input_register, only : register_type
    use plydyn_model_layup, only : brick_section_type
    implicit none
@@ -46,13 +46,10 @@ module plydyn_input_catalogue
    type, public :: catalogue_type
       !> Numbers of each kind
       type(register_type) :: registers(kinds)
-      !> Nodes of each node set, in the order of definition
-      type(members_type), allocatable :: node_sets(:)
-      !> Quads of each quad set
-      type(members_type), allocatable :: quad_sets(:)
-      !> Boxes, in the order of definition
+      !> Nodes of each node set and quads of each quad set, in the order of definition
+      type(members_type), allocatable :: node_sets(:), quad_sets(:)
+      !> Boxes and tables, in the order of definition
       type(box_type), allocatable :: boxes(:)
-      !> Tables, in the order of definition
       type(table_type), allocatable :: tables(:)
       !> Points of bricks by their sections, and hourglass controls
       type(brick_section_type), allocatable :: solid_sections(:), hourglasses(:)
@@ -321,7 +318,7 @@ contains
       !> Kind of thing
       integer, intent(in) :: kind
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: k
 
       associate (register => self%registers(kind))
@@ -344,7 +341,7 @@ contains
       !> What would be right
       character(*), intent(in) :: advice
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       associate (register => self%registers(kind))
@@ -378,7 +375,7 @@ contains
    end function range_of
 
    !> Line that defines something that has a number
-   pure type(file_position_type) function location(self, kind, i)
+   pure type(deck_location_type) function location(self, kind, i)
       !> The catalogue
       class(catalogue_type), intent(in) :: self
       !> What it is, such as `a_node`

@@ -1,7 +1,7 @@
 !> Changes that the deck of a restart makes to the decks before it.
 module plydyn_input_changes
    use plydyn_deck_deck, only : deck_type
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_model_control, only : changes_type
    implicit none
@@ -104,7 +104,7 @@ contains
       !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i, last
 
       if (catalogue%report%has_errors() .or. deck%source%line_count == 0) return

@@ -2,7 +2,7 @@
 module plydyn_input_check_fixture
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
    use plydyn_model_fixture, only : fixture_type
@@ -45,7 +45,7 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       character(:), allocatable :: who
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       real(wp) :: inside
 
       associate (fixture => model%fixtures(i))
@@ -92,7 +92,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: facet(:, :)
       !> Where the deck has the fixture
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
       real(wp) :: depth(0:size(facet, 1)), inward(2), length

@@ -2,7 +2,7 @@
 module plydyn_input_check_impact
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
    use plydyn_model_impactor, only : contact_type
@@ -29,7 +29,7 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       real(wp) :: inside
       integer :: i
 
@@ -57,7 +57,7 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       if (size(model%mesh%brick_id) == 0) return
@@ -82,7 +82,7 @@ contains
       !> The impactor and the face
       type(contact_type), intent(in) :: contact
       !> Where the deck has the impactor
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 

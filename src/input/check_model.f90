@@ -2,7 +2,7 @@
 module plydyn_input_check_model
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_box, a_brick, a_contact, a_curve, a_fixture, a_material, &
       & a_node, a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, a_solid_section, &
       & a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
@@ -74,7 +74,7 @@ contains
       character(*), intent(in) :: what
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i, other
 
       associate (ones => catalogue%registers(first), others => catalogue%registers(second))
@@ -93,7 +93,7 @@ contains
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: nowhere
+      type(deck_location_type) :: nowhere
 
       if (catalogue%has_unread) return
       if (size(model%mesh%node_id) == 0) then
@@ -135,7 +135,7 @@ contains
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       if (catalogue%report%has_errors()) return

@@ -2,7 +2,7 @@
 module plydyn_input_check_solid
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_input_catalogue, only : a_brick, a_node, catalogue_type
    use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
@@ -18,7 +18,7 @@ contains
       !> Name of the keyword
       character(*), intent(in) :: name
       !> Where it is
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Gets the finding
       type(report_type), intent(inout) :: report
 
@@ -31,7 +31,7 @@ contains
       !> Name of the keyword
       character(*), intent(in) :: name
       !> Where it is
-      type(file_position_type), intent(in) :: place
+      type(deck_location_type), intent(in) :: place
       !> Gets the finding
       type(report_type), intent(inout) :: report
 
@@ -46,7 +46,7 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       do i = 1, size(materials)
@@ -65,7 +65,7 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       logical :: met(size(mesh%node_id))
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       met(:) = .false.

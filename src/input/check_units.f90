@@ -1,7 +1,7 @@
 !> Warnings of numbers that no material or impactor has in the units of the deck.
 module plydyn_input_check_units
    use plydyn_base_precision, only : wp
-   use plydyn_deck_report, only : file_position_type
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, an_impactor, catalogue_type
    use plydyn_input_units, only : si_power
@@ -93,7 +93,7 @@ contains
       !> Units of the deck
       type(units_type), intent(in) :: units
 
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
 
       if (number >= range(1) .and. number <= range(2)) return
       place%line = line

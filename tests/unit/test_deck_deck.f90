@@ -5,7 +5,7 @@ program test_deck_deck
    use plydyn_base_precision, only : wp
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, extension
-   use plydyn_deck_report, only : file_position_type, report_type
+   use plydyn_deck_report, only : deck_location_type, report_type
    use testing, only : begin, check, check_error, finish, write_lines
    implicit none
 
@@ -154,7 +154,7 @@ contains
    subroutine check_list()
       character(12), allocatable :: names(:)
       integer, allocatable :: rows(:)
-      type(file_position_type) :: place
+      type(deck_location_type) :: place
       integer :: i
 
       associate (cards => deck%keywords(3))

@@ -1,13 +1,13 @@
 !> Findings are kept, counted, and cut after some of a kind.
 program test_deck_report
    use plydyn_deck_report, only : severity_error, severity_note, severity_warning, max_per_kind, &
-      & file_position_type, report_type
+      & deck_location_type, report_type
    use plydyn_base_text, only : text
    use testing, only : begin, check, finish
    implicit none
 
    type(report_type) :: report
-   type(file_position_type) :: place
+   type(deck_location_type) :: place
    integer :: i
 
    call begin("refuse")
