@@ -64,7 +64,7 @@ contains
          else
             call find_internal_forces(domain, work%team, work%step, u, v, state%history, force)
             call add_loads(domain, work%time, state%load_factor, force)
-            call hold_supports(domain, work%time, force, state%support_force)
+            call hold_supports(domain, work%time, force, state%supports%force)
             call apply_masses(domain, work, state)
          end if
       end associate
@@ -150,7 +150,7 @@ contains
 
       associate (chunk => domain%chunks%list(number), force => state%acceleration)
          call add_borders(domain, chunk%shared_nodes, force)
-         call hold_points(domain, chunk%held, force, state%support_force)
+         call hold_points(domain, chunk%held, force, state%supports%force)
       end associate
       call apply_chunk_masses(domain, number, work, state)
    end subroutine update_chunk
@@ -167,7 +167,7 @@ contains
       type(global_reduction_type), intent(inout) :: reduction
 
       call add_chunk_sums(work%chunk_sums, reduction)
-      call add_held_inertia(domain, state%acceleration, state%support_force)
+      call add_held_inertia(domain, state%acceleration, state%supports%force)
       call add_external_power(domain, state, reduction%external_power_after)
    end subroutine add_motion_sums
 

@@ -6,13 +6,12 @@ module plydyn_method_contact_step
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
       & contact_setup_type, new_contact
    use plydyn_contact_patch, only : contact_patch_type
-   use plydyn_contact_solve_correction, only : correction_type
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_impactor, only : contact_type, points_on_plate
+   use plydyn_method_contact_correction, only : correct_impactor, correct_plate
    use plydyn_method_fixture_step, only : correct_fixtures
    use plydyn_method_global_reduction, only : global_reduction_type
-   use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
@@ -275,9 +274,9 @@ contains
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call push_plate(domain, surface, self%inverse_mass, self%pair%correction, state, &
+         call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, state, &
                & reduction)
-         call push_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor)%mass, &
+         call correct_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor)%mass, &
             & centre_correction, state, domain%contact%contacts(i)%impactor)
       end associate
    end subroutine correct_pair
@@ -363,66 +362,5 @@ contains
          self%position(:, points(i)) = self%received(3*i - 2:3*i)
       end do
    end subroutine find_positions
-
-   !> Add the correction to the plate; the impulse does its work at the mean of the velocities
-   !> before and after it, of which the first is the velocity at the full step. Points that share
-   !> their inertia with the pushed points follow
-   pure subroutine push_plate(domain, surface, inverse_mass, correction, state, reduction)
-      type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
-      real(wp), intent(in) :: inverse_mass(:, :)
-      type(correction_type), intent(in) :: correction
-      type(state_type), intent(inout) :: state
-      type(global_reduction_type), intent(inout) :: reduction
-
-      real(wp) :: jump, mass, move, power, work
-      integer :: c, i, k
-
-      do i = 1, correction%count
-         k = correction%point(i)
-         if (surface%freedom(1, k) == 0) cycle
-         power = 0.0_wp
-         work = 0.0_wp
-         do c = 1, 3
-            move = correction%displacement(c, k)
-            if (inverse_mass(c, k) <= 0.0_wp .or. abs(move) <= 0.0_wp) cycle
-            associate (v => state%velocity(surface%freedom(c, k)), &
-               & u => state%displacement(surface%freedom(c, k)), &
-               & a => state%acceleration(surface%freedom(c, k)))
-               mass = 1.0_wp/inverse_mass(c, k)
-               jump = move/state%step
-               work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
-               power = power + mass*a*jump
-               v = v + jump
-               u = u + move
-            end associate
-            if (domain%inertia%thickness%active) then
-               call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
-                  & move, state)
-            end if
-         end do
-         if (.not. surface%own(k)) cycle
-         call reduction%contact_work%add(work)
-         call reduction%contact_power%add(power)
-      end do
-   end subroutine push_plate
-
-   !> Add the correction to the impactor
-   pure subroutine push_impactor(mass, correction, state, i)
-      real(wp), intent(in) :: mass, correction(3)
-      type(state_type), intent(inout) :: state
-      integer, intent(in) :: i
-
-      real(wp) :: jump(3)
-
-      associate (own => state%impactors(i))
-         jump(:) = correction/state%step
-         state%energies%contact = state%energies%contact &
-            & - mass*dot_product(jump, own%velocity + 0.5_wp*jump)
-         own%velocity(:) = own%velocity + jump
-         own%centre(:) = own%centre + correction
-         own%displacement(:) = own%displacement + correction
-      end associate
-   end subroutine push_impactor
 
 end module plydyn_method_contact_step

@@ -268,7 +268,7 @@ contains
       type(exact_sum_type), intent(inout) :: sum
 
       call add_load_power(domain, state%load_factor, state%velocity, sum)
-      call add_support_power(domain, state%support_force, state%velocity, sum)
+      call add_support_power(domain, state%supports%force, state%velocity, sum)
    end subroutine add_external_power
 
    !> Add the power of the loads to a sum

@@ -132,7 +132,7 @@ contains
             do i = 1, size(motion%freedom)
                k = k + 1
                associate (v => state%velocity(motion%freedom(i)), &
-                  & u => state%displacement(motion%freedom(i)), last => state%support_velocity(k))
+                  & u => state%displacement(motion%freedom(i)), last => state%supports%velocity(k))
                   undamped = last
                   last = v
                   if (.not. is_active(motion, state%time)) cycle

@@ -36,13 +36,13 @@ contains
       state%history(:) = 0.0_wp
       call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)
-      allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
+      allocate (state%load_factor(size(domain%loads)), state%supports%force(support_points(domain)))
       state%load_factor(:) = 0.0_wp
-      state%support_force(:) = 0.0_wp
+      state%supports%force(:) = 0.0_wp
       call set_velocities(domain, state%velocity)
-      allocate (state%support_velocity(0))
+      allocate (state%supports%velocity(0))
       do i = 1, size(domain%supports%motions)
-         state%support_velocity = [state%support_velocity, &
+         state%supports%velocity = [state%supports%velocity, &
             & state%velocity(domain%supports%motions(i)%freedom)]
       end do
       allocate (state%fixtures(size(domain%contact%fixtures)))

@@ -76,11 +76,11 @@ contains
       type(global_reduction_type) :: reduction
 
       state%velocity(domain%supports%held) = 0.0_wp
-      deallocate (state%load_factor, state%support_force, state%support_velocity)
-      allocate (state%load_factor(size(domain%loads)), state%support_force(support_points(domain)))
-      allocate (state%support_velocity(0))
+      deallocate (state%load_factor, state%supports%force, state%supports%velocity)
+      allocate (state%load_factor(size(domain%loads)), state%supports%force(support_points(domain)))
+      allocate (state%supports%velocity(0))
       do m = 1, size(domain%supports%motions)
-         state%support_velocity = [state%support_velocity, &
+         state%supports%velocity = [state%supports%velocity, &
             & state%velocity(domain%supports%motions(m)%freedom)]
       end do
       associate (e => state%energies)

@@ -84,6 +84,15 @@ module plydyn_state_state
       integer :: cycle = 0
    end type run_end_type
 
+   !> Supports and prescribed motions
+   type, public :: support_state_type
+      !> Force that each held or prescribed point would feel free, in the order of
+      !> `domain%supports%held`, then of `domain%supports%motions`
+      real(wp), allocatable :: force(:)
+      !> Velocity of the prescribed points over the last step, in the order of the supports' motions
+      real(wp), allocatable :: velocity(:)
+   end type support_state_type
+
    !> The state of a run
    type, public :: state_type
       !> Time and number of steps made
@@ -103,11 +112,8 @@ module plydyn_state_state
       real(wp), allocatable :: history(:)
       !> Value of each load's curve at this time
       real(wp), allocatable :: load_factor(:)
-      !> Force that each held or prescribed point would feel free, in the order of
-      !> `domain%supports%held`, then of `domain%supports%motions`
-      real(wp), allocatable :: support_force(:)
-      !> Velocity of the prescribed points over the last step, in the order of the supports' motions
-      real(wp), allocatable :: support_velocity(:)
+      !> Forces and velocities of supports
+      type(support_state_type) :: supports
       !> Sums over all points at this time
       type(motion_sums_type) :: sums
       !> Energies

@@ -75,10 +75,10 @@ contains
       state%displacement = [1.0_wp/3.0_wp, 2.0_wp, -0.0_wp]
       state%velocity = -state%displacement
       state%acceleration = 2.0_wp*state%displacement
-      allocate (state%history(0), state%load_factor(1), state%support_force(2))
+      allocate (state%history(0), state%load_factor(1), state%supports%force(2))
       state%load_factor(:) = 9.0_wp
-      state%support_force(:) = [10.0_wp, 11.0_wp]
-      allocate (state%support_velocity(0), state%impactors(1), state%contacts(1), &
+      state%supports%force(:) = [10.0_wp, 11.0_wp]
+      allocate (state%supports%velocity(0), state%impactors(1), state%contacts(1), &
          & state%fixtures(1))
       state%fixtures(1)%impulse(:) = [1.5_wp, -2.5_wp, 3.5_wp]
       state%fixtures(1)%contacts = 4
@@ -145,12 +145,12 @@ contains
 
       call begin("read_state with other supports")
       call like(other)
-      deallocate (other%support_force)
-      allocate (other%support_force(3), source=1.0_wp)
+      deallocate (other%supports%force)
+      allocate (other%supports%force(3), source=1.0_wp)
       call dump%open(path, error)
       call dump%read_state(alone, .false., other, error)
       call check(.not. allocated(error), "goes on")
-      call check(other%support_force, spread(1.0_wp, 1, 3), 0.0_wp, "leaves them alone")
+      call check(other%supports%force, spread(1.0_wp, 1, 3), 0.0_wp, "leaves them alone")
       call check(other%displacement, state%displacement, 0.0_wp, "takes the motion")
    end subroutine other_conditions
 
