@@ -54,6 +54,7 @@ make_venv build test
 
 part shell bash tests/run.sh shell
 part lint bash tests/run.sh lint
+part structure bash tests/run.sh structure
 part build_debug build_strictly debug
 part build_release build_strictly release
 tests_of debug unit

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell unit output deck debug_deck parallel faults hpc preprocessor postprocessor
+# Parts: lint shell structure unit output deck debug_deck parallel faults hpc preprocessor postprocessor
 # studies verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
@@ -25,6 +25,10 @@ run_lint() {
 
 run_shell() {
   git ls-files -z '*.sh' '*.slurm' .ci/run decks/hpc/plydyn-batch | xargs -0 shellcheck
+}
+
+run_structure() {
+  pytest_of tests/structure
 }
 
 run_unit() {
