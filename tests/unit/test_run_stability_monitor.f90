@@ -4,7 +4,10 @@ program test_run_stability_monitor
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
+   use plydyn_domain_delamination, only : delamination_type
+   use plydyn_domain_dissipation, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type
    use plydyn_model_model, only : model_type
    use plydyn_run_stability_monitor, only : check_stability
    use plydyn_run_initial_state, only : new_state
@@ -56,5 +59,35 @@ program test_run_stability_monitor
    call check_stability(domain, state, error)
    call check_error(error, "acceleration along z at node 950, ply 2 from the bottom", &
       & "of two that are no numbers that of the least number")
+
+   ! a kernel that dissipates more than the work of its forces: tied metals have no interfaces
+   call begin("stored energy")
+   model = rectangle_model(rectangle_mesh(3, 2, 2, 10.0_wp, 10.0_wp, 0.0_wp), &
+      & [0.0_wp, 90.0_wp], 0.25_wp, [1, 1])
+   deallocate (model%materials(1)%law)
+   allocate (model%materials(1)%law, source=kinematic_constants_type( &
+      & young=spread(70.0e3_wp, 1, 3), poisson=spread(0.3_wp, 1, 3), &
+      & shear=spread(70.0e3_wp/2.6_wp, 1, 3), yield=110.0_wp))
+   call build_domain(model, domain, error)
+   state = new_state(model, domain)
+   state%cycle = 1000
+   state%step = 1.0_wp
+   state%first_step = 1.0_wp
+   ! work from outside keeps the energy balance closed
+   state%energies%internal = 1.0_wp
+   state%energies%external = 1.0_wp
+   state%energies%reference = 1.0_wp
+   call check_stability(domain, state, error)
+   call check(.not. allocated(error), "nothing is dissipated")
+   state%history(:) = 1.0_wp
+   call check_stability(domain, state, error)
+   call check_error(error, "have given back more energy than they took", &
+      & "metals are checked where no interface can fail")
+   state%energies%internal = sum(dissipated_energies(domain, state%history, &
+      & [delamination_type ::]))
+   state%energies%external = state%energies%internal
+   state%energies%reference = state%energies%internal
+   call check_stability(domain, state, error)
+   call check(.not. allocated(error), "all of the work may be dissipated")
    call finish()
 end program test_run_stability_monitor
