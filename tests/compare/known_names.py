@@ -10,6 +10,11 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+#: Cases whose numbers the newer build changes on purpose, and why: they are not compared
+CHANGED_CASES: dict[str, str] = {
+    "deck/crushed": "a barrier keeps the layer from being pressed inside out",
+}
+
 #: Files of a job whose ending is another one in the newer build: old ending, new ending
 RENAMED_FILES: dict[str, str] = {}
 
