@@ -77,8 +77,8 @@ contains
    function fixture_clamp() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("FIXTURE_CLAMP", extension, "The soft tip of a clamp, &
-         & round or a ring, " &
+      keyword = new_keyword("FIXTURE_CLAMP", extension, &
+         & "The soft tip of a clamp, round or a ring, " &
          & //"that presses a face with a force.", suffixes="TITLE")
       keyword%remark = "The force is spread evenly over the points under the tip at time zero. " &
          & //"With STIFF the pressure there grows as the face moves towards the tip and falls as " &
