@@ -5,7 +5,7 @@
 !> M b(J) is added, with -b'(J) = (J0 - J)**2/J. It is smooth, nothing above J0, and unbounded as J
 !> goes to 0 (as the volumetric terms of compressible neo-Hookean solids: Bonet and Wood, 2008,
 !> section 6.4). M is the stiffness C33 of the intact material: crushed material still fills space.
-!> In uniaxial strain the stiffness of stress over stretch stays above 0.46 C33.
+!> In uniaxial strain the slope of stress over stretch is 0.46 C33 at J0, and larger below it.
 module plydyn_law_compression_barrier
    use plydyn_base_precision, only : wp
    implicit none

@@ -69,7 +69,7 @@ contains
       call file%write_text("VTKHDF", "Type", "UnstructuredGrid")
    end subroutine make_groups
 
-   !> Write the grid, in one part for whoever reads it
+   !> Write the grid, as one piece of the file
    subroutine write_grid(file, piece)
       !> The file
       class(hdf5_output_type), intent(inout) :: file
