@@ -4,6 +4,7 @@ program plydyn
    use plydyn_base_error, only : error_type, exit_input, exit_normal, exit_output, fail
    use plydyn_base_file_identity, only : make_folder
    use plydyn_base_files, only : is_same_path
+   use plydyn_base_limits, only : check_stacks
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : catch_signals
@@ -39,6 +40,8 @@ program plydyn
 
    call keep_arrays_on_pages()
    call start_ranks(comm)
+   call check_stacks(error)
+   call stop_on(comm, error)
    call read_command(command, error)
    call stop_on(comm, error)
    select case (command%action)
@@ -63,11 +66,8 @@ contains
 
    !> Check a deck, and run it
    subroutine run_deck(comm, command, error)
-      !> The ranks
       type(comm_type), intent(in) :: comm
-      !> The command line
       type(command_type), intent(in) :: command
-      !> Reason for the end, or failure
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages
@@ -80,7 +80,7 @@ contains
       if (allocated(error)) return
       call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
-      seconds = seconds_per_step(parts%domain, parts%state)
+      seconds = seconds_per_step(parts)
       if (command%action == "check" .or. parts%model%control%check_only) then
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
          return
@@ -94,11 +94,8 @@ contains
 
    !> Go on from a restart file
    subroutine restart_run(comm, command, error)
-      !> The ranks
       type(comm_type), intent(in) :: comm
-      !> The command line
       type(command_type), intent(in) :: command
-      !> Reason for the end, or failure
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages, written_by
@@ -127,7 +124,7 @@ contains
       call resume(dump, parts, error)
       if (allocated(error)) return
       if (parts%model%control%check_only) then
-         seconds = seconds_per_step(parts%domain, parts%state)
+         seconds = seconds_per_step(parts)
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
          return
       end if
@@ -173,7 +170,8 @@ contains
       if (allocated(error)) return
       if (len(command%folder) > 0) then
          call make_folder(command%folder, good)
-         if (.not. good) call fail(error, exit_output, "cannot make the folder "//command%folder)
+         if (.not. good) call fail(error, exit_output, "cannot make the folder "//command%folder &
+            & //": the one that it is in must be writable, and no file may have its name")
          if (.not. good) return
       end if
       if (command%action == "restart") then
@@ -213,19 +211,23 @@ contains
       character(:), allocatable, intent(out) :: messages
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: changes(2)
+      integer :: changes(4)
 
-      if (comm%is_root()) call read_decks_of_run(job%archive, deck, model, messages, error)
+      if (comm%is_root()) call read_decks_of_run(job%archive, deck, &
+         & job%start_time, model, messages, error)
       call comm%broadcast(error)
       if (allocated(error) .or. comm%ranks == 1) return
       call broadcast_archive(comm, job%archive)
       if (.not. comm%is_root()) then
-         call read_decks_of_run(job%archive, "", model, messages, error)
+         call read_decks_of_run(job%archive, "", job%start_time, model, messages, error)
          messages = ""
       end if
-      changes(:) = merge(1, 0, [model%changes%conditions, model%changes%end])
+      associate (own => model%changes)
+         changes(:) = merge(1, 0, [own%conditions, own%end, own%relaxation, own%bodies])
+      end associate
       call comm%broadcast(changes)
-      model%changes = changes_type(changes(1) == 1, changes(2) == 1)
+      model%changes = changes_type(changes(1) == 1, changes(2) == 1, changes(3) == 1, &
+         & changes(4) == 1)
    end subroutine read_model
 
    !> All that a run needs, with a state at time zero
@@ -257,7 +259,7 @@ contains
       real(wp), intent(in) :: seconds
       type(run_type), intent(in) :: parts
 
-      call write_listing(unit, build_text(), deck, messages, parts%model, parts%domain, seconds)
+      call write_listing(unit, build_text(), deck, messages, parts, seconds)
       if (size(parts%ranks, 2) > 0) call write_ranks(unit, parts%ranks)
    end subroutine list
 
@@ -273,14 +275,12 @@ contains
       type(observers_type) :: observers
 
       call broadcast_job(comm, job)
-      associate (domain => parts%domain, contacts => parts%contacts, state => parts%state)
-         call make_observers(job, parts, most_seconds, observers, error)
-         if (.not. allocated(error) .and. state%cycle > 0 .and. job%is_renamed) then
-            call observers%begin(domain, contacts, state, error)
-         end if
-         if (.not. allocated(error)) call run(domain, contacts, state, observers, error)
-         call observers%close(domain, state, error)
-      end associate
+      call make_observers(job, parts, most_seconds, observers, error)
+      if (.not. allocated(error) .and. parts%state%cycle > 0 .and. job%is_renamed) then
+         call observers%begin(parts, error)
+      end if
+      if (.not. allocated(error)) call run(parts, observers, error)
+      call observers%close(parts, error)
       if (.not. comm%is_root()) return
       if (.not. allocated(error)) then
          write (output_unit, "(a)") "normal end, results in "//job%path//".*"
@@ -291,9 +291,7 @@ contains
 
    !> Print an error, which all ranks have, and end with its code
    subroutine stop_on(comm, error)
-      !> The ranks
       type(comm_type), intent(in) :: comm
-      !> Reason for the end, or failure
       type(error_type), allocatable, intent(in) :: error
 
       interface

@@ -7,6 +7,11 @@ if(PLYDYN_COMMIT MATCHES "Format")
     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE status)
   if(status EQUAL 0)
     set(PLYDYN_COMMIT ${commit})
+    execute_process(COMMAND git -C ${SOURCE_DIR} status --porcelain --untracked-files=no -- src
+      CMakeLists.txt CMakePresets.json OUTPUT_VARIABLE changes ERROR_QUIET)
+    if(changes)
+      string(APPEND PLYDYN_COMMIT ", changed since")
+    endif()
   endif()
 endif()
 # one flag on a line, however many there are

@@ -1,5 +1,6 @@
 !> Verbatim copies of the decks of a run, for restarts without the original files.
 module plydyn_base_archive
+   use plydyn_base_precision, only : wp
    implicit none
    private
 
@@ -15,6 +16,8 @@ module plydyn_base_archive
    type, public :: bundle_type
       !> The files
       type(document_type), allocatable :: documents(:)
+      !> Time from which the run follows the deck
+      real(wp) :: start = 0.0_wp
    contains
       procedure :: find
       procedure :: add_document
@@ -47,10 +50,8 @@ contains
    !> Append a file
    pure subroutine add_document(self, path, content)
       class(bundle_type), intent(inout) :: self
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Its content
-      character(*), intent(in) :: content
+      !> Path of the file, and its content
+      character(*), intent(in) :: path, content
 
       type(document_type), allocatable :: longer(:)
       integer :: i
@@ -78,6 +79,7 @@ contains
       allocate (longer(size(self%bundles) + 1))
       do i = 1, size(self%bundles)
          call move_alloc(self%bundles(i)%documents, longer(i)%documents)
+         longer(i)%start = self%bundles(i)%start
       end do
       longer(size(longer)) = bundle
       call move_alloc(longer, self%bundles)

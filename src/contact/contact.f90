@@ -1,44 +1,57 @@
-!> Frictionless contact of a rigid sphere with a face of the plate by Lagrange multipliers.
+!> Contact of a rigid impactor with a face of the plate by Lagrange multipliers.
 !>
 !> Forward increment Lagrange multipliers (the paper's eqs 12 to 18; Carpenter, Taylor and Katona,
 !> 1991): plate and impactor are predicted without contact, and non-negative multipliers close the
-!> gaps that are negative at the trial positions. The gaps are linearised once per step.
+!> gaps that are negative at the trial positions. The gaps are linearised once per step. Friction
+!> and normal multipliers are found in turn, until friction moves no gap any more.
 !>
 !> Two discretisations: contact nodes on the impactor against the facets of the plate and their free
-!> edges (METHOD 1, as in the paper); points of the plate against the exact sphere (METHOD 2).
+!> edges (METHOD 1, as in the paper); points of the plate against the exact body (METHOD 2).
 !> The plate is given by its surface points and their inverse masses only.
 module plydyn_contact_contact
-   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
    use plydyn_contact_patch, only : contact_patch_type, new_patch, point_areas
    use plydyn_contact_solve_constraint, only : constraints_type, gap_change, new_constraints
    use plydyn_contact_solve_correction, only : correction_type, new_correction
+   use plydyn_contact_solve_coulomb, only : friction_type
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
-   use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type, point_distance
+   use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
    use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
    use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
-   use plydyn_contact_bodies_sphere, only : sphere_gap
+   use plydyn_contact_solve_sliding, only : new_sliding, sliding_type, step_motion_type
+   use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_search_surface, only : new_surface, surface_type
    implicit none
    private
 
    public :: new_contact
 
+   !> Most passes over normal multipliers and friction
+   integer, parameter :: most_passes = 50
+   !> Change of a gap by friction in the last pass over the largest penetration
+   real(wp), parameter :: last_shift = 1.0e-11_wp
+
    !> Properties of a contact pair
    type, public :: contact_setup_type
-      !> Radius of the sphere, length
-      real(wp) :: radius = 0.0_wp
+      !> Body of the impactor
+      type(revolved_body_type) :: body
       !> Mass of the impactor
       real(wp) :: mass = 0.0_wp
       !> Whether the impactor moves along z only
       logical :: guided = .false.
+      !> Whether its motion along x, y, z is prescribed
+      logical :: prescribed(3) = .false.
+      !> Moment of inertia about the centre; 0 where the impactor does not rotate
+      real(wp) :: inertia = 0.0_wp
+      !> Friction coefficients
+      type(friction_type) :: friction
       !> 1 for the top face of the plate, -1 for the bottom face
       integer :: side = 1
-      !> Whether points of the plate meet the exact sphere, else contact nodes of it the facets
-      logical :: exact_sphere = .false.
+      !> Whether points of the plate meet the exact body, else contact nodes of it the facets
+      logical :: exact_body = .false.
       !> Distance between contact nodes, length; 0 for one derived from the mesh
       real(wp) :: spacing = 0.0_wp
    end type contact_setup_type
@@ -65,15 +78,18 @@ module plydyn_contact_contact
       !> Inverse mass of the impactor along x, y, z, zero where held
       real(wp), private :: impactor_inverse(3) = 0.0_wp
       type(surface_type), private :: surface
-      !> Contact nodes, unused for the exact sphere
+      !> Contact nodes, unused for the exact body
       type(node_set_type), private :: nodes
       type(constraints_type), private :: rows
       type(active_set_type), private :: active_set
+      type(sliding_type), private :: sliding
       !> Tributary area of the surface points at the start, length squared
       real(wp), allocatable, private :: point_area(:)
    contains
       procedure :: enforce
       procedure :: initial_gap
+      procedure :: node_count
+      procedure :: node_spacing
       procedure :: patch => last_patch
       procedure :: save
       procedure :: restore
@@ -93,26 +109,25 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
-      !> Input error: too many contact nodes, or a sphere that fits between points of the plate
+      !> Input error: too many contact nodes or too few
       type(error_type), allocatable, intent(out) :: error
 
       self%setup = setup
       self%impactor_inverse(:) = 1.0_wp/setup%mass
       if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
+      where (setup%prescribed) self%impactor_inverse = 0.0_wp
+      call new_sliding(self%sliding, setup%friction, setup%body%radius, &
+         & merge(1.0_wp/max(setup%inertia, tiny(1.0_wp)), 0.0_wp, setup%inertia > 0.0_wp), &
+         & size(position, 2))
       call new_surface(self%surface, facet, size(position, 2), setup%side)
-      call new_candidate_list(self%candidates, self%surface, setup%radius)
+      call new_candidate_list(self%candidates, self%surface, setup%body)
       call new_active_facets(self%active_facets, size(facet, 2))
-      call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_sphere))
+      call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_body))
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
       self%point_area = point_areas(facet, position)
-      if (setup%exact_sphere) then
-         call refuse_passage(setup%radius, &
-            & point_distance(self%surface, position, centre, setup%radius), error)
-      else
-         call new_nodes(self%nodes, self%surface, position, centre, setup%radius, setup%spacing, &
-            & error)
-      end if
+      if (setup%exact_body) return
+      call new_nodes(self%nodes, self%surface, position, centre, setup%body, setup%spacing, error)
    end subroutine new_contact
 
    !> The patch in contact at the end of the last step
@@ -127,17 +142,22 @@ contains
       patch = new_patch(self%rows, self%point_area, position, self%correction, dt)
    end function last_patch
 
-   !> Refuse a sphere that fits between four points of the plate: its contact would be missed
-   subroutine refuse_passage(radius, distance, error)
-      !> Radius of the sphere; distance between points of the plate under it, length
-      real(wp), intent(in) :: radius, distance
-      type(error_type), allocatable, intent(out) :: error
+   !> Number of contact nodes; 0 for the exact body
+   pure integer function node_count(self)
+      !> The pair
+      class(contact_pair_type), intent(in) :: self
 
-      if (radius > sqrt(0.5_wp)*distance) return
-      call fail(error, exit_input, "a sphere of radius "//text(radius)//" passes between points " &
-         & //"of the plate that are "//text(distance)//" apart: make the mesh finer there, or " &
-         & //"use METHOD 1")
-   end subroutine refuse_passage
+      node_count = 0
+      if (.not. self%setup%exact_body) node_count = size(self%nodes%facet)
+   end function node_count
+
+   !> Distance between contact nodes, length; 0 for the exact body
+   pure real(wp) function node_spacing(self)
+      !> The pair
+      class(contact_pair_type), intent(in) :: self
+
+      node_spacing = self%nodes%range%spacing
+   end function node_spacing
 
    !> Gap between impactor and plate, negative when they penetrate, huge where there is no facet
    pure real(wp) function initial_gap(self, position, centre)
@@ -149,18 +169,17 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: i
-      real(wp) :: gap, normal(3)
 
       initial_gap = huge(1.0_wp)
-      if (self%setup%exact_sphere) then
+      if (self%setup%exact_body) then
          do i = 1, size(position, 2)
-            call sphere_gap(position(:, i), centre, self%setup%radius, self%setup%side, gap, normal)
-            initial_gap = min(initial_gap, gap)
+            initial_gap = min(initial_gap, &
+               & self%setup%body%vertical_gap(centre - position(:, i), self%setup%side))
          end do
       else
          initial_gap = min(self%nodes%least_gap(self%surface, position, centre), &
             & edge_gap(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, centre, &
-            & self%setup%radius, 0.0_wp))
+            & self%setup%body, 0.0_wp))
       end if
    end function initial_gap
 
@@ -175,7 +194,7 @@ contains
 
       allocate (integers(0), reals(0))
       call self%candidates%save(integers, reals)
-      if (.not. self%setup%exact_sphere) call self%nodes%save(integers, reals)
+      if (.not. self%setup%exact_body) call self%nodes%save(integers, reals)
    end subroutine save
 
    !> Restore the search data of a restart file
@@ -193,7 +212,7 @@ contains
       call self%candidates%restore(self%surface, integers, reals, used)
       good = used(1) >= 0
       if (.not. good) return
-      if (self%setup%exact_sphere) then
+      if (self%setup%exact_body) then
          good = used(1) == size(integers) .and. used(2) == size(reals)
          call self%active_facets%set(self%candidates%facet)
       else
@@ -202,7 +221,8 @@ contains
    end subroutine restore
 
    !> Displacement corrections that close the gaps of the trial positions
-   pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result)
+   pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result, &
+      & motion)
       !> The pair
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, of all if `candidates%needs_all`, else of those in
@@ -218,6 +238,8 @@ contains
       real(wp), intent(out) :: centre_correction(3)
       !> Contact force and penetration
       type(contact_result_type), intent(out) :: result
+      !> Motion over the step, for friction; gets what friction does to it
+      type(step_motion_type), optional, intent(inout) :: motion
 
       integer :: node_rows
       logical :: rebuilt
@@ -227,7 +249,7 @@ contains
       self%rows%count = 0
       call self%candidates%update(self%surface, position, centre, rebuilt)
       call self%correction%clear()
-      if (self%setup%exact_sphere) then
+      if (self%setup%exact_body) then
          if (rebuilt) call self%active_facets%set(self%candidates%facet)
          call collect_points(self, position, centre)
       else
@@ -236,6 +258,26 @@ contains
       end if
       if (self%rows%count == 0) return
 
+      call press_apart(self, inverse_mass, centre_correction)
+      if (self%sliding%is_active .and. present(motion)) then
+         call rub(self, inverse_mass, dt, centre_correction, motion)
+      end if
+      call self%candidates%add_correction(self%correction%largest_displacement())
+      if (node_rows > 0) then
+         self%nodes%multiplier(self%rows%source(:node_rows)) = self%rows%multiplier(:node_rows)
+      end if
+      call summarise(self%rows, self%sliding%is_active, dt, &
+         & self%correction%displacement, centre_correction, result)
+   end subroutine enforce
+
+   !> Multipliers that close the gaps of the rows, and their corrections
+   pure subroutine press_apart(self, inverse_mass, centre_correction)
+      class(contact_pair_type), intent(inout) :: self
+      !> As in `enforce`
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
+      real(wp), intent(out) :: centre_correction(3)
+
+      call self%correction%clear()
       call self%correction%list_points(self%rows)
       if (is_diagonal(self%rows, inverse_mass, self%impactor_inverse)) then
          call solve_diagonal(self%rows, inverse_mass, self%impactor_inverse, &
@@ -244,17 +286,37 @@ contains
          call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
             & self%correction%displacement, centre_correction)
       end if
-      call self%candidates%add_correction(self%correction%largest_displacement())
-      if (node_rows > 0) then
-         self%nodes%multiplier(self%rows%source(:node_rows)) = self%rows%multiplier(:node_rows)
-      end if
-      call summarise(self%rows, dt, self%correction%displacement, centre_correction, result)
-   end subroutine enforce
+   end subroutine press_apart
+
+   !> Friction of the rows, and what it changes of their normal multipliers
+   pure subroutine rub(self, inverse_mass, dt, centre_correction, motion)
+      class(contact_pair_type), intent(inout) :: self
+      !> As in `enforce`
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
+      real(wp), intent(in) :: dt
+      real(wp), intent(inout) :: centre_correction(3)
+      type(step_motion_type), intent(inout) :: motion
+
+      real(wp) :: shift
+      integer :: pass
+
+      associate (rows => self%rows, sliding => self%sliding)
+         call sliding%start(rows, self%correction, inverse_mass, self%impactor_inverse, motion)
+         do pass = 1, most_passes
+            call sliding%find_slips(rows, self%correction%displacement, centre_correction, motion)
+            call sliding%limit_rows(rows, inverse_mass, self%impactor_inverse, dt, motion)
+            call sliding%shift_gaps(rows, shift)
+            if (shift <= last_shift) exit
+            call press_apart(self, inverse_mass, centre_correction)
+         end do
+         call sliding%finish(rows, self%correction, centre_correction, motion)
+      end associate
+   end subroutine rub
 
    !> Rows of contact nodes, then of free edges
    !>
    !> Edge rows are made in steps in which every facet is active. Every facet is active from the
-   !> step after the one in which the sphere comes within the search distance of a free edge.
+   !> step after the one in which the impactor comes within the search distance of a free edge.
    pure subroutine collect_nodes(self, position, centre, rebuilt, node_rows)
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of surface points and centre, length
@@ -275,15 +337,15 @@ contains
       node_rows = self%rows%count
       if (is_everywhere) then
          call collect_edges(self%surface, self%candidates%facet, position, centre, &
-            & self%setup%radius, self%rows)
+            & self%setup%body, self%rows)
       end if
       associate (distance => self%candidates%search_distance)
-         if (edge_gap(self%surface, self%candidates%facet, position, centre, self%setup%radius, &
+         if (edge_gap(self%surface, self%candidates%facet, position, centre, self%setup%body, &
             & distance) < distance) self%active_facets%is_all = .true.
       end associate
    end subroutine collect_nodes
 
-   !> Rows of the points of the plate inside the sphere
+   !> Rows of the points of the plate inside the body
    pure subroutine collect_points(self, position, centre)
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of surface points and centre, length
@@ -291,27 +353,28 @@ contains
       real(wp), intent(in) :: centre(3)
 
       integer :: i, k
-      real(wp) :: arm(3), distance
+      real(wp) :: gap, normal(3)
 
       do i = 1, size(self%candidates%point)
          k = self%candidates%point(i)
-         arm(:) = centre - position(:, k)
-         if (arm(1)**2 + arm(2)**2 + arm(3)**2 >= self%setup%radius**2) cycle
-         distance = norm2(arm)
+         call self%setup%body%find_gap(centre - position(:, k), gap, normal)
+         if (gap >= 0.0_wp) cycle
          call self%rows%add(k, 0.0_wp)
          associate (rows => self%rows, row => self%rows%count)
             rows%point(1, row) = k
             rows%weight(1, row) = 1.0_wp
-            rows%gap(row) = distance - self%setup%radius
-            rows%normal(:, row) = arm/distance
+            rows%gap(row) = gap
+            rows%normal(:, row) = normal
          end associate
       end do
    end subroutine collect_points
 
    !> Contact force, active rows and remaining penetration
-   pure subroutine summarise(rows, dt, correction, centre_correction, result)
+   pure subroutine summarise(rows, rubs, dt, correction, centre_correction, result)
       !> The constraints with their multipliers
       type(constraints_type), intent(in) :: rows
+      !> Whether there is friction
+      logical, intent(in) :: rubs
       !> Time step
       real(wp), intent(in) :: dt
       !> Corrections of surface points and centre, length
@@ -324,6 +387,7 @@ contains
       do row = 1, rows%count
          if (rows%multiplier(row) > 0.0_wp) result%active = result%active + 1
          result%force(:) = result%force + rows%multiplier(row)/dt**2*rows%normal(:, row)
+         if (rubs) result%force(:) = result%force + rows%friction(:, row)/dt**2
          result%penetration = max(result%penetration, -rows%gap(row) &
             & - gap_change(rows, row, correction, centre_correction))
       end do

@@ -257,10 +257,8 @@ contains
    !> Widths of the first fields of a card, in columns
    pure function column_width(self, card, fields) result(width)
       class(cards_type), intent(in) :: self
-      !> Number of the card
-      integer, intent(in) :: card
-      !> Number of fields
-      integer, intent(in) :: fields
+      !> Number of the card, and number of fields
+      integer, intent(in) :: card, fields
       integer :: width(fields)
 
       width(:) = self%declaration%cards(card)%fields(:fields)%width
@@ -296,10 +294,8 @@ contains
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth
-      !> Index of the field on its card
-      integer, intent(out) :: column
-      !> Row of the keyword
-      integer, intent(out) :: row
+      !> Index of the field on its card, and row of the keyword
+      integer, intent(out) :: column, row
 
       integer :: card, n
 

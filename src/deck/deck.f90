@@ -19,6 +19,8 @@ module plydyn_deck_deck
       type(source_type) :: source
       !> Its keywords in their order
       type(cards_type), allocatable :: keywords(:)
+      !> A file of it could not be read
+      logical :: is_incomplete = .false.
       !> A file or a keyword of it could not be read
       logical :: has_unread = .false.
    end type deck_type
@@ -46,9 +48,9 @@ contains
             & archive%bundles(i))
       end do
       if (len(path) > 0) call add_source(path, deck%source, report)
-      deck%has_unread = report%has_errors()
+      deck%is_incomplete = report%has_errors()
       call parse(deck%source, known, archive%parameters, deck%keywords, report)
-      deck%has_unread = deck%has_unread .or. any(deck%keywords%is_unread)
+      deck%has_unread = deck%is_incomplete .or. any(deck%keywords%is_unread)
    end subroutine read_decks
 
    !> Findings as text: warnings and notes as messages, errors as one error

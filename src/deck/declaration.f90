@@ -73,6 +73,10 @@ module plydyn_deck_declaration
       character(:), allocatable :: sentence
       !> Paragraph for the manual, or advice for a keyword that is refused; empty without one
       character(:), allocatable :: remark
+      !> Lines of an example behind the name, each with a line feed; unallocated without one
+      character(:), allocatable :: example
+      !> Heading of `manual/theory.md` that explains it, as a link; empty without one
+      character(:), allocatable :: theory
       !> `is_read`, `is_ignored` or `is_refused`
       integer :: status = is_read
       !> Whether the set of cards may be repeated
@@ -156,10 +160,8 @@ contains
    !> Add a card that is one line of text
    pure subroutine add_text_card(self, name, sentence)
       class(keyword_type), intent(inout) :: self
-      !> Name of the text
-      character(*), intent(in) :: name
-      !> What it means
-      character(*), intent(in) :: sentence
+      !> Name of the text, and what it means
+      character(*), intent(in) :: name, sentence
 
       type(field_type) :: field
 
@@ -173,10 +175,8 @@ contains
    !> Add an integer; it is required unless it has a default
    pure subroutine add_integer(self, name, sentence, default, least, most, allowed)
       class(keyword_type), intent(inout) :: self
-      !> Name on the card
-      character(*), intent(in) :: name
-      !> What it means
-      character(*), intent(in) :: sentence
+      !> Name on the card, and what it means
+      character(*), intent(in) :: name, sentence
       !> Value of a blank
       integer, intent(in), optional :: default
       !> Smallest and largest value
@@ -197,10 +197,8 @@ contains
    !> Add a real number; it is required unless it has a default
    pure subroutine add_real(self, name, dimension, sentence, default, least, above, most)
       class(keyword_type), intent(inout) :: self
-      !> Name on the card
-      character(*), intent(in) :: name
-      !> Dimension in words
-      character(*), intent(in) :: dimension
+      !> Name on the card, and dimension in words
+      character(*), intent(in) :: name, dimension
       !> What it means
       character(*), intent(in) :: sentence
       !> Value of a blank
@@ -223,10 +221,8 @@ contains
    !> Add a word
    pure subroutine add_word(self, name, sentence, words, required)
       class(keyword_type), intent(inout) :: self
-      !> Name on the card
-      character(*), intent(in) :: name
-      !> What it means
-      character(*), intent(in) :: sentence
+      !> Name on the card, and what it means
+      character(*), intent(in) :: name, sentence
       !> Words that are accepted, separated by blanks
       character(*), intent(in) :: words
       !> False when it may be blank
@@ -243,10 +239,8 @@ contains
    !> Add a line of words, separated by blanks or commas
    pure subroutine add_words(self, name, sentence, words)
       class(keyword_type), intent(inout) :: self
-      !> Name of the words
-      character(*), intent(in) :: name
-      !> What they mean
-      character(*), intent(in) :: sentence
+      !> Name of the words, and what they mean
+      character(*), intent(in) :: name, sentence
       !> Words that are accepted, separated by blanks
       character(*), intent(in) :: words
 
@@ -320,10 +314,8 @@ contains
       class(keyword_type), intent(in) :: self
       !> Name of the field
       character(*), intent(in) :: name
-      !> Number of its card
-      integer, intent(out) :: card
-      !> Its index on the card
-      integer, intent(out) :: place
+      !> Number of its card, and its index on the card
+      integer, intent(out) :: card, place
 
       do card = 1, size(self%cards)
          do place = 1, size(self%cards(card)%fields)
@@ -362,10 +354,8 @@ contains
       type(keyword_type), intent(inout) :: self
       !> The field without names
       type(field_type), intent(in) :: field
-      !> Name on the card
-      character(*), intent(in) :: name
-      !> What it means
-      character(*), intent(in) :: sentence
+      !> Name on the card, and what it means
+      character(*), intent(in) :: name, sentence
 
       type(field_type), allocatable :: longer(:)
       integer :: n

@@ -118,10 +118,8 @@ contains
    subroutine define_expression(line, i, width, parameters, report)
       !> The line with its continuation lines
       character(*), intent(in) :: line
-      !> Its index
-      integer, intent(in) :: i
-      !> Columns of the name
-      integer, intent(in) :: width
+      !> Its index, and columns of the name
+      integer, intent(in) :: i, width
       !> Parameters
       type(parameter_table_type), intent(inout) :: parameters
       !> Findings
@@ -151,10 +149,8 @@ contains
    subroutine define(head, i, column, keyword, parameter, parameters, report)
       !> Letter and name
       character(*), intent(in) :: head
-      !> Line
-      integer, intent(in) :: i
-      !> Column of the letter
-      integer, intent(in) :: column
+      !> Line, and column of the letter
+      integer, intent(in) :: i, column
       !> Name of the keyword
       character(*), intent(in) :: keyword
       !> Its value
@@ -214,10 +210,8 @@ contains
 
    !> Position of a character
    pure type(deck_location_type) function location(line, column, keyword)
-      !> Line
-      integer, intent(in) :: line
-      !> Column
-      integer, intent(in) :: column
+      !> Line, and column
+      integer, intent(in) :: line, column
       !> Name of the keyword
       character(*), intent(in) :: keyword
 

@@ -240,10 +240,8 @@ contains
    pure logical function is_exponent(text, at, begin)
       !> The expression
       character(*), intent(in) :: text
-      !> The character
-      integer, intent(in) :: at
-      !> First character of the number
-      integer, intent(in) :: begin
+      !> The character, and first character of the number
+      integer, intent(in) :: at, begin
 
       is_exponent = at > begin
       if (.not. is_exponent) return

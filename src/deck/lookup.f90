@@ -141,7 +141,7 @@ contains
 
       do i = 1, size(keywords)
          star = index(keywords(i)%name, "*")
-         if (star == 0 .or. star > len(name)) cycle
+         if (star == 0 .or. star > len(name) + 1) cycle
          if (name(:star - 1) /= keywords(i)%name(:star - 1)) cycle
          if (index(name(star:), keywords(i)%name(star + 1:)) > 0) return
       end do

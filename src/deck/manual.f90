@@ -1,13 +1,13 @@
 !> Pages of the keyword manual, generated from the declarations.
 module plydyn_deck_manual
-   use plydyn_base_text, only : text
+   use plydyn_base_text, only : lower_case, text
    use plydyn_deck_declaration, only : field_type, integer_field, is_ignored, &
-      & is_refused, keyword_type, real_field, word_field, words_field
+      & is_read, is_refused, keyword_type, real_field, word_field, words_field
    use plydyn_deck_values, only : number_words, range_words
    implicit none
    private
 
-   public :: keyword_page, keyword_list
+   public :: keyword_index, keyword_page, keyword_list
 
    character(*), parameter :: line_feed = achar(10)
 
@@ -34,9 +34,27 @@ contains
          do i = 1, size(keyword%cards)
             page = page//card_text(keyword, i)
          end do
+         if (allocated(keyword%example)) page = page//example_text(keyword)
       end select
       page = page//line_feed
    end function keyword_page
+
+   !> Table of the keywords that are read, each with a link to its page
+   function keyword_index(keywords) result(words)
+      !> Their declarations
+      type(keyword_type), intent(in) :: keywords(:)
+      character(:), allocatable :: words
+
+      integer :: i
+
+      words = "| keyword | what it is for |"//line_feed//"|---|---|"//line_feed
+      do i = 1, size(keywords)
+         if (keywords(i)%status /= is_read) cycle
+         words = words//"| [*"//keywords(i)%name//"](#"//lower_case(keywords(i)%name)//") | " &
+            & //keywords(i)%sentence//" |"//line_feed
+      end do
+      words = words//line_feed
+   end function keyword_index
 
    !> Names of the keywords of one status, in one paragraph
    function keyword_list(keywords, status) result(words)
@@ -81,6 +99,18 @@ contains
       end if
       words = words//line_feed
    end function origin_text
+
+   !> Example of a keyword, and where the theory explains it
+   function example_text(keyword) result(words)
+      !> Its declaration
+      type(keyword_type), intent(in) :: keyword
+      character(:), allocatable :: words
+
+      words = line_feed//"Example"//line_feed//line_feed//"```"//line_feed//"*"//keyword%name &
+         & //line_feed//keyword%example//"```"//line_feed
+      if (len(keyword%theory) > 0) words = words//line_feed//"[Theory](theory.md#" &
+         & //keyword%theory//")"//line_feed
+   end function example_text
 
    !> Table of one card
    function card_text(keyword, number) result(words)

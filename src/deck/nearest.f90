@@ -29,10 +29,8 @@ contains
 
    !> Number of insertions, deletions, substitutions and transpositions between two words
    pure integer function edit_distance(from, to) result(distance)
-      !> One word
-      character(*), intent(in) :: from
-      !> The other
-      character(*), intent(in) :: to
+      !> One word, and the other
+      character(*), intent(in) :: from, to
 
       integer :: cost(-1:len(from), -1:len(to)), i, j
       logical :: same, swapped

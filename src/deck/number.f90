@@ -176,10 +176,8 @@ contains
    pure subroutine convert(mantissa, point, exponent, number, wrong_at)
       !> Sign, digits and point
       character(*), intent(in) :: mantissa
-      !> Number of digits after the point
-      integer, intent(in) :: point
-      !> Power of ten
-      integer, intent(in) :: exponent
+      !> Number of digits after the point, and power of ten
+      integer, intent(in) :: point, exponent
       !> The number
       real(wp), intent(out) :: number
       !> 1 when the number is too large or nothing is left of it, else 0

@@ -108,10 +108,8 @@ contains
    subroutine check_begin(source, begin, first, report)
       !> The deck
       type(source_type), intent(in) :: source
-      !> Its first line
-      integer, intent(in) :: begin
-      !> Line of its first keyword
-      integer, intent(in) :: first
+      !> Its first line, and line of its first keyword
+      integer, intent(in) :: begin, first
       !> Findings
       type(report_type), intent(inout) :: report
 
@@ -200,17 +198,11 @@ contains
       call inherit_format(source, source%lines(first)%file, context)
       cards%long = head%mark == "+" .or. (context%long(source%lines(first)%file) &
          & .and. head%mark /= "-")
-      if (any(head%name == structural) .and. head%mark /= " ") call report%refuse(place, &
-         & "'"//head%mark//"' after the keyword", "the keyword alone on its line; *KEYWORD " &
-         & //"LONG=Y gives all fields 20 columns")
-      if (head%name == "KEYWORD") then
+      call check_head(head, place, report)
+      select case (head%name)
+      case ("KEYWORD")
          call open_file(source%lines(first)%file, head%options, place, context, report)
          call check_no_card(source, first, last, report)
-         return
-      end if
-      if (len(head%options) > 0) call report%refuse(place, &
-         & "'"//head%options//"' after the keyword", "the keyword alone on its line")
-      select case (head%name)
       case ("PARAMETER")
          call define_values(source, first + 1, last, cards%long, context%parameters, report)
       case ("PARAMETER_EXPRESSION")
@@ -227,6 +219,20 @@ contains
          end if
       end select
    end subroutine parse_keyword
+
+   !> Nothing stands behind a keyword but the mark of its format, and options behind *KEYWORD
+   subroutine check_head(head, place, report)
+      type(head_type), intent(in) :: head
+      !> Position of the keyword
+      type(deck_location_type), intent(in) :: place
+      type(report_type), intent(inout) :: report
+
+      if (any(head%name == structural) .and. head%mark /= " ") call report%refuse(place, &
+         & "'"//head%mark//"' after the keyword", "the keyword alone on its line; *KEYWORD " &
+         & //"LONG=Y gives all fields 20 columns")
+      if (len(head%options) > 0 .and. head%name /= "KEYWORD") call report%refuse(place, &
+         & "'"//head%options//"' after the keyword", "the keyword alone on its line")
+   end subroutine check_head
 
    !> No card may follow *KEYWORD
    subroutine check_no_card(source, first, last, report)

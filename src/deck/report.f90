@@ -75,10 +75,8 @@ contains
       class(report_type), intent(inout) :: self
       !> Its position
       type(deck_location_type), intent(in) :: place
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
+      !> What is wrong, and what would be right
+      character(*), intent(in) :: wrong, right
       !> Related line
       integer, intent(in), optional :: also
 
@@ -90,10 +88,8 @@ contains
       class(report_type), intent(inout) :: self
       !> Its position
       type(deck_location_type), intent(in) :: place
-      !> What is doubtful
-      character(*), intent(in) :: wrong
-      !> What to do about it
-      character(*), intent(in) :: right
+      !> What is doubtful, and what to do about it
+      character(*), intent(in) :: wrong, right
       !> Related line
       integer, intent(in), optional :: also
 
@@ -105,10 +101,8 @@ contains
       class(report_type), intent(inout) :: self
       !> Its position
       type(deck_location_type), intent(in) :: place
-      !> The fact
-      character(*), intent(in) :: what
-      !> Its consequence
-      character(*), intent(in) :: consequence
+      !> The fact, and its consequence
+      character(*), intent(in) :: what, consequence
 
       call add(self, severity_note, place, what, consequence)
    end subroutine note

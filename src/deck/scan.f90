@@ -61,10 +61,8 @@ contains
       class(scan_type), intent(inout) :: self
       !> The wrong character
       integer, intent(in) :: at
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
+      !> What is wrong, and what would be right
+      character(*), intent(in) :: wrong, right
 
       if (self%wrong_at > 0) return
       self%wrong_at = at

@@ -155,10 +155,8 @@ contains
       type(source_type), intent(inout) :: source
       !> Path of the file
       character(*), intent(in) :: path
-      !> Index of the file that includes it
-      integer, intent(in) :: parent
-      !> Line that names it
-      integer, intent(in) :: include_line
+      !> Index of the file that includes it, and line that names it
+      integer, intent(in) :: parent, include_line
       !> Findings
       type(report_type), intent(inout) :: report
 

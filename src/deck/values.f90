@@ -333,10 +333,8 @@ contains
       type(fault_type), intent(out) :: fault
       !> First wrong character
       integer, intent(in) :: at
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
+      !> What is wrong, and what would be right
+      character(*), intent(in) :: wrong, right
 
       fault%at = at
       fault%wrong = wrong

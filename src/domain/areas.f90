@@ -14,7 +14,6 @@ contains
 
    !> Area that belongs to each node in each part, by quadrature at the nodes, (nodes, parts)
    pure function node_areas(mesh, division, numbering) result(area)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Its quads, those of other ranks too: they add to nodes where ranks meet
       type(decomposition_type), intent(in) :: division

@@ -11,7 +11,7 @@ module plydyn_domain_averages
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate_initial_history, only : cell_lengths
-   use plydyn_domain_strain_halo, only : add_loans, strain_halo_type, new_strain_halo
+   use plydyn_domain_strain_halo, only : add_halo, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : abreast, average_type
    use plydyn_element_plate_group, only : plates_of
@@ -28,7 +28,6 @@ contains
 
    !> All averages of the plates. All ranks must come here
    subroutine build_averages(model, division, rank_of_chunk, domain, error)
-      !> The model
       type(model_type), intent(in) :: model
       !> All quads
       type(decomposition_type), intent(in) :: division
@@ -57,8 +56,8 @@ contains
          call build_part(model, around, plates(p), p, domain, a, strain_halo, error)
          if (allocated(error)) return
       end do
-      domain%averaging%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%lent, &
-         & strain_halo%halo_strains)
+      domain%averaging%strain_halo = new_halo(domain%comm%ranks, lanes, strain_halo%sent, &
+         & strain_halo%received)
       domain%averaging%neighbours = count_points(model, domain)
    end subroutine build_averages
 
@@ -73,7 +72,7 @@ contains
       type(domain_type), intent(inout) :: domain
       !> Averages that are built
       integer, intent(inout) :: a
-      !> What ranks lend each other for them
+      !> Strains that ranks send each other for them
       type(strain_halo_type), intent(inout) :: strain_halo
       type(error_type), allocatable, intent(out) :: error
 
@@ -90,7 +89,7 @@ contains
                call find_neighbours(around, batch%rotation(:, :, batch%laws(k)%block), &
                   & batch%laws(k)%law, domain%averaging%averages(a), point)
                length = domain%histories + domain%averaging%halo_strains
-               call add_loans(around, point, length, domain%averaging%averages(a), strain_halo)
+               call add_halo(around, point, length, domain%averaging%averages(a), strain_halo)
                domain%averaging%halo_strains = length - domain%histories
                call check_reach(model, domain, plate, domain%averaging%averages(a), &
                   & batch%laws(k)%law, error)
@@ -338,9 +337,7 @@ contains
    !> Fewest and most points in the ellipses of each material, (2, materials); 0 for none. All ranks
    !> must come here
    function count_points(model, domain) result(points)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
       integer :: points(2, size(model%materials))
 

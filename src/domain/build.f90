@@ -25,30 +25,28 @@ module plydyn_domain_build
    implicit none
    private
 
-   public :: begin_domain, build_domain, build_share
+   public :: begin_domain, build_domain, build_subdomain
 
 contains
 
    !> The whole model as the domain of one rank
    subroutine build_domain(model, domain, error)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(out) :: domain
       !> What the model asks for and the domain cannot be
       type(error_type), allocatable, intent(out) :: error
 
       type(decomposition_type) :: division
-      type(subdomain_type) :: share
+      type(subdomain_type) :: subdomain
 
       call begin_domain(model, domain, division)
-      call build_share(model, division, spread(0, 1, size(division%chunks)), domain, share, error)
+      call build_subdomain(model, division, spread(0, 1, size(division%chunks)), domain, &
+         & subdomain, error)
       if (.not. allocated(error)) call check_bands(model, domain, error)
    end subroutine build_domain
 
    !> What ranks know before they share out the model: layers, laws and chunks
    subroutine begin_domain(model, domain, division)
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain, without elements and points
       type(domain_type), intent(out) :: domain
@@ -64,8 +62,7 @@ contains
    end subroutine begin_domain
 
    !> Build what one rank has. All ranks must come here
-   subroutine build_share(model, division, rank_of_chunk, domain, share, error)
-      !> The model
+   subroutine build_subdomain(model, division, rank_of_chunk, domain, subdomain, error)
       type(model_type), intent(in) :: model
       !> All chunks
       type(decomposition_type), intent(in) :: division
@@ -74,7 +71,7 @@ contains
       !> Begun, and knows its rank; gets all the rest
       type(domain_type), intent(inout) :: domain
       !> What it has of the whole model
-      type(subdomain_type), intent(out) :: share
+      type(subdomain_type), intent(out) :: subdomain
       !> What neighbours cannot be averaged over; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
@@ -83,10 +80,10 @@ contains
 
       owner = column_owners(division, rank_of_chunk)
       numbering = new_local_to_global(division, domain%columns%abreast, owner, domain%comm%rank)
-      call take_columns(model%mesh, division, numbering, domain, share)
+      call take_columns(model%mesh, division, numbering, domain, subdomain)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
-      call build_elements(model, division, numbering, domain, share)
+      call build_elements(model, division, numbering, domain, subdomain)
       call limit_step(model, domain, error)
       if (allocated(error)) return
       domain%crack_bands = find_bands(model, domain)
@@ -101,7 +98,7 @@ contains
       call build_surfaces(model, numbering, owner, domain)
       call build_fixtures(model, numbering, owner, domain)
       call join_ranks(division, numbering, owner, domain)
-   end subroutine build_share
+   end subroutine build_subdomain
 
    !> The stable step, to which each rank adds what its own elements ask for
    subroutine limit_step(model, domain, error)

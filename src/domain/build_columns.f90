@@ -301,7 +301,6 @@ contains
 
    !> Added inertia between points that are both among some
    pure function links_within(domain, area, joint, chosen) result(links)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Area of each node in each part, (nodes, parts)
       real(wp), intent(in) :: area(:, :)
@@ -337,7 +336,6 @@ contains
    !> Added inertia between held points and those of their columns that are free: a place in the
    !> list of held ones, and one in the arrays of motion
    pure function held_links(domain, area, joint) result(links)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Area of each node in each part, (nodes, parts)
       real(wp), intent(in) :: area(:, :)

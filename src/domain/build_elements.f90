@@ -17,8 +17,7 @@ module plydyn_domain_build_elements
 contains
 
    !> Elements of the domain's chunks, and where their histories lie
-   subroutine build_elements(model, division, numbering, domain, share)
-      !> The model
+   subroutine build_elements(model, division, numbering, domain, subdomain)
       type(model_type), intent(in) :: model
       !> All elements
       type(decomposition_type), intent(in) :: division
@@ -26,21 +25,21 @@ contains
       type(local_to_global_type), intent(in) :: numbering
       !> Has its chunks, still as the whole model has them
       type(domain_type), intent(inout) :: domain
-      !> Gets the pieces of history
-      type(subdomain_type), intent(inout) :: share
+      !> Gets the segments of history
+      type(subdomain_type), intent(inout) :: subdomain
 
       integer, allocatable :: own(:)
       integer :: g, local_node(size(model%mesh%node_id))
 
       local_node(:) = numbering%node([(g, g=1, size(local_node))])
       domain%histories = alignment_offset
-      allocate (share%history(3, 0))
+      allocate (subdomain%history(3, 0))
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
             own = places_of(domain%chunks%list, group%set)
             associate (element => division%parts(group%set)%element)
                call group%take_elements(model, element(own), local_node, domain%columns)
-               call place_group(own, size(element), group, domain%histories, share)
+               call place_group(own, size(element), group, domain%histories, subdomain)
             end associate
          end associate
       end do
@@ -70,29 +69,28 @@ contains
    end function places_of
 
    !> Let the histories of a group follow those before it
-   pure subroutine place_group(own, all, group, histories, share)
+   pure subroutine place_group(own, all, group, histories, subdomain)
       !> Places of the elements in the list of the set, and how long that is
       integer, intent(in) :: own(:), all
-      !> The group
       class(element_group_type), intent(inout) :: group
       !> How many histories there are before, and with it
       integer, intent(inout) :: histories
-      !> Gets the pieces
-      type(subdomain_type), intent(inout) :: share
+      !> Gets the segments
+      type(subdomain_type), intent(inout) :: subdomain
 
       integer, allocatable :: blocks(:, :)
       integer :: b, first
 
       blocks = group%history_shape()
       do b = 1, size(blocks, 2)
-         call place_histories(own, blocks(1, b), blocks(2, b), all, first, histories, share)
+         call place_histories(own, blocks(1, b), blocks(2, b), all, first, histories, subdomain)
          call group%set_history(b, first)
       end do
    end subroutine place_group
 
    !> Let the histories of some elements follow those before them, here and in the whole model: one
    !> variable of all of them after the other
-   pure subroutine place_histories(own, length, variables, all, first, histories, share)
+   pure subroutine place_histories(own, length, variables, all, first, histories, subdomain)
       !> Places of the elements among all of their kind
       integer, intent(in) :: own(:)
       !> Length of a variable of an element, how many variables there are, and how many elements the
@@ -102,39 +100,38 @@ contains
       integer, intent(out) :: first
       !> How many histories there are before, and with them
       integer, intent(inout) :: histories
-      !> Gets the pieces
-      type(subdomain_type), intent(inout) :: share
+      !> Gets the segments
+      type(subdomain_type), intent(inout) :: subdomain
 
-      integer, allocatable :: pieces(:, :)
+      integer, allocatable :: segments(:, :)
       integer :: before, e, k, n, there
       logical :: follows
 
       first = histories + 1
       if (length*variables == 0) return
-      before = size(share%history, 2)
+      before = size(subdomain%history, 2)
       n = before
-      allocate (pieces(3, n + variables*size(own)))
-      pieces(:, :n) = share%history
+      allocate (segments(3, n + variables*size(own)))
+      segments(:, :n) = subdomain%history
       do k = 1, variables
          do e = 1, size(own)
-            there = share%histories + 1 + length*(all*(k - 1) + own(e) - 1)
+            there = subdomain%histories + 1 + length*(all*(k - 1) + own(e) - 1)
             follows = .false.
-            if (n > before) follows = pieces(2, n) + pieces(3, n) == there
+            if (n > before) follows = segments(2, n) + segments(3, n) == there
             if (.not. follows) then
                n = n + 1
-               pieces(:, n) = [histories + 1, there, 0]
+               segments(:, n) = [histories + 1, there, 0]
             end if
-            pieces(3, n) = pieces(3, n) + length
+            segments(3, n) = segments(3, n) + length
             histories = histories + length
          end do
       end do
-      share%history = pieces(:, :n)
-      share%histories = share%histories + length*variables*all
+      subdomain%history = segments(:, :n)
+      subdomain%histories = subdomain%histories + length*variables*all
    end subroutine place_histories
 
    !> Masses of the points that the rank has
    subroutine build_masses(model, division, numbering, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> All elements: those of other ranks, too, add to nodes where ranks meet
       type(decomposition_type), intent(in) :: division
@@ -191,7 +188,6 @@ contains
 
    !> Mass of the whole model, each point counted once. All ranks must come here
    real(wp) function whole_mass(domain, own) result(mass)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Whether this rank counts each column
       logical, intent(in) :: own(:)

@@ -20,7 +20,6 @@ contains
 
    !> Place all fixtures. All ranks must come here
    subroutine build_fixtures(model, numbering, owner, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
@@ -52,7 +51,6 @@ contains
    pure subroutine place_fixture(surface, fixture)
       !> The face that it meets
       type(surface_type), intent(in) :: surface
-      !> The fixture
       type(placed_fixture_type), intent(inout) :: fixture
 
       real(wp) :: depth, inward(2)

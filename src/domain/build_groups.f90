@@ -24,7 +24,6 @@ contains
    !> All groups of a model, still without elements. Those of a family that sets forces come before
    !> those that add to them
    subroutine build_groups(model, domain, division)
-      !> The model
       type(model_type), intent(in) :: model
       !> Has its layers; gets groups and columns
       type(domain_type), intent(inout) :: domain

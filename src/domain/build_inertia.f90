@@ -18,7 +18,6 @@ contains
 
    !> The share of the stable step that the deck allows, within its bounds
    pure real(wp) function largest_step(domain) result(step)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       associate (control => domain%control)
@@ -30,7 +29,6 @@ contains
 
    !> All that the scheme of the deck adds
    subroutine build_inertia(model, division, numbering, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> All quads
       type(decomposition_type), intent(in) :: division
@@ -81,11 +79,9 @@ contains
 
    !> Inverse masses of the points of a face that take their columns with them
    pure subroutine couple_surface(domain, face, surface, inverse_mass)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Layer and thickness node of the face
       integer, intent(in) :: face(2)
-      !> The surface
       type(surface_type), intent(inout) :: surface
       !> Inverse mass of its points along x, y, z; changes where the rank has them
       real(wp), intent(inout) :: inverse_mass(:, :)

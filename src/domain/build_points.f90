@@ -3,8 +3,8 @@ module plydyn_domain_build_points
    use plydyn_base_precision, only : wp
    use plydyn_domain_build_inertia, only : couple_surface
    use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_domain_loads, only : new_body_load, new_line_load, new_point_load, &
-      & new_pressure_load, new_segment_load, order_load
+   use plydyn_domain_loads, only : line_force, new_body_load, new_face_load, &
+      & new_point_load, new_segment_load, order_load, pressure_force
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point, find_held, new_prescribed
    use plydyn_domain_surfaces, only : collect_points, new_surface, place_points
@@ -18,7 +18,6 @@ contains
 
    !> Held places, prescribed motions, and velocities at time zero
    subroutine build_supports(model, numbering, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
@@ -30,8 +29,7 @@ contains
          & domain%supports%holder)
       allocate (domain%supports%motions(size(model%motions)))
       do i = 1, size(model%motions)
-         domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain%layers, &
-            & domain%columns)
+         domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain)
       end do
       domain%supports%initial_velocities = model%initial_velocities
       do i = 1, size(model%initial_velocities)
@@ -42,7 +40,6 @@ contains
 
    !> Forces on points
    subroutine build_loads(model, numbering, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
@@ -53,37 +50,42 @@ contains
       allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
          & + size(model%pressures) + size(model%segment_loads) + size(model%body_loads)))
       k = 0
-      associate (layers => domain%layers, columns => domain%columns, loads => domain%loads)
+      associate (loads => domain%loads)
          do i = 1, size(model%point_loads)
             k = k + 1
-            loads(k) = new_point_load(model%point_loads(i), numbering, layers, columns, &
-               & domain%inertia%mass)
+            loads(k) = new_point_load(model%point_loads(i), numbering, domain)
          end do
          do i = 1, size(model%line_loads)
             k = k + 1
-            loads(k) = new_line_load(model%line_loads(i), model%mesh, numbering, layers, columns)
+            associate (load => model%line_loads(i))
+               loads(k) = new_face_load(load%face, load%direction, load%curve, &
+                  & line_force(load, model%mesh), numbering, domain)
+            end associate
          end do
          do i = 1, size(model%pressures)
             k = k + 1
-            loads(k) = new_pressure_load(model%pressures(i), model%mesh, numbering, layers, columns)
+            associate (load => model%pressures(i))
+               loads(k) = new_face_load(load%face, 3, load%curve, &
+                  & pressure_force(load, model%mesh), numbering, domain)
+            end associate
          end do
          do i = 1, size(model%segment_loads)
             k = k + 1
-            loads(k) = new_segment_load(model%segment_loads(i), model%mesh, numbering, columns)
+            loads(k) = new_segment_load(model%segment_loads(i), model%mesh, numbering, &
+               & domain%columns)
          end do
          do i = 1, size(model%body_loads)
             k = k + 1
-            loads(k) = new_body_load(model%body_loads(i), layers, columns, domain%inertia%mass)
+            loads(k) = new_body_load(model%body_loads(i), domain)
          end do
          do k = 1, size(loads)
-            call order_load(loads(k), numbering, columns)
+            call order_load(loads(k), numbering, domain%columns)
          end do
       end associate
    end subroutine build_loads
 
    !> Faces that impactors may touch. All ranks must come here
    subroutine build_surfaces(model, numbering, owner, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
@@ -97,18 +99,19 @@ contains
       allocate (domain%contact%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
-            call build_surface(model, contact%part, contact%face, numbering, owner, domain, &
+            call build_surface(model, contact%parts, contact%face, numbering, owner, domain, &
                & domain%contact%surfaces(i))
          end associate
       end do
    end subroutine build_surfaces
 
    !> A face of the plate on the points that a rank has. All ranks must come here
-   subroutine build_surface(model, part, face, numbering, owner, domain, surface)
-      !> The model
+   subroutine build_surface(model, parts, face, numbering, owner, domain, surface)
       type(model_type), intent(in) :: model
-      !> Index of the part, or `all_parts`; `bottom_face` or `top_face`
-      integer, intent(in) :: part, face
+      !> Indices of the parts, or `all_parts`
+      integer, intent(in) :: parts(:)
+      !> `bottom_face` or `top_face`
+      integer, intent(in) :: face
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Rank that counts each column
@@ -121,7 +124,7 @@ contains
       integer :: point(2)
 
       point(:) = face_point(domain%layers, face)
-      surface = new_surface(part, face, model%mesh, domain%layers)
+      surface = new_surface(parts, face, model%mesh, domain%layers)
       call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, surface)
       call set_resistance(domain, point, surface)
    end subroutine build_surface

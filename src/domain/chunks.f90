@@ -65,7 +65,6 @@ contains
 
    !> Mean position of the nodes of some quads, (2, quads)
    pure function quad_centres(mesh, quad) result(centre)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> The quads, indices into it
       integer, intent(in) :: quad(:)

@@ -21,7 +21,6 @@ contains
 
    !> Refuse bands that snap back, where a material asks for that
    subroutine check_bands(model, domain, error)
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain with its crack bands
       type(domain_type), intent(in) :: domain
@@ -65,7 +64,6 @@ contains
 
    !> Crack bands of each material of the model. All ranks must come here, and get the same
    function find_bands(model, domain) result(bands)
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain with the elements of this rank
       type(domain_type), intent(in) :: domain

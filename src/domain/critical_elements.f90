@@ -36,8 +36,8 @@ contains
       call comm%allgather(reshape(part, [size(part)]), [(size(part), r=1, comm%ranks)], all)
       allocate (slowest(most_named*comm%ranks))
       do e = 1, size(slowest)
-         associate (told => all(numbers*(e - 1) + 1:numbers*e))
-            slowest(e) = critical_element_type(nint(told(1)), nint(told(2)), nint(told(3)), told(4))
+         associate (each => all(numbers*(e - 1) + 1:numbers*e))
+            slowest(e) = critical_element_type(nint(each(1)), nint(each(2)), nint(each(3)), each(4))
          end associate
       end do
       slowest = foremost(pack(slowest, slowest%element > 0))

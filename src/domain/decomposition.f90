@@ -48,7 +48,6 @@ contains
 
    !> Chunks of the quads of a mesh, part by part
    pure function divide_plane(mesh, parts) result(self)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> How many parts there are
       integer, intent(in) :: parts
@@ -79,7 +78,6 @@ contains
 
    !> Chunks of bricks, in the order of the deck
    pure function divide_bricks(mesh, bricks) result(self)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Bricks of each part
       type(bricks_type), intent(in) :: bricks(:)

@@ -8,12 +8,13 @@ module plydyn_domain_delamination
    private
 
    public :: can_fail, delamination, failing_interfaces, interface_losses, present_interfaces, &
-      & projected_area
+      & projected_areas
 
    !> What one interface has lost, in all parts together
    type, public :: delamination_type
-      !> Area where damage has begun, and where it is complete
-      real(wp) :: begun = 0.0_wp, failed = 0.0_wp
+      !> Areas where damage has begun, where half of the toughness is spent, and where damage is
+      !> complete
+      real(wp) :: begun = 0.0_wp, delaminated = 0.0_wp, failed = 0.0_wp
       !> Energies lost in fracture, by a falling penalty, and in friction
       real(wp) :: fracture = 0.0_wp, closing = 0.0_wp, friction = 0.0_wp
    end type delamination_type
@@ -22,7 +23,6 @@ contains
 
    !> Interfaces of a domain, counted from the bottom
    pure function present_interfaces(domain) result(interfaces)
-      !> The domain
       type(domain_type), intent(in) :: domain
       integer, allocatable :: interfaces(:)
 
@@ -34,7 +34,6 @@ contains
 
    !> Interfaces that can fail, counted from the bottom
    pure function failing_interfaces(domain) result(interfaces)
-      !> The domain
       type(domain_type), intent(in) :: domain
       integer, allocatable :: interfaces(:)
 
@@ -68,7 +67,6 @@ contains
 
    !> Whether some interface of a domain can fail
    pure logical function can_fail(domain)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       can_fail = size(failing_interfaces(domain)) > 0
@@ -77,7 +75,6 @@ contains
    !> Losses of the interfaces above each ply but the last, (plies - 1). All ranks must come here,
    !> and get those of the whole model
    function delamination(domain, history) result(lost)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
@@ -93,7 +90,8 @@ contains
       call domain%comm%sum(sums%limb)
       do k = 1, size(lost)
          associate (last => losses*k)
-            lost(k) = delamination_type(begun=sums%value(last - 4), failed=sums%value(last - 3), &
+            lost(k) = delamination_type(begun=sums%value(last - 5), &
+               & delaminated=sums%value(last - 4), failed=sums%value(last - 3), &
                & fracture=sums%value(last - 2), closing=sums%value(last - 1), &
                & friction=sums%value(last))
          end associate
@@ -109,32 +107,35 @@ contains
       energies(:) = [sum(lost%fracture + lost%closing), sum(lost%friction)]
    end function interface_losses
 
-   !> Area over which at least one interface has failed; Gauss points and nodes of a quad with the
-   !> same place in tensor order count as one. All ranks must come here
-   real(wp) function projected_area(domain, history) result(area)
-      !> The domain
+   !> Areas over which at least one interface is delaminated, and over which one has failed; Gauss
+   !> points and nodes of a quad with the same place in tensor order count as one. All ranks must
+   !> come here
+   function projected_areas(domain, history) result(projected)
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
+      real(wp) :: projected(2)
 
-      real(wp), allocatable :: failed(:, :)
+      real(wp), allocatable :: areas(:, :, :)
       type(exact_sums_type) :: sums
-      integer :: e, g, s
+      integer :: e, g, k, s
 
-      sums = new_exact_sums(1)
+      sums = new_exact_sums(2)
       do s = 1, maxval([0, (domain%groups(g)%item%set, g=1, size(domain%groups))])
          do g = 1, size(domain%groups)
             if (domain%groups(g)%item%set /= s) cycle
-            call domain%groups(g)%item%mark_failed(history, failed)
+            call domain%groups(g)%item%mark_areas(history, areas)
          end do
-         if (.not. allocated(failed)) cycle
-         do e = 1, size(failed, 2)
-            call sums%add(1, sum(failed(:, e)))
+         if (.not. allocated(areas)) cycle
+         do e = 1, size(areas, 3)
+            do k = 1, 2
+               call sums%add(k, sum(areas(k, :, e)))
+            end do
          end do
-         deallocate (failed)
+         deallocate (areas)
       end do
       call domain%comm%sum(sums%limb)
-      area = sums%value(1)
-   end function projected_area
+      projected(:) = [(sums%value(k), k=1, 2)]
+   end function projected_areas
 
 end module plydyn_domain_delamination

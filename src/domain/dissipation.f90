@@ -15,7 +15,6 @@ contains
    !> Sums over all points of what each mechanism has dissipated. All ranks must come here, and get
    !> those of the whole model
    function dissipated_energies(domain, history, lost) result(energy)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
@@ -39,7 +38,6 @@ contains
 
    !> Energy that hourglass control has stored or taken. All ranks must come here
    real(wp) function hourglass_energy(domain, displacement, history) result(energy)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)

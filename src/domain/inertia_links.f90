@@ -26,7 +26,6 @@ contains
       real(wp), intent(in) :: velocity(:)
       !> The factor
       real(wp), intent(in) :: factor
-      !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
       integer :: i

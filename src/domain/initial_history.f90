@@ -12,7 +12,6 @@ contains
 
    !> Let the laws of all elements start their histories
    pure subroutine start_histories(domain, history)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points, zero in
       real(wp), intent(inout) :: history(:)
@@ -25,9 +24,7 @@ contains
 
    !> Begin with the damage that the deck asks for
    subroutine set_initial_damage(model, domain, history)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
       real(wp), intent(inout) :: history(:)

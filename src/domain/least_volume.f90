@@ -12,7 +12,6 @@ contains
 
    !> The least ratio of volumes, det F, of all ranks; the same on all of them, which come together
    function find_least_volume(domain, displacement) result(least)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)

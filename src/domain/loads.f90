@@ -3,12 +3,11 @@ module plydyn_domain_loads
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_fem_columns, only : columns_type
-   use plydyn_domain_domain, only : load_type
+   use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
-   use plydyn_model_layers, only : layers_type
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
       & pressure_type, segment_load_type
    use plydyn_model_mesh, only : mesh_type
@@ -16,8 +15,8 @@ module plydyn_domain_loads
    implicit none
    private
 
-   public :: new_body_load, new_line_load, new_point_load, new_pressure_load, new_segment_load, &
-      & order_load
+   public :: line_force, new_body_load, new_face_load, new_point_load, new_segment_load, &
+      & order_load, pressure_force
 
    !> Corners and mid-side of each side of a quad, in the order of the deck
    integer, parameter :: side_nodes(3, 4) = reshape([1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 1], [3, 4])
@@ -25,17 +24,13 @@ module plydyn_domain_loads
 contains
 
    !> Forces at nodes: on a face, or shared by the column in proportion to its masses
-   pure function new_point_load(load, numbering, layers, columns, mass) result(self)
+   pure function new_point_load(load, numbering, domain) result(self)
       !> As the deck says
       type(point_load_type), intent(in) :: load
       !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
-      !> Layers of the laminate
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> Mass of each point
-      real(wp), intent(in) :: mass(:)
+      !> Has layers, columns and masses
+      type(domain_type), intent(in) :: domain
       type(load_type) :: self
 
       real(wp), allocatable :: share(:)
@@ -45,43 +40,61 @@ contains
       self%curve = load%curve
       nodes = numbering%only(load%nodes)
       if (load%face /= all_planes) then
-         point(:) = face_point(layers, load%face)
-         self%freedom = columns%freedom(point(1), point(2), load%direction, nodes)
+         point(:) = face_point(domain%layers, load%face)
+         self%freedom = domain%columns%freedom(point(1), point(2), load%direction, nodes)
          self%force = spread(load%scale, 1, size(nodes))
          return
       end if
       allocate (self%freedom(0), self%force(0))
-      do i = 1, size(nodes)
-         allocate (share(0))
-         do k = 1, size(layers%order)
-            do t = 1, layers%order(k) + 1
-               self%freedom = [self%freedom, columns%freedom(k, t, load%direction, nodes(i))]
-               share = [share, mass(columns%mass_of(k, t, nodes(i)))]
+      associate (columns => domain%columns)
+         do i = 1, size(nodes)
+            allocate (share(0))
+            do k = 1, size(domain%layers%order)
+               do t = 1, columns%levels(k)
+                  self%freedom = [self%freedom, columns%freedom(k, t, load%direction, nodes(i))]
+                  share = [share, domain%inertia%mass(columns%mass_of(k, t, nodes(i)))]
+               end do
             end do
+            self%force = [self%force, load%scale*share/sum(share)]
+            deallocate (share)
          end do
-         self%force = [self%force, load%scale*share/sum(share)]
-         deallocate (share)
-      end do
+      end associate
    end function new_point_load
 
-   !> Force along every quad side that lies in the line, each once
-   pure function new_line_load(load, mesh, numbering, layers, columns) result(self)
+   !> Forces at the nodes of a face
+   pure function new_face_load(face, direction, curve, force, numbering, domain) result(self)
+      !> `bottom_face` or `top_face`; 1 to 3 for x to z; index of the curve over time
+      integer, intent(in) :: face, direction, curve
+      !> Force at each node of the whole model
+      real(wp), intent(in) :: force(:)
+      !> Numbers of the nodes that the rank has
+      type(local_to_global_type), intent(in) :: numbering
+      !> Has layers, columns and masses
+      type(domain_type), intent(in) :: domain
+      type(load_type) :: self
+
+      integer :: i, point(2)
+      integer, allocatable :: loaded(:)
+
+      point(:) = face_point(domain%layers, face)
+      loaded = pack([(i, i=1, size(force))], abs(force) > 0.0_wp)
+      loaded = pack(loaded, numbering%node(loaded) > 0)
+      self%curve = curve
+      self%freedom = domain%columns%freedom(point(1), point(2), direction, numbering%node(loaded))
+      self%force = force(loaded)
+   end function new_face_load
+
+   !> Force at each node from every quad side that lies in a line, each once
+   pure function line_force(load, mesh) result(force)
       !> As the deck says
       type(line_load_type), intent(in) :: load
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
-      !> Numbers of the nodes that the rank has
-      type(local_to_global_type), intent(in) :: numbering
-      !> Layers of the laminate
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      type(load_type) :: self
-
       real(wp) :: force(size(mesh%node_id))
+
       logical :: in_line(size(mesh%node_id))
       integer, allocatable :: done(:, :), line(:)
-      integer :: e, i, nodes, point(2), s
+      integer :: e, nodes, s
 
       nodes = merge(3, 2, size(mesh%quad_node, 1) == 9)
       in_line(:) = .false.
@@ -97,13 +110,8 @@ contains
             force(line) = force(line) + line_shares(mesh%position(:, line))
          end do
       end do
-      point(:) = face_point(layers, load%face)
-      self%curve = load%curve
-      line = pack([(i, i=1, size(force))], in_line)
-      line = pack(line, numbering%node(line) > 0)
-      self%freedom = columns%freedom(point(1), point(2), load%direction, numbering%node(line))
-      self%force = load%scale*force(line)
-   end function new_line_load
+      force(:) = load%scale*force
+   end function line_force
 
    !> Integral of each shape function over a line of 2 or 3 nodes
    pure function line_shares(position) result(share)
@@ -125,23 +133,15 @@ contains
       end do
    end function line_shares
 
-   !> Pressure on a face as consistent forces at its points
-   pure function new_pressure_load(load, mesh, numbering, layers, columns) result(self)
+   !> Consistent force along z at each node from a pressure on a face
+   pure function pressure_force(load, mesh) result(force)
       !> As the deck says
       type(pressure_type), intent(in) :: load
       !> Nodes and quads
       type(mesh_type), intent(in) :: mesh
-      !> Numbers of the nodes that the rank has
-      type(local_to_global_type), intent(in) :: numbering
-      !> Layers of the laminate
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      type(load_type) :: self
-
       real(wp) :: force(size(mesh%node_id))
-      integer, allocatable :: loaded(:)
-      integer :: e, i, point(2), side
+
+      integer :: e, side
 
       side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
       force(:) = 0.0_wp
@@ -150,14 +150,8 @@ contains
             force(node) = force(node) + area_shares(side, mesh%position(1:2, node))
          end associate
       end do
-      point(:) = face_point(layers, load%face)
-      self%curve = load%curve
-      loaded = pack([(i, i=1, size(force))], abs(force) > 0.0_wp)
-      loaded = pack(loaded, numbering%node(loaded) > 0)
-      self%freedom = columns%freedom(point(1), point(2), 3, numbering%node(loaded))
-      self%force = load%scale*force(loaded)
-      if (load%face == top_face) self%force = -self%force
-   end function new_pressure_load
+      force(:) = merge(-load%scale, load%scale, load%face == top_face)*force
+   end function pressure_force
 
    !> Pressure on a face of a brick as consistent forces at its nodes
    pure function new_segment_load(load, mesh, numbering, columns) result(self)
@@ -218,29 +212,27 @@ contains
    end function area_shares
 
    !> Inertia forces of an accelerated frame on all points
-   pure function new_body_load(load, layers, columns, mass) result(self)
+   pure function new_body_load(load, domain) result(self)
       !> As the deck says
       type(body_load_type), intent(in) :: load
-      !> Layers of the laminate
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> Mass of each point
-      real(wp), intent(in) :: mass(:)
+      !> Has layers, columns and masses
+      type(domain_type), intent(in) :: domain
       type(load_type) :: self
 
       integer :: i, k, t
 
       self%curve = load%curve
       allocate (self%freedom(0), self%force(0))
-      do k = 1, size(layers%order)
-         do t = 1, layers%order(k) + 1
-            self%freedom = [self%freedom, &
-               & columns%freedom(k, t, load%direction, [(i, i=1, columns%nodes)])]
-            self%force = [self%force, &
-               & -load%scale*mass(columns%mass_of(k, t, [(i, i=1, columns%nodes)]))]
+      associate (columns => domain%columns)
+         do k = 1, size(domain%layers%order)
+            do t = 1, columns%levels(k)
+               self%freedom = [self%freedom, &
+                  & columns%freedom(k, t, load%direction, [(i, i=1, columns%nodes)])]
+               self%force = [self%force, -load%scale &
+                  & *domain%inertia%mass(columns%mass_of(k, t, [(i, i=1, columns%nodes)]))]
+            end do
          end do
-      end do
+      end associate
    end function new_body_load
 
    !> Put the forces of a load in the order of the columns

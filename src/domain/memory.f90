@@ -3,21 +3,23 @@ module plydyn_domain_memory
    use plydyn_base_precision, only : wp
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: any_history, history_bytes, mesh_bytes
+   public :: any_history, history_bytes, least_bytes, mesh_bytes, motion_bytes
 
    !> Bytes of a real and of an integer
    real(wp), parameter :: real_bytes = storage_size(1.0_wp)/8, integer_bytes = storage_size(1)/8
    !> Arrays of motion: displacement and velocity; accelerations have the columns behind, too
    integer, parameter :: motions = 2
+   !> Numbers of a freedom that no model does without: its motion and its mass
+   real(wp), parameter :: least_reals = 4.0_wp
 
 contains
 
    !> Motion, masses, geometry of elements, averages, chunks, supports, loads and faces
    pure real(wp) function mesh_bytes(domain) result(bytes)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       real(wp) :: integers, reals
@@ -56,9 +58,32 @@ contains
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes
 
+   !> Displacement, velocity and acceleration, as in restart files
+   pure real(wp) function motion_bytes(domain) result(bytes)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      bytes = real_bytes*(real(motions, wp)*domain%columns%freedoms + domain%columns%forces)
+   end function motion_bytes
+
+   !> Less than a model takes on all ranks together, known before anything is built of it
+   pure real(wp) function least_bytes(model) result(bytes)
+      !> The model
+      type(model_type), intent(in) :: model
+
+      real(wp) :: points
+
+      points = real(size(model%mesh%node_id), wp)
+      if (size(model%mesh%brick_id) == 0) then
+         associate (plies => model%parts(1)%plies)
+            points = points*sum(real(plies%layers, wp)*real(plies%order + 1, wp))
+         end associate
+      end if
+      bytes = 3.0_wp*least_reals*real_bytes*points
+   end function least_bytes
+
    !> Whether any Gauss point has a history
    pure logical function any_history(domain)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       any_history = domain%histories > alignment_offset
@@ -66,7 +91,6 @@ contains
 
    !> Histories of all Gauss points, and received strains of other ranks
    pure real(wp) function history_bytes(domain) result(bytes)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       bytes = real_bytes*real(domain%histories + domain%averaging%halo_strains, wp)

@@ -33,7 +33,6 @@ contains
    !> The quads of a rank, and all others that have a point within reach of theirs
    pure function new_neighbourhood(mesh, division, rank_of_chunk, rank, part, plate, reach) &
       & result(self)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> All quads
       type(decomposition_type), intent(in) :: division

@@ -16,7 +16,6 @@ contains
    !> Largest eigenvalue of the elements, plus that of the springs between their points: their sum
    !> bounds the largest of the whole. All ranks must come here
    function find_step_limit(model, domain) result(limit)
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain; the elements of this rank are known
       type(domain_type), intent(in) :: domain

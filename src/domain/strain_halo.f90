@@ -1,6 +1,6 @@
-!> Strains that ranks lend each other for averages over points on both sides of a border.
+!> Halo exchange of strains for averages over points on both sides of a rank boundary.
 !>
-!> What a rank borrows lies behind its own histories, in rows like those: for each point of another
+!> What a rank receives lies behind its own histories, in rows like those: for each point of another
 !> rank that it averages over, in the order of the whole model, one strain after the other, each at
 !> all heights.
 module plydyn_domain_strain_halo
@@ -10,13 +10,13 @@ module plydyn_domain_strain_halo
    implicit none
    private
 
-   public :: add_loans, new_strain_halo
+   public :: add_halo, new_strain_halo
 
-   !> Rows of histories that a rank lends and borrows
+   !> Rows of histories that a rank sends and receives
    type, public :: strain_halo_type
-      !> Rank that gets a row, or gives it, and the place of the row in the histories less 1, in
+      !> Rank that receives a row, or sends it, and the place of the row in the histories less 1, in
       !> the order of the whole model for each rank, (2, rows)
-      integer, allocatable :: lent(:, :), halo_strains(:, :)
+      integer, allocatable :: sent(:, :), received(:, :)
    end type strain_halo_type
 
 contains
@@ -25,83 +25,81 @@ contains
    pure function new_strain_halo() result(self)
       type(strain_halo_type) :: self
 
-      allocate (self%lent(2, 0), self%halo_strains(2, 0))
+      allocate (self%sent(2, 0), self%received(2, 0))
    end function new_strain_halo
 
    !> Let an average find its neighbours in the histories, those of other ranks behind
-   pure subroutine add_loans(around, point, length, average, strain_halo)
+   pure subroutine add_halo(around, point, length, average, strain_halo)
       !> Points of the plane
       type(neighbourhood_type), intent(in) :: around
       !> Neighbours of all points of this rank, as `first` of the average has them
       integer, intent(in) :: point(:)
-      !> Histories and what is halo_strains so far in, with what this average borrows out
+      !> Length of the histories with what is received so far, and then with this average
       integer, intent(inout) :: length
       !> Has its lists, but for the rows
       type(average_type), intent(inout) :: average
-      !> Gets what this average lends and borrows
+      !> Gets what this average sends and receives
       type(strain_halo_type), intent(inout) :: strain_halo
 
       integer :: number(size(around%area)), n, own
-      integer, allocatable :: guest(:)
+      integer, allocatable :: ghost(:)
 
       number(:) = 0
       number(point) = 1
-      guest = pack([(n, n=1, size(number))], number > 0 &
+      ghost = pack([(n, n=1, size(number))], number > 0 &
          & .and. around%own_point([(n, n=1, size(number))]) == 0)
-      number(guest) = [(n, n=1, size(guest))]
-      average%first_guest = (length - average%first_history + 1)/lanes
+      number(ghost) = [(n, n=1, size(ghost))]
+      average%first_ghost = (length - average%first_history + 1)/lanes
       allocate (average%row(size(point)))
       do n = 1, size(point)
          own = around%own_point(point(n))
          if (own > 0) then
             average%row(n) = row_of(average, own, average%behind_own + 1)
          else
-            average%row(n) = guest_row(average, number(point(n)))
+            average%row(n) = ghost_row(average, number(point(n)))
          end if
       end do
-      strain_halo%halo_strains = reshape([strain_halo%halo_strains, (strain_places(average, &
-         & guest_row(average, n), &
-         & average%levels, around%rank_of(guest(n))), n=1, size(guest))], &
-         & [2, size(strain_halo%halo_strains, 2) + average%strains*average%levels*size(guest)])
-      call lend(around, point, guest, average, strain_halo)
-      length = length + lanes*average%strains*average%levels*size(guest)
-   end subroutine add_loans
+      strain_halo%received = reshape([strain_halo%received, (strain_places(average, &
+         & ghost_row(average, n), average%levels, around%rank_of(ghost(n))), n=1, size(ghost))], &
+         & [2, size(strain_halo%received, 2) + average%strains*average%levels*size(ghost)])
+      call find_sent(around, point, ghost, average, strain_halo)
+      length = length + lanes*average%strains*average%levels*size(ghost)
+   end subroutine add_halo
 
    !> Row before the strains of a point of another rank
-   pure integer function guest_row(average, number) result(row)
+   pure integer function ghost_row(average, number) result(row)
       type(average_type), intent(in) :: average
       !> How many such points there are, with it
       integer, intent(in) :: number
 
-      row = average%first_guest + average%strains*average%levels*(number - 1)
-   end function guest_row
+      row = average%first_ghost + average%strains*average%levels*(number - 1)
+   end function ghost_row
 
-   !> A rank lends what another one borrows: if a point is averaged over its neighbour, so is the
+   !> A rank sends what another one receives: if a point is averaged over its neighbour, so is the
    !> neighbour over the point
-   pure subroutine lend(around, point, guest, average, strain_halo)
+   pure subroutine find_sent(around, point, ghost, average, strain_halo)
       type(neighbourhood_type), intent(in) :: around
       !> Neighbours of all points of this rank, and those of other ranks among them, each once
-      integer, intent(in) :: point(:), guest(:)
+      integer, intent(in) :: point(:), ghost(:)
       type(average_type), intent(in) :: average
       type(strain_halo_type), intent(inout) :: strain_halo
 
       logical :: is_met(0:maxval([0, around%rank]))
-      integer, allocatable :: lent(:)
+      integer, allocatable :: sent(:)
       integer :: i, n, r
 
       is_met(:) = .false.
-      is_met(around%rank_of(guest)) = .true.
+      is_met(around%rank_of(ghost)) = .true.
       do r = 0, size(is_met) - 1
          if (.not. is_met(r)) cycle
-         lent = pack([(i, i=1, size(average%first) - 1)], [(any(around%rank_of( &
+         sent = pack([(i, i=1, size(average%first) - 1)], [(any(around%rank_of( &
             & point(average%first(i):average%first(i + 1) - 1)) == r), &
             & i=1, size(average%first) - 1)])
-         strain_halo%lent = reshape([strain_halo%lent, (strain_places(average, row_of(average, &
-            & lent(n), &
-            & average%behind_own + 1), average%pitch, r), n=1, size(lent))], &
-            & [2, size(strain_halo%lent, 2) + average%strains*average%levels*size(lent)])
+         strain_halo%sent = reshape([strain_halo%sent, (strain_places(average, row_of(average, &
+            & sent(n), average%behind_own + 1), average%pitch, r), n=1, size(sent))], &
+            & [2, size(strain_halo%sent, 2) + average%strains*average%levels*size(sent)])
       end do
-   end subroutine lend
+   end subroutine find_sent
 
    !> A rank, and the places of the strains of a point less 1, (2, strains at all heights)
    pure function strain_places(average, row, pitch, rank) result(places)

@@ -23,15 +23,14 @@ module plydyn_domain_subdomain
       !> Its columns as the whole model numbers them, and whether it counts each
       integer, allocatable :: column(:)
       logical, allocatable :: own(:)
-      !> Its histories: first place here and in the whole model, and length, (3, pieces)
+      !> Its histories: first place here and in the whole model, and length, (3, segments)
       integer, allocatable :: history(:, :)
    end type subdomain_type
 
 contains
 
    !> Columns of a rank, their nodes, and the nodes that several chunks share
-   pure subroutine take_columns(mesh, division, numbering, domain, share)
-      !> The mesh
+   pure subroutine take_columns(mesh, division, numbering, domain, subdomain)
       type(mesh_type), intent(in) :: mesh
       !> The whole model
       type(decomposition_type), intent(in) :: division
@@ -40,17 +39,17 @@ contains
       !> Has columns as long as those of the whole model; gets those of the rank
       type(domain_type), intent(inout) :: domain
       !> Gets the columns
-      type(subdomain_type), intent(inout) :: share
+      type(subdomain_type), intent(inout) :: subdomain
 
       integer, allocatable :: node(:)
       integer :: b, k
 
-      share%columns = division%nodes
-      share%column = numbering%here
-      share%own = numbering%own
+      subdomain%columns = division%nodes
+      subdomain%column = numbering%here
+      subdomain%own = numbering%own
       node = numbering%nodes(size(mesh%node_id))
       node = node(:min(size(node), size(mesh%node_id)))
-      call domain%columns%take(size(node), size(share%column), numbering%columns)
+      call domain%columns%take(size(node), size(subdomain%column), numbering%columns)
       domain%node_id = mesh%node_id(node)
       domain%position = mesh%position(:, node)
       domain%chunks%shared_nodes = division%shared_nodes(:, &

@@ -2,7 +2,7 @@
 module plydyn_domain_supports
    use plydyn_base_precision, only : wp
    use plydyn_fem_columns, only : columns_type
-   use plydyn_domain_domain, only : prescribed_type
+   use plydyn_domain_domain, only : domain_type, prescribed_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_support, only : bottom_face, hold_type, motion_type, one_plane, top_face
@@ -83,15 +83,13 @@ contains
    end subroutine find_held
 
    !> A prescribed motion on its points
-   pure function new_prescribed(motion, numbering, layers, columns) result(self)
+   pure function new_prescribed(motion, numbering, domain) result(self)
       !> As the deck says
       type(motion_type), intent(in) :: motion
       !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
-      !> Layers of the laminate
-      type(layers_type), intent(in) :: layers
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
+      !> Has layers and columns
+      type(domain_type), intent(in) :: domain
       type(prescribed_type) :: self
 
       integer :: i, k
@@ -102,18 +100,20 @@ contains
       self%scale = motion%scale
       self%birth = motion%birth
       self%death = motion%death
-      points = points_of(layers, motion%face, 0.0_wp)
+      points = points_of(domain%layers, motion%face, 0.0_wp)
       nodes = numbering%node(motion%nodes)
       here = pack([(i, i=1, size(nodes))], nodes > 0)
       allocate (self%freedom(0), self%mass(0), self%number(0))
-      do k = 1, size(points, 2)
-         self%freedom = [self%freedom, &
-            & columns%freedom(points(1, k), points(2, k), motion%direction, nodes(here))]
-         self%mass = [self%mass, columns%mass_of(points(1, k), points(2, k), nodes(here))]
-         self%number = [self%number, (k - 1)*size(nodes) + here]
-      end do
-      self%all = size(points, 2)*size(nodes)
-      self%own = numbering%own(columns%column_of(self%freedom))
+      associate (columns => domain%columns)
+         do k = 1, size(points, 2)
+            self%freedom = [self%freedom, &
+               & columns%freedom(points(1, k), points(2, k), motion%direction, nodes(here))]
+            self%mass = [self%mass, columns%mass_of(points(1, k), points(2, k), nodes(here))]
+            self%number = [self%number, (k - 1)*size(nodes) + here]
+         end do
+         self%all = size(points, 2)*size(nodes)
+         self%own = numbering%own(columns%column_of(self%freedom))
+      end associate
    end function new_prescribed
 
 end module plydyn_domain_supports

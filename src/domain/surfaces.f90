@@ -8,7 +8,7 @@ module plydyn_domain_surfaces
    use plydyn_domain_supports, only : face_point
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
-   use plydyn_model_outer_faces, only : faces_of_part
+   use plydyn_model_outer_faces, only : faces_of_parts
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
@@ -19,10 +19,11 @@ contains
 
    !> The face of a contact, as the whole model numbers its nodes: quads on the outer layer of a
    !> laminate, or outer faces of bricks
-   pure function new_surface(part, face, mesh, layers) result(self)
-      !> Index of the part, or `all_parts`; `bottom_face` or `top_face`
-      integer, intent(in) :: part, face
-      !> The mesh
+   pure function new_surface(parts, face, mesh, layers) result(self)
+      !> Indices of the parts, or `all_parts`
+      integer, intent(in) :: parts(:)
+      !> `bottom_face` or `top_face`
+      integer, intent(in) :: face
       type(mesh_type), intent(in) :: mesh
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
@@ -32,7 +33,7 @@ contains
       integer :: f, i, number(size(mesh%node_id)), point(2)
       integer, allocatable :: faces(:, :), node(:)
 
-      faces = faces_of_part(mesh, part, face)
+      faces = faces_of_parts(mesh, parts, face)
       met(:) = .false.
       do f = 1, size(faces, 2)
          met(faces(:, f)) = .true.

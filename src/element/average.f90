@@ -31,7 +31,7 @@ module plydyn_element_average
       !> height, the point itself among them; their number is made a multiple of `abreast`
       integer, allocatable :: row(:)
       !> Rows before those that hold the strains of other ranks' points, and nothing else
-      integer :: first_guest = huge(1)
+      integer :: first_ghost = huge(1)
       !> Their shares in the average of each lane, (lanes, neighbours); 0 outside of its ellipse
       real(wp), allocatable :: weight(:, :)
    end type average_type
@@ -92,7 +92,7 @@ contains
       integer :: k, l, m, pitch(abreast), r(abreast)
 
       ! rows from one strain to the next
-      pitch(:) = merge(self%levels, self%pitch, row >= self%first_guest)
+      pitch(:) = merge(self%levels, self%pitch, row >= self%first_ghost)
       do m = 1, self%levels
          do k = 1, self%strains
             r(:) = row + pitch*(k - 1) + m

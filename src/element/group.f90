@@ -52,7 +52,7 @@ module plydyn_element_group
       procedure :: add_dissipation
       procedure :: add_hourglass_energy
       procedure :: add_losses
-      procedure :: mark_failed
+      procedure :: mark_areas
       procedure :: mark_interfaces
       ! crack bands, effort and names
       procedure :: add_crack_bands
@@ -66,9 +66,10 @@ module plydyn_element_group
       class(element_group_type), allocatable :: item
    end type group_item_type
 
-   !> Numbers of what an interface has lost: area where damage has begun and where it is complete,
-   !> energies lost in fracture, by a falling penalty, and in friction
-   integer, parameter, public :: losses = 5
+   !> Numbers of what an interface has lost: areas where damage has begun, where half of the
+   !> toughness is spent, and where damage is complete; energies lost in fracture, by a falling
+   !> penalty, and in friction
+   integer, parameter, public :: losses = 6
 
    abstract interface
       !> Take the elements of the rank, with their geometry and the places of their points
@@ -291,15 +292,15 @@ contains
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_losses
 
-   !> Mark the areas of points at which an interface has failed
-   pure subroutine mark_failed(self, history, failed)
+   !> Mark the areas of points at which an interface is delaminated, and at which it has failed
+   pure subroutine mark_areas(self, history, areas)
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
-      !> Area of the failed points, the largest of several interfaces, else 0; allocated by the
-      !> first group of a set that can fail, (points, elements)
-      real(wp), allocatable, intent(inout) :: failed(:, :)
-   end subroutine mark_failed
+      !> Both areas of the points, the largest of several interfaces, else 0; allocated by the
+      !> first group of a set that can fail, (2, points, elements)
+      real(wp), allocatable, intent(inout) :: areas(:, :, :)
+   end subroutine mark_areas
 
    !> Mark the plies above which there is an interface, and those where it can fail
    pure subroutine mark_interfaces(self, present, failing)

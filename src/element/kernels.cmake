@@ -16,6 +16,7 @@ foreach(side 2 3)
   endforeach()
 endforeach()
 set(interface_kernels ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/kernel.f90
-  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/axes.f90)
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/axes.f90
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/points.f90)
 set_property(SOURCE ${kernel_sources} ${interface_kernels} APPEND PROPERTY COMPILE_OPTIONS
   $<$<CONFIG:Release>:-mprefer-vector-width=512;--param=max-completely-peeled-insns=1000>)

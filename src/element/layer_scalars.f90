@@ -12,12 +12,9 @@ contains
 
    !> Scalars of the law of one layer of one quad at its Gauss points; 0 in elastic layers
    pure function layer_scalars(plate, b, block, lane, quad, history) result(values)
-      !> The plate
+      !> The plate; batch of layers, block and lane in it; quad of the plate
       type(plate_type), intent(in) :: plate
-      !> Batch of layers, block and lane in it
-      integer, intent(in) :: b, block, lane
-      !> Quad of the plate
-      integer, intent(in) :: quad
+      integer, intent(in) :: b, block, lane, quad
       !> History of all Gauss points
       real(wp), intent(in) :: history(:)
       !> (scalars, points of the plane, points of the thickness)

@@ -176,10 +176,8 @@ contains
    !> The same in the arrays of masses, (lanes, blocks, levels)
    elemental integer function mass_start(self, order_group, node)
       class(columns_type), intent(in) :: self
-      !> Index of the order group
-      integer, intent(in) :: order_group
-      !> Node of the plane
-      integer, intent(in) :: node
+      !> Index of the order group, and node of the plane
+      integer, intent(in) :: order_group, node
 
       mass_start = self%order_groups(order_group)%first_mass + self%height/3*(node - 1)
    end function mass_start

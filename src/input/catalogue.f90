@@ -9,6 +9,7 @@ module plydyn_input_catalogue
    use plydyn_deck_declaration, only : name_length
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_input_register, only : register_type
+   use plydyn_input_time_origins, only : time_origins_type
    use plydyn_model_layup, only : brick_section_type
    implicit none
    private
@@ -60,14 +61,17 @@ module plydyn_input_catalogue
       !> Lines of stored decks: what they define need not be used, as a restart may have replaced
       !> what used it
       integer :: stored_lines = 0
+      !> Times from which the times of the decks count
+      type(time_origins_type) :: times
       !> Parts of the deck could not be read: what is missing may be in them
       logical :: has_unread = .false.
-      !> The deck has a body of rigid elements, which its mesh is not to be blamed for
-      logical :: has_rigid = .false.
-      !> Kinds of which nothing is defined, which has been told
-      logical :: missing_is_told(kinds) = .false.
-      !> The end time has been refused
-      logical :: end_is_told = .false.
+      !> A file of the deck could not be read; all keywords of plies and their joints could be
+      logical :: is_incomplete = .false., parts_are_sound = .true.
+      !> The deck has solids that are none here, of rigid bodies or cohesive layers, which has been
+      !> reported: its mesh and parts are not to be blamed for them
+      logical :: has_other_solids = .false.
+      !> Kinds of which nothing is defined, and the end time: that they are missing was reported
+      logical :: missing_is_reported(kinds) = .false., end_is_reported = .false.
       !> Findings
       type(report_type) :: report
    contains
@@ -101,7 +105,7 @@ contains
       call register_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
       call register_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
       call register_kind(a_part, "part", "*PART_COMPOSITE or *PART")
-      call register_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE")
+      call register_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE or another *IMPACTOR_")
       call register_kind(a_contact, "contact", "*CONTACT_IMPACTOR")
       call register_kind(a_fixture, "fixture", "*FIXTURE_PLANE or another *FIXTURE_")
       call register_kind(a_profile, "profile", "*DATABASE_PROFILE")
@@ -133,11 +137,9 @@ contains
    !> Define the number in a field; 0 stands for one that is wrong
    subroutine define(self, kind, cards, name, nth)
       class(catalogue_type), intent(inout) :: self
-      !> Kind of thing
       integer, intent(in) :: kind
-      !> The keyword
+      !> The keyword, and the name of the field
       type(cards_type), intent(in) :: cards
-      !> Name of the field
       character(*), intent(in) :: name
       !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
@@ -146,14 +148,12 @@ contains
    end subroutine define
 
    !> Index of what a field refers to; where nothing of the kind is defined in a deck with errors,
-   !> the cause has been told and is not repeated at every reference
+   !> the cause has been reported and is not repeated at every reference
    subroutine find(self, kind, cards, name, index, nth)
       class(catalogue_type), intent(inout) :: self
-      !> Kind of thing
       integer, intent(in) :: kind
-      !> The keyword
+      !> The keyword, and the name of the field
       type(cards_type), intent(in) :: cards
-      !> Name of the field
       character(*), intent(in) :: name
       !> Index in the order of definition; 0 if there is none, which is reported
       integer, intent(out) :: index
@@ -168,10 +168,11 @@ contains
          if (index > 0) then
             call register%mark(index)
          else if (register%count > 0) then
-            ! where no number is right, that has been told
-            if (first_number(register) <= register%count) call refuse_missing()
-         else if (.not. (self%has_unread .or. self%missing_is_told(kind))) then
-            self%missing_is_told(kind) = .true.
+            ! where no number is right, that has been reported; so have other solids
+            if (first_number(register) <= register%count .and. .not. (kind == a_part &
+               & .and. self%has_other_solids)) call refuse_missing()
+         else if (.not. (self%has_unread .or. self%missing_is_reported(kind))) then
+            self%missing_is_reported(kind) = .true.
             call refuse_missing()
          end if
       end associate
@@ -191,7 +192,6 @@ contains
    !> Indices of what the members of a list refer to
    subroutine find_all(self, kind, cards, list, indices)
       class(catalogue_type), intent(inout) :: self
-      !> Kind of thing
       integer, intent(in) :: kind
       !> The keyword
       type(cards_type), intent(in) :: cards
@@ -217,9 +217,8 @@ contains
       class(catalogue_type), intent(inout) :: self
       !> `a_node_set` or `a_quad_set`
       integer, intent(in) :: kind
-      !> The keyword
+      !> The keyword, and the name of the field
       type(cards_type), intent(in) :: cards
-      !> Name of the field
       character(*), intent(in) :: name
       !> Indices of the nodes or quads
       integer, allocatable, intent(out) :: members(:)
@@ -270,12 +269,8 @@ contains
       class(catalogue_type), intent(inout) :: self
       !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Name of the field
-      character(*), intent(in) :: name
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
+      !> Name of the field, what is wrong, and what would be right
+      character(*), intent(in) :: name, wrong, right
       !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
@@ -287,12 +282,8 @@ contains
       class(catalogue_type), intent(inout) :: self
       !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Name of the field
-      character(*), intent(in) :: name
-      !> What is suspicious
-      character(*), intent(in) :: wrong
-      !> What to do about it
-      character(*), intent(in) :: right
+      !> Name of the field, what is suspicious, and what to do about it
+      character(*), intent(in) :: name, wrong, right
       !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
@@ -302,9 +293,8 @@ contains
    !> Warn of a field that something else leaves without effect
    subroutine warn_idle(self, cards, name, right)
       class(catalogue_type), intent(inout) :: self
-      !> The keyword
+      !> The keyword, and the name of the field
       type(cards_type), intent(in) :: cards
-      !> Name of the field
       character(*), intent(in) :: name
       !> What would give it an effect
       character(*), intent(in) :: right
@@ -315,7 +305,6 @@ contains
    !> Report numbers of a kind that are defined twice
    subroutine check_duplicates(self, kind)
       class(catalogue_type), intent(inout) :: self
-      !> Kind of thing
       integer, intent(in) :: kind
 
       type(deck_location_type) :: place
@@ -333,10 +322,9 @@ contains
       end associate
    end subroutine check_duplicates
 
-   !> Report things of a kind that nothing refers to
+   !> Report things of a kind that nothing refers to; a number of 0 is wrong, which has been told
    subroutine check_unused(self, kind, advice)
       class(catalogue_type), intent(inout) :: self
-      !> Kind of thing
       integer, intent(in) :: kind
       !> What would be right
       character(*), intent(in) :: advice
@@ -346,7 +334,8 @@ contains
 
       associate (register => self%registers(kind))
          do i = 1, register%count
-            if (register%used(i) .or. register%line(i) <= self%stored_lines) cycle
+            if (register%used(i) .or. register%id(i) == 0 &
+               & .or. register%line(i) <= self%stored_lines) cycle
             place%line = register%line(i)
             call self%report%refuse(place, register%what//" "//text(register%id(i)) &
                & //" is never used", advice)

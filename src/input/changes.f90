@@ -1,5 +1,6 @@
 !> Changes that the deck of a restart makes to the decks before it.
 module plydyn_input_changes
+   use plydyn_base_text, only : text
    use plydyn_deck_deck, only : deck_type
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : catalogue_type
@@ -15,15 +16,16 @@ module plydyn_input_changes
    character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
    !> Keywords that a restart may have besides; of those that stand in a deck once the last counts
    character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
-      & "CONTROL_TERMINATION", "DAMPING_GLOBAL", "DEFINE_CURVE", "DEFINE_BOX", "SET_NODE_LIST", &
+      & "CONTROL_TERMINATION", "CONTROL_STAGE", "DAMPING_GLOBAL", "DAMPING_RELAXATION", &
+      & "DELETE_IMPACTOR", "DELETE_FIXTURE", "DEFINE_CURVE", "DEFINE_BOX", "SET_NODE_LIST", &
       & "SET_NODE_GENERAL", "SET_SHELL_LIST", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
       & "DATABASE_FIXTURE", &
       & "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
       & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
 
    !> All of these in words
-   character(*), parameter :: changeable = "supports, loads, damping, the end time, intervals of " &
-      & //"results, and the sets, boxes and curves for them"
+   character(*), parameter :: changeable = "supports, loads, impactors, fixtures, damping, the " &
+      & //"end time, intervals of results, and the sets, boxes and curves for them"
 
 contains
 
@@ -42,6 +44,14 @@ contains
             root = deck%source%root(keywords(i)%line)
             last = max(last, root)
             if (root > 1) call check_allowed(deck, i, catalogue)
+            if (keywords(i)%name == "DELETE_IMPACTOR") then
+               call delete_bodies(deck, i, "IMPACTOR", "IID", catalogue)
+            else if (keywords(i)%name == "DELETE_FIXTURE") then
+               call delete_bodies(deck, i, "FIXTURE", "FID", catalogue)
+            else if (keywords(i)%name == "CONTROL_STAGE" .and. root == 1) then
+               call catalogue%report%refuse(keywords(i)%head(), "the first deck of a run is no " &
+                  & //"stage", "the keyword in the deck of a restart")
+            end if
          end do
          do k = 1, size(replaced)
             call take_out(deck, trim(replaced(k)))
@@ -67,6 +77,9 @@ contains
          if (deck%source%root(deck%keywords(i)%line) < max(2, last)) cycle
          if (is_replaced(deck%keywords(i)%name)) changes%conditions = .true.
          if (deck%keywords(i)%name == "CONTROL_TERMINATION") changes%end = .true.
+         if (deck%keywords(i)%name == "DAMPING_RELAXATION") changes%relaxation = .true.
+         if (is_body(deck%keywords(i)%name)) changes%bodies = .true.
+         if (index(deck%keywords(i)%name, "DELETE_") == 1) changes%bodies = .true.
       end do
    end function changes_of
 
@@ -82,7 +95,56 @@ contains
       end do
    end function is_replaced
 
-   !> A restart changes loads, supports, the end and the instants of results, and no more
+   !> A keyword of an impactor or a fixture
+   pure logical function is_body(name)
+      !> Name of the keyword
+      character(*), intent(in) :: name
+
+      is_body = is_body_of(name, "IMPACTOR") .or. is_body_of(name, "FIXTURE")
+   end function is_body
+
+   !> Take bodies, and the contacts of impactors, out of the decks before
+   subroutine delete_bodies(deck, i, kind, field, catalogue)
+      type(deck_type), intent(inout) :: deck
+      !> Number of the keyword that names them
+      integer, intent(in) :: i
+      !> IMPACTOR or FIXTURE, and the name of their numbers
+      character(*), intent(in) :: kind, field
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: id, k, nth, root
+      logical :: is_found
+
+      root = deck%source%root(deck%keywords(i)%line)
+      do nth = 1, deck%keywords(i)%sets()
+         id = deck%keywords(i)%integer(field, nth)
+         is_found = .not. deck%keywords(i)%has(field, nth)
+         do k = 1, size(deck%keywords)
+            if (.not. is_body_of(deck%keywords(k)%name, kind)) cycle
+            if (deck%keywords(k)%integer(field) /= id) cycle
+            if (deck%source%root(deck%keywords(k)%line) >= root) then
+               call catalogue%refuse(deck%keywords(k), field, kind//" "//text(id)//" was deleted", &
+                  & "a number that no body of the run has had")
+            else
+               is_found = .true.
+               deck%keywords(k)%name = ""
+            end if
+         end do
+         if (.not. is_found) call catalogue%refuse(deck%keywords(i), field, "no deck before has " &
+            & //kind//" "//text(id), "the number of a body that an earlier deck defines", nth)
+      end do
+   end subroutine delete_bodies
+
+   !> Whether a keyword defines bodies of a kind, or their contact
+   pure logical function is_body_of(name, kind)
+      !> Name of the keyword; IMPACTOR or FIXTURE
+      character(*), intent(in) :: name, kind
+
+      is_body_of = index(name, kind//"_") == 1 .or. name == "CONTACT_"//kind
+   end function is_body_of
+
+   !> A restart changes loads, supports, bodies, the end and the instants of results, and no more
    subroutine check_allowed(deck, i, catalogue)
       type(deck_type), intent(in) :: deck
       !> Number of the keyword
@@ -92,7 +154,7 @@ contains
       associate (keyword => deck%keywords(i))
          if (len(keyword%name) == 0) return
          if (any(allowed == keyword%name)) return
-         if (is_replaced(keyword%name)) return
+         if (is_replaced(keyword%name) .or. is_body(keyword%name)) return
          call catalogue%report%refuse(keyword%head(), "a restart cannot change this", changeable)
       end associate
    end subroutine check_allowed

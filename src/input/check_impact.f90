@@ -5,9 +5,10 @@ module plydyn_input_check_impact
    use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
+   use plydyn_model_approach, only : approach_type, find_approach
+   use plydyn_model_contact_face, only : contact_face_type, face_points, new_contact_face
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_outer_faces, only : faces_of_part
    use plydyn_model_support, only : top_face
    implicit none
    private
@@ -29,141 +30,181 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
+      type(contact_face_type) :: face
       type(deck_location_type) :: place
       real(wp) :: inside
+      real(wp), allocatable :: points(:, :)
       integer :: i
+      logical :: is_off
 
-      call check_faces(model, catalogue)
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
-            if (min(contact%impactor, contact%part) == 0) cycle
-            inside = depth(model, contact)
+            if (contact%impactor == 0) cycle
+            face = new_contact_face(model, contact)
+            if (size(face%facet) == 0) then
+               call refuse_face(contact, catalogue)
+               cycle
+            end if
+            points = face_points(model, face)
+            inside = depth(model, contact, points)
             place%line = catalogue%registers(an_impactor)%line(contact%impactor)
-            if (inside <= surely*model%impactors(contact%impactor)%radius) then
-               call check_way(model, contact, place, catalogue)
+            if (inside <= surely*model%impactors(contact%impactor)%body%radius) then
+               call check_way(model, contact, points, place, catalogue, is_off)
+               call check_approach(model, contact, place, is_off, catalogue)
                cycle
             end if
             call catalogue%report%refuse(place, "impactor " &
                & //text(model%impactors(contact%impactor)%id)//" begins "//number_words(inside) &
-               & //" inside part "//text(model%parts(contact%part)%id), &
+               & //" inside the plate", &
                & "its centre so much further away, or the other FACE on *CONTACT_IMPACTOR")
          end associate
       end do
    end subroutine check_impact
 
-   !> Bricks have an outer face where an impactor is to meet them
-   subroutine check_faces(model, catalogue)
-      type(model_type), intent(in) :: model
+   !> Bricks have no outer face where an impactor is to meet them
+   subroutine refuse_face(contact, catalogue)
+      type(contact_type), intent(in) :: contact
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       type(deck_location_type) :: place
-      integer :: i
 
-      if (size(model%mesh%brick_id) == 0) return
       place%keyword = "*CONTACT_IMPACTOR"
       place%field = "FACE"
-      do i = 1, size(model%contacts)
-         associate (contact => model%contacts(i))
-            if (contact%part == 0) cycle
-            if (size(faces_of_part(model%mesh, contact%part, contact%face)) > 0) cycle
-            place%line = contact%line
-            call catalogue%report%refuse(place, "part "//text(model%parts(contact%part)%id) &
-               & //" has no outer face that looks "//trim(merge("up  ", "down", &
-               & contact%face == top_face)), "the other FACE, or the part whose face it is")
-         end associate
-      end do
-   end subroutine check_faces
+      place%line = contact%line
+      call catalogue%report%refuse(place, "no outer face of the parts looks "//trim(merge("up  ", &
+         & "down", contact%face == top_face)), "the other FACE, or the part whose face it is")
+   end subroutine refuse_face
 
-   !> A sphere can come to its part; a warning where only the motion of the plate could bring them
-   !> together
-   subroutine check_way(model, contact, place, catalogue)
+   !> An impactor can come to the plate; a warning where only the motion of the plate could bring
+   !> them together
+   subroutine check_way(model, contact, points, place, catalogue, is_off)
+      type(model_type), intent(in) :: model
+      !> The impactor and the face
+      type(contact_type), intent(in) :: contact
+      !> Points of the face, (3, points)
+      real(wp), intent(in) :: points(:, :)
+      !> Where the deck has the impactor
+      type(deck_location_type), intent(in) :: place
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Whether that has been told
+      logical, intent(out) :: is_off
+
+      character(:), allocatable :: who
+      real(wp) :: beside, high(2), low(2), side
+
+      low(:) = minval(points(:2, :), dim=2)
+      high(:) = maxval(points(:2, :), dim=2)
+      side = real(contact%face, wp)
+      associate (own => model%impactors(contact%impactor), &
+         & radius => model%impactors(contact%impactor)%body%radius)
+         is_off = .true.
+         who = "impactor "//text(own%id)
+         beside = norm2(max(low - own%centre(:2), own%centre(:2) - high, 0.0_wp))
+         if (beside > far*(radius + maxval(high - low))) then
+            call catalogue%report%refuse(place, who//" begins "//number_words(beside) &
+               & //" beside the plate", "a centre near the plate")
+         else if (beside > radius .and. norm2(own%velocity(:2)) <= 0.0_wp &
+            & .and. norm2(own%gravity(:2)) <= 0.0_wp .and. all(own%motion(:2) == 0)) then
+            call catalogue%report%warn(place, who//" passes by: its centre lies " &
+               & //number_words(beside)//" beside the plate", "a centre above or below the plate")
+         else if (side*own%velocity(3) > 0.0_wp .and. side*own%gravity(3) >= 0.0_wp) then
+            call catalogue%report%warn(place, who//" moves away from the plate", &
+               & "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR")
+         else
+            is_off = .false.
+         end if
+      end associate
+   end subroutine check_way
+
+   !> An impactor meets the face, not the rim, in time, and no part that the contact leaves out
+   subroutine check_approach(model, contact, place, is_off, catalogue)
       type(model_type), intent(in) :: model
       !> The impactor and the face
       type(contact_type), intent(in) :: contact
       !> Where the deck has the impactor
       type(deck_location_type), intent(in) :: place
+      !> Whether its way has been blamed
+      logical, intent(in) :: is_off
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      character(:), allocatable :: part, who
-      real(wp) :: beside, high(2), low(2), side
+      type(approach_type) :: approach
+      character(:), allocatable :: who
+      integer :: p
 
-      call find_extent(model, contact%part, low, high)
-      part = " part "//text(model%parts(contact%part)%id)
-      side = real(contact%face, wp)
-      associate (sphere => model%impactors(contact%impactor))
-         who = "impactor "//text(sphere%id)
-         beside = norm2(max(low - sphere%centre(:2), sphere%centre(:2) - high, 0.0_wp))
-         if (beside > far*(sphere%radius + maxval(high - low))) then
-            call catalogue%report%refuse(place, who//" begins "//number_words(beside)//" beside" &
-               & //part, "a centre near the part")
-         else if (beside > sphere%radius .and. norm2(sphere%velocity(:2)) <= 0.0_wp) then
-            call catalogue%report%warn(place, who//" passes by: its centre lies " &
-               & //number_words(beside)//" beside"//part, "a centre above or below the part")
-         else if (side*sphere%velocity(3) > 0.0_wp .and. side*sphere%gravity >= 0.0_wp) then
-            call catalogue%report%warn(place, who//" moves away from"//part, &
-               & "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR")
-         end if
-      end associate
-   end subroutine check_way
+      approach = find_approach(model, contact)
+      if (.not. approach%is_known) return
+      who = "impactor "//text(model%impactors(contact%impactor)%id)
+      if (approach%arrives .and. approach%is_at_rim) then
+         call catalogue%report%refuse(place, who//" meets the rim of the plate first, which " &
+            & //"contact does not see", "a centre from which it meets the face that FACE of " &
+            & //"*CONTACT_IMPACTOR names")
+      else if (.not. (approach%arrives .or. is_off) .and. approach%distance > 0.0_wp &
+         & .and. is_at_rest(model)) then
+         call catalogue%report%warn(place, who//" does not reach the plate before the end", &
+            & "a later ENDTIM of *CONTROL_TERMINATION, or a centre nearer to the plate")
+      end if
+      if (size(contact%parts) == 0) return
+      do p = 1, size(model%parts)
+         if (any(contact%parts == p)) cycle
+         if (.not. reaches_over(model, contact, approach%centre(:2), p)) cycle
+         call catalogue%report%warn(place, who//" lies over part " &
+            & //text(model%parts(p)%id)//", too, which its contact leaves out", &
+            & "PID 0 on *CONTACT_IMPACTOR for all parts")
+      end do
+   end subroutine check_approach
 
-   !> Smallest and largest x and y of a part
-   subroutine find_extent(model, part, low, high)
+   !> Whether nothing moves the plate but impactors
+   pure logical function is_at_rest(model)
       type(model_type), intent(in) :: model
-      !> Index of the part
-      integer, intent(in) :: part
-      !> Its corners
-      real(wp), intent(out) :: low(2), high(2)
 
-      integer :: e
+      is_at_rest = size(model%motions) + size(model%initial_velocities) + size(model%point_loads) &
+         & + size(model%line_loads) + size(model%pressures) + size(model%segment_loads) &
+         & + size(model%body_loads) + size(model%fixtures) == 0
+   end function is_at_rest
 
-      low(:) = huge(low)
-      high(:) = -huge(high)
-      associate (mesh => model%mesh)
-         do e = 1, size(mesh%quad_id)
-            if (mesh%quad_part(e) == part) call stretch(mesh%position(:2, mesh%quad_node(:, e)))
-         end do
-         do e = 1, size(mesh%brick_id)
-            if (mesh%brick_part(e) == part) call stretch(mesh%position(:2, mesh%brick_node(:, e)))
-         end do
-      end associate
-
-   contains
-
-      !> Let some places lie within
-      subroutine stretch(place)
-         real(wp), intent(in) :: place(:, :)
-
-         low(:) = min(low, minval(place, dim=2))
-         high(:) = max(high, maxval(place, dim=2))
-      end subroutine stretch
-
-   end subroutine find_extent
-
-   !> How far a sphere reaches through the face that it is to touch, at the nodes within its reach
-   pure real(wp) function depth(model, contact)
+   !> Whether an impactor lies over a node of a part
+   pure logical function reaches_over(model, contact, place, part)
       type(model_type), intent(in) :: model
       !> The impactor and the face
       type(contact_type), intent(in) :: contact
+      !> Its centre in the plane, length
+      real(wp), intent(in) :: place(2)
+      !> Index of the part
+      integer, intent(in) :: part
 
-      real(wp) :: away(3), height, side
-      integer :: e, k
+      type(contact_type) :: other
+      real(wp), allocatable :: points(:, :)
+      integer :: i
+
+      other = contact
+      other%parts = [part]
+      points = face_points(model, new_contact_face(model, other))
+      reaches_over = .false.
+      associate (radius => model%impactors(contact%impactor)%body%radius)
+         do i = 1, size(points, 2)
+            reaches_over = norm2(points(:2, i) - place) < radius
+            if (reaches_over) return
+         end do
+      end associate
+   end function reaches_over
+
+   !> How far an impactor must go up until it is above the face that it is to touch
+   pure real(wp) function depth(model, contact, points)
+      type(model_type), intent(in) :: model
+      !> The impactor and the face
+      type(contact_type), intent(in) :: contact
+      !> Points of the face, (3, points)
+      real(wp), intent(in) :: points(:, :)
+
+      integer :: i
 
       depth = 0.0_wp
-      side = real(contact%face, wp)
-      associate (part => model%parts(contact%part), sphere => model%impactors(contact%impactor))
-         height = sum(part%plies%thickness) &
-            & *(part%bottom_offset + merge(1.0_wp, 0.0_wp, contact%face == top_face))
-         do e = 1, size(model%mesh%quad_id)
-            if (model%mesh%quad_part(e) /= contact%part) cycle
-            do k = 1, size(model%mesh%quad_node, 1)
-               away(:) = sphere%centre - model%mesh%position(:, model%mesh%quad_node(k, e))
-               away(3) = side*(away(3) - height)
-               if (norm2(away(:2)) >= sphere%radius) cycle
-               ! how far the sphere must go up until it is above the node
-               depth = max(depth, sqrt(sphere%radius**2 - sum(away(:2)**2)) - away(3))
-            end do
+      associate (own => model%impactors(contact%impactor))
+         do i = 1, size(points, 2)
+            depth = max(depth, -own%body%vertical_gap(own%centre - points(:, i), contact%face))
          end do
       end associate
    end function depth

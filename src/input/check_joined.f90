@@ -21,7 +21,6 @@ contains
 
    !> Check a mesh whose references are all resolved
    subroutine check_joined(mesh, catalogue)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue

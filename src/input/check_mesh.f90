@@ -29,7 +29,6 @@ contains
 
    !> Check a mesh whose references are all resolved
    subroutine check_mesh(mesh, catalogue)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
@@ -173,10 +172,8 @@ contains
    subroutine blame(i, wrong, right, catalogue)
       !> Index of the quad
       integer, intent(in) :: i
-      !> What is wrong
-      character(*), intent(in) :: wrong
-      !> What would be right
-      character(*), intent(in) :: right
+      !> What is wrong, and what would be right
+      character(*), intent(in) :: wrong, right
       type(catalogue_type), intent(inout) :: catalogue
 
       call catalogue%report%refuse(catalogue%location(a_quad, i), "element " &

@@ -28,7 +28,6 @@ contains
 
    !> Check a model that has been read
    subroutine check_model(model, catalogue)
-      !> The model
       type(model_type), intent(in) :: model
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
@@ -40,7 +39,7 @@ contains
       end do
       call check_shared_numbers(catalogue)
       call check_presence(model, catalogue)
-      if (catalogue%has_rigid) then
+      if (catalogue%has_other_solids) then
          continue
       else if (catalogue%mesh_is_sound .and. size(model%mesh%brick_id) > 0) then
          call check_bricks(model%mesh, catalogue)
@@ -51,7 +50,7 @@ contains
       end if
       call check_all_used(catalogue)
       call check_parts(model, catalogue)
-      if (catalogue%mesh_is_sound .and. .not. catalogue%has_unread) then
+      if (catalogue%mesh_is_sound .and. size(model%parts) > 0 .and. .not. catalogue%has_unread) then
          call check_impact(model, catalogue)
       end if
       if (.not. catalogue%report%has_errors()) call check_fixtures(model, catalogue)
@@ -106,7 +105,7 @@ contains
       if (size(model%parts) == 0) then
          call catalogue%report%refuse(nowhere, "the deck has no part", "*PART_COMPOSITE")
       end if
-      if (model%control%end_time <= 0.0_wp .and. .not. catalogue%end_is_told) then
+      if (model%control%end_time <= 0.0_wp .and. .not. catalogue%end_is_reported) then
          call catalogue%report%refuse(nowhere, "the deck has no end time", &
             & "*CONTROL_TERMINATION with ENDTIM")
       end if
@@ -116,7 +115,7 @@ contains
    subroutine check_all_used(catalogue)
       type(catalogue_type), intent(inout) :: catalogue
 
-      if (catalogue%report%has_errors()) return
+      if (catalogue%is_incomplete) return
       call catalogue%check_unused(a_node_set, "a keyword that uses the set, or no set")
       call catalogue%check_unused(a_quad_set, "a keyword that uses the set, or no set")
       call catalogue%check_unused(a_box, "*SET_NODE_GENERAL that uses the box, or no box")
@@ -130,7 +129,7 @@ contains
       call catalogue%check_unused(an_impactor, "*CONTACT_IMPACTOR for the impactor, or no impactor")
    end subroutine check_all_used
 
-   !> Every part has elements
+   !> Every part has elements, where all elements could be read
    subroutine check_parts(model, catalogue)
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
@@ -138,14 +137,27 @@ contains
       type(deck_location_type) :: place
       integer :: i
 
-      if (catalogue%report%has_errors()) return
+      if (.not. catalogue%mesh_is_sound .or. catalogue%has_unread) return
+      if (size(model%mesh%quad_id) + size(model%mesh%brick_id) == 0) return
       do i = 1, size(model%parts)
          if (any(model%mesh%quad_part == i) .or. any(model%mesh%brick_part == i)) cycle
          place%line = catalogue%registers(a_part)%line(i)
          call catalogue%report%refuse(place, "part "//text(model%parts(i)%id)//" has no elements", &
             & "elements with this part, or no part")
       end do
-      if (size(model%mesh%brick_id) > 0) return
+      if (size(model%mesh%brick_id) == 0 .and. catalogue%parts_are_sound) then
+         call check_layers(model, catalogue)
+      end if
+   end subroutine check_parts
+
+   !> All parts have the same layers
+   subroutine check_layers(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      integer :: i
+
       do i = 2, size(model%parts)
          if (is_same_structure(new_layers(model%parts(1)), new_layers(model%parts(i)))) cycle
          place%line = catalogue%registers(a_part)%line(i)
@@ -155,6 +167,6 @@ contains
             & //"*INTERFACE_COHESIVE; angles and materials of plies may differ", &
             & catalogue%registers(a_part)%line(1))
       end do
-   end subroutine check_parts
+   end subroutine check_layers
 
 end module plydyn_input_check_model

@@ -9,35 +9,29 @@ module plydyn_input_check_solid
    implicit none
    private
 
-   public :: check_bricks, refuse_averages, refuse_with_bricks, refuse_without_bricks
+   public :: check_bricks, refuse_averages, refuse_kind
 
 contains
 
-   !> Refuse a keyword of plates in a deck with bricks
-   subroutine refuse_with_bricks(name, place, report)
+   !> Refuse a keyword of plates in a deck with bricks, or one of bricks in a deck without them
+   subroutine refuse_kind(name, place, has_bricks, report)
       !> Name of the keyword
       character(*), intent(in) :: name
       !> Where it is
       type(deck_location_type), intent(in) :: place
+      !> Whether the deck has bricks
+      logical, intent(in) :: has_bricks
       !> Gets the finding
       type(report_type), intent(inout) :: report
 
-      call report%refuse(place, "*"//name//" does not go with bricks", "plates alone, or bricks " &
-         & //"alone and no keyword that needs plies, faces or quads")
-   end subroutine refuse_with_bricks
-
-   !> Refuse a keyword of bricks in a deck without bricks
-   subroutine refuse_without_bricks(name, place, report)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-      !> Where it is
-      type(deck_location_type), intent(in) :: place
-      !> Gets the finding
-      type(report_type), intent(inout) :: report
-
-      call report%refuse(place, "*"//name//" needs bricks", "bricks (*ELEMENT_SOLID), or a " &
-         & //"laminate with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE")
-   end subroutine refuse_without_bricks
+      if (has_bricks) then
+         call report%refuse(place, "*"//name//" does not go with bricks", "plates alone, or " &
+            & //"bricks alone and no keyword that needs plies, faces or quads")
+      else
+         call report%refuse(place, "*"//name//" needs bricks", "bricks (*ELEMENT_SOLID), or a " &
+            & //"laminate with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE")
+      end if
+   end subroutine refuse_kind
 
    !> Refuse averages over neighbours: bricks do not know what layer they are of
    subroutine refuse_averages(materials, catalogue)
@@ -59,7 +53,6 @@ contains
 
    !> Every node belongs to a brick, and no brick is turned inside out
    subroutine check_bricks(mesh, catalogue)
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue

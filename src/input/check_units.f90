@@ -25,7 +25,6 @@ contains
 
    !> Look at moduli, densities and velocities
    subroutine check_units(model, catalogue)
-      !> The model
       type(model_type), intent(in) :: model
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
@@ -86,10 +85,8 @@ contains
       real(wp), intent(in) :: number
       !> Smallest and largest number
       real(wp), intent(in) :: range(2)
-      !> What it is
-      character(*), intent(in) :: what
-      !> Its SI unit
-      character(*), intent(in) :: unit
+      !> What it is, and its SI unit
+      character(*), intent(in) :: what, unit
       !> Units of the deck
       type(units_type), intent(in) :: units
 

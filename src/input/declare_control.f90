@@ -6,7 +6,8 @@ module plydyn_input_declare_control
    private
 
    public :: frame_keywords, title, control_units, control_termination, control_timestep, &
-      & control_energy, control_parallel, control_layerwise, damping_global
+      & control_energy, control_parallel, control_layerwise, damping_global, &
+      & damping_relaxation
 
    !> LS-DYNA's value for no limit on added mass
    real(wp), parameter :: no_mass_limit = 1.0e8_wp
@@ -95,7 +96,8 @@ contains
       call keyword%add_card()
       call keyword%add_real("DTINIT", "time", "first step; 0 for the stable one", default=0.0_wp, &
          & least=0.0_wp)
-      call keyword%add_real("TSSFAC", "-", "share of the stable step that is taken", &
+      call keyword%add_real("TSSFAC", "-", &
+         & "time-step scale factor: share of the stable step that is taken", &
          & default=0.9_wp, above=0.0_wp, most=1.0_wp)
       call keyword%zero_is_default()
       call keyword%add_unused("ISDO TSLIMT DT2MS")
@@ -175,5 +177,23 @@ contains
          & least=0.0_wp)
       call keyword%add_unused("STX STY STZ SRX SRY SRZ")
    end function damping_global
+
+   !> Dynamic relaxation
+   function damping_relaxation() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DAMPING_RELAXATION", extension, "Brings the plate to rest by " &
+         & //"dynamic relaxation, and ends the run there.")
+      keyword%once = .true.
+      keyword%remark = "Forces against the velocity of every point of the plate are critical for " &
+         & //"the frequency that moves: it is found from the motion itself, every 50 steps. A " &
+         & //"restart may bring it or, with DRTOL 0, end it; impactors are not damped. The " &
+         & //"messages of the run tell when the plate was at rest. See the theory, Dynamic " &
+         & //"relaxation."
+      call keyword%add_card()
+      call keyword%add_real("DRTOL", "-", "the run ends normally when the kinetic energy is " &
+         & //"below this share of the largest since dynamic relaxation began; 0 for no dynamic " &
+         & //"relaxation", default=1.0e-4_wp, least=0.0_wp, most=1.0_wp)
+   end function damping_relaxation
 
 end module plydyn_input_declare_control

@@ -8,6 +8,9 @@ module plydyn_input_declare_damage
 
    public :: mat_ply_codam2, mat_codam2
 
+   !> Shear strain at which an exponential curve reaches the strength, unless a card says more
+   real(wp), parameter, public :: usual_shear_strain = 0.05_wp
+
 contains
 
    !> Ply whose fibres and matrix are damaged
@@ -41,21 +44,21 @@ contains
       call keyword%add_real("ST", "stress", "shear strength in the plane 2-3; needed for MCOMP 1", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_card()
-      call keyword%add_real("G1T", "energy/length2", "toughness of fibres in tension", &
+      call keyword%add_real("G1T", "energy/length2", "fracture energy of fibres in tension", &
          & above=0.0_wp)
-      call keyword%add_real("G1C", "energy/length2", "toughness of fibres in compression", &
+      call keyword%add_real("G1C", "energy/length2", "fracture energy of fibres in compression", &
          & above=0.0_wp)
-      call keyword%add_real("G2T", "energy/length2", "toughness of matrix in tension", &
+      call keyword%add_real("G2T", "energy/length2", "fracture energy of matrix in tension", &
          & above=0.0_wp)
-      call keyword%add_real("G2C", "energy/length2", "toughness of matrix in compression", &
+      call keyword%add_real("G2C", "energy/length2", "fracture energy of matrix in compression", &
          & above=0.0_wp)
       call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
          & //"remains", default=0.999999_wp, above=0.0_wp, most=0.999999_wp)
       call keyword%zero_is_default()
-      call keyword%add_real("G2S", "energy/length2", "toughness of matrix in shear; 0 for G2T or " &
-         & //"G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
+         & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
    end subroutine add_strength_cards
 
    !> Curve of shear
@@ -70,7 +73,7 @@ contains
       call keyword%add_integer("LCID", "curve of shear stress over shear strain from 0, 0; its " &
          & //"last line goes on", default=0, least=0)
       call keyword%add_real("GAMU", "-", "shear strain at which SL is reached, above SL/G12", &
-         & default=0.05_wp, above=0.0_wp)
+         & default=usual_shear_strain, above=0.0_wp)
       call keyword%zero_is_default()
       call keyword%add_real("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
          & default=0.0_wp, least=0.0_wp)

@@ -2,6 +2,7 @@
 module plydyn_input_declare_fixture
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : extension, keyword_type, new_keyword
+   use plydyn_input_rigid_body, only : add_friction, add_motion
    implicit none
    private
 
@@ -19,12 +20,8 @@ contains
       call keyword%add_integer("WINDOW", "0 none, 1 a rectangle, 2 a circle", default=0, &
          & allowed=[0, 1, 2])
       call add_place(keyword, "window")
-      call keyword%add_real("LX", "length", "length of the rectangle along x", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_real("LY", "length", "its length along y", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("RADIUS", "length", "radius of its corners, or of the circle", &
-         & default=0.0_wp, least=0.0_wp)
-      call add_motion(keyword)
+      call add_outline(keyword)
+      call add_path(keyword)
    end function fixture_plane
 
    !> A flat ring
@@ -36,7 +33,7 @@ contains
       call add_place(keyword, "ring")
       call keyword%add_real("RI", "length", "inner radius", above=0.0_wp)
       call keyword%add_real("RO", "length", "outer radius", above=0.0_wp)
-      call add_motion(keyword)
+      call add_path(keyword)
    end function fixture_ring
 
    !> A flat punch
@@ -47,13 +44,20 @@ contains
       call keyword%add_card()
       call keyword%add_integer("SHAPE", "1 a rectangle, 2 a circle", allowed=[1, 2])
       call add_place(keyword, "punch")
+      call add_outline(keyword)
+      call add_path(keyword)
+   end function fixture_punch
+
+   !> Size of a rectangle or a circle
+   subroutine add_outline(keyword)
+      type(keyword_type), intent(inout) :: keyword
+
       call keyword%add_real("LX", "length", "length of the rectangle along x", default=0.0_wp, &
          & least=0.0_wp)
       call keyword%add_real("LY", "length", "its length along y", default=0.0_wp, least=0.0_wp)
       call keyword%add_real("RADIUS", "length", "radius of its corners, or of the circle", &
          & default=0.0_wp, least=0.0_wp)
-      call add_motion(keyword)
-   end function fixture_punch
+   end subroutine add_outline
 
    !> A round bar
    function fixture_bar() result(keyword)
@@ -70,7 +74,7 @@ contains
       call keyword%add_real("Y1", "length", "y of that end")
       call keyword%add_real("X2", "length", "x of the other end")
       call keyword%add_real("Y2", "length", "y of that end")
-      call add_motion(keyword)
+      call add_path(keyword)
    end function fixture_bar
 
    !> A clamp
@@ -101,10 +105,8 @@ contains
 
    !> A body with a flat face
    function new_body(name, sentence) result(keyword)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-      !> What it is
-      character(*), intent(in) :: sentence
+      !> Name of the keyword, and what it is
+      character(*), intent(in) :: name, sentence
       type(keyword_type) :: keyword
 
       keyword = new_keyword(name, extension, sentence, suffixes="TITLE")
@@ -134,18 +136,6 @@ contains
          & //"1 top, from above", allowed=[-1, 1])
    end subroutine add_face
 
-   !> Friction coefficients
-   subroutine add_friction(keyword)
-      !> The keyword of a fixture
-      type(keyword_type), intent(inout) :: keyword
-
-      call keyword%add_real("FS", "-", "static friction coefficient; at a sliding speed v it is " &
-         & //"FD + (FS - FD) exp(-DC v)", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("FD", "-", "dynamic friction coefficient", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("DC", "time/length", "decay; 0 for FS at any speed", default=0.0_wp, &
-         & least=0.0_wp)
-   end subroutine add_friction
-
    !> Centre in the plane
    subroutine add_place(keyword, what)
       !> The keyword of a fixture
@@ -158,17 +148,12 @@ contains
    end subroutine add_place
 
    !> Curves of a prescribed motion
-   subroutine add_motion(keyword)
+   subroutine add_path(keyword)
       !> The keyword of a body
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_card(optional=.true.)
-      call keyword%add_integer("LCX", "curve of its displacement along x; 0 for none", default=0, &
-         & least=0)
-      call keyword%add_integer("LCY", "curve of its displacement along y; 0 for none", default=0, &
-         & least=0)
-      call keyword%add_integer("LCZ", "curve of its displacement along z; 0 for none", default=0, &
-         & least=0)
-   end subroutine add_motion
+      call add_motion(keyword, "displacement")
+   end subroutine add_path
 
 end module plydyn_input_declare_fixture

@@ -1,11 +1,12 @@
-!> Keywords of impactors and of output.
+!> Keywords of the contact of impactors and of output.
 module plydyn_input_declare_impact
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
+   use plydyn_input_rigid_body, only : add_friction
    implicit none
    private
 
-   public :: impactor_sphere, contact_impactor, database, database_spcforc, database_history_node, &
+   public :: contact_impactor, database, database_spcforc, database_history_node, &
       & database_history_node_set, database_field, database_profile
 
    !> Nodes on a card
@@ -17,49 +18,24 @@ module plydyn_input_declare_impact
 
 contains
 
-   !> A rigid sphere
-   function impactor_sphere() result(keyword)
-      type(keyword_type) :: keyword
-
-      keyword = new_keyword("IMPACTOR_SPHERE", extension, &
-         & "A rigid sphere or hemisphere; it moves and does not turn.", suffixes="TITLE")
-      call keyword%add_card()
-      call keyword%add_integer("IID", "number of the impactor", least=1)
-      call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
-      call keyword%add_real("MASS", "mass", "mass", above=0.0_wp)
-      call keyword%add_real("XC", "length", "x of the centre at time zero")
-      call keyword%add_real("YC", "length", "y of the centre at time zero")
-      call keyword%add_real("ZC", "length", "z of the centre at time zero")
-      call keyword%add_card()
-      call keyword%add_real("VX", "length/time", "velocity along x at time zero")
-      call keyword%add_real("VY", "length/time", "velocity along y at time zero")
-      call keyword%add_real("VZ", "length/time", "velocity along z at time zero")
-      call keyword%add_integer("DOF", "0 free, 1 guided along z", default=0, allowed=[0, 1])
-      call keyword%add_real("GRAVZ", "length/time2", "acceleration along z at all times", &
-         & default=0.0_wp)
-      call keyword%add_integer("SHAPE", &
-         & "0 sphere, 1 hemisphere that faces the plate; contact sees the same", default=0, &
-         & allowed=[0, 1])
-   end function impactor_sphere
-
-   !> Contact of an impactor and a part
+   !> Contact of an impactor and the plate
    function contact_impactor() result(keyword)
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTACT_IMPACTOR", extension, &
-         & "An impactor against a face of a part, without friction.", suffixes="TITLE")
+         & "An impactor against a face of the plate.", suffixes="TITLE")
       call keyword%add_card()
       call keyword%add_integer("CID", "number of the contact", least=1)
       call keyword%add_integer("IID", "impactor", least=1)
-      call keyword%add_integer("PID", "part", least=1)
+      call keyword%add_integer("PID", "part; 0 for all parts", default=0, least=0)
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face", allowed=[-1, 1])
       call keyword%add_integer("METHOD", "1 nodes on the impactor against the facets of the " &
-         & //"plate, 2 points of the plate against the exact sphere", default=1, allowed=[1, 2])
+         & //"plate, 2 points of the plate against the exact body", default=1, allowed=[1, 2])
       call keyword%add_real("SPACING", "length", &
          & "distance between nodes on the impactor; 0 for one made from the mesh", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_card(optional=.true.)
-      call keyword%add_unused("FS FD DC")
+      call add_friction(keyword)
    end function contact_impactor
 
    !> A keyword that asks for one output
@@ -68,10 +44,8 @@ contains
       character(*), intent(in) :: name
       !> `extension` or `standard`
       logical, intent(in) :: own
-      !> What is written
-      character(*), intent(in) :: what
-      !> Fields of LS-DYNA without effect here
-      character(*), intent(in) :: unused
+      !> What is written, and fields of LS-DYNA without effect here
+      character(*), intent(in) :: what, unused
       type(keyword_type) :: keyword
 
       keyword = new_keyword(name, own, "Time between two "//what//".")

@@ -5,8 +5,8 @@ module plydyn_input_declare_interface
    implicit none
    private
 
-   public :: interface_cohesive, mat_cohesive_elastic, mat_cohesive_mixed_mode, &
-      & mat_cohesive_general, initial_delamination, initial_damage
+   public :: interface_cohesive, interface_law, interface_scatter, mat_cohesive_elastic, &
+      & mat_cohesive_mixed_mode, mat_cohesive_general, initial_delamination, initial_damage
 
 contains
 
@@ -40,6 +40,46 @@ contains
          & //"to the energy, 2 the strengths, to the mesh, 3 both", default=0, least=0, most=3)
    end function interface_cohesive
 
+   !> How an interface material fails where the mode changes, and under pressure
+   function interface_law() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("INTERFACE_LAW", extension, &
+         & "How an interface material fails where modes change, and under pressure.", &
+         & repeated=.true.)
+      keyword%remark = "MIX 0 takes the mix of modes from the present opening. Where it changes " &
+         & //"on the way, as before a crack in a beam that is bent, the work differs " &
+         & //"from the toughness by some 10 %. MIX 1 takes it from the work of both " &
+         & //"modes so far: then the work of failure is the toughness of its own mix " &
+         & //"on every path. Both are the same in pure modes and on straight paths. " &
+         & //"With ETA a pressure p makes the shear strength S + ETA p, and the " &
+         & //"toughness of sliding grows with its square."
+      call keyword%add_card()
+      call keyword%add_integer("MID", "interface material that fails", least=1)
+      call keyword%add_integer("MIX", "mix of modes: 0 of the present opening, 1 of the work so " &
+         & //"far", default=0, allowed=[0, 1])
+      call keyword%add_real("ETA", "-", "growth of the shear strength with the pressure", &
+         & default=0.0_wp, least=0.0_wp)
+   end function interface_law
+
+   !> Scatter of the strengths of an interface material
+   function interface_scatter() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("INTERFACE_SCATTER", extension, &
+         & "Strengths of an interface material that scatter from point to point.", repeated=.true.)
+      keyword%remark = "Both strengths are multiplied by a factor of mean 1 with the " &
+         & //"distribution of Weibull; the toughness stays. Factors of points LENGTH apart are " &
+         & //"correlated by some 0.6, those of different interfaces not at all. They depend on " &
+         & //"the position, the interface and SEED alone: not on the mesh, nor on the number of " &
+         & //"ranks. The coefficient of variation is some 1.2/M."
+      call keyword%add_card()
+      call keyword%add_integer("MID", "interface material that fails", least=1)
+      call keyword%add_integer("SEED", "number of the realisation", least=0)
+      call keyword%add_real("M", "-", "modulus of Weibull", least=2.0_wp)
+      call keyword%add_real("LENGTH", "length", "length of the correlation", above=0.0_wp)
+   end function interface_scatter
+
    !> Elastic interface material
    function mat_cohesive_elastic() result(keyword)
       type(keyword_type) :: keyword
@@ -58,7 +98,8 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("MAT_COHESIVE_MIXED_MODE", standard, &
-         & "Bond between two plies that softens and fails in opening, sliding and both.", &
+         & "Bond between two plies that softens and fails in opening (mode I), sliding (mode II) " &
+         & //"and both.", &
          & suffixes="TITLE", alias="MAT_138")
       keyword%remark = "A bilinear law: damage starts at (t_n/T)**2 + (t_s/S)**2 = 1 and is " &
          & //"complete when the toughness of the mix of modes is spent. XMU above 0: power law, " &
@@ -71,8 +112,10 @@ contains
       call add_cohesive_head(keyword)
       call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
       call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
-      call keyword%add_real("GIC", "energy/length2", "toughness in opening", above=0.0_wp)
-      call keyword%add_real("GIIC", "energy/length2", "toughness in sliding", above=0.0_wp)
+      call keyword%add_real("GIC", "energy/length2", "fracture energy in opening (mode I)", &
+         & above=0.0_wp)
+      call keyword%add_real("GIIC", "energy/length2", "fracture energy in sliding (mode II)", &
+         & above=0.0_wp)
       call keyword%add_card()
       call keyword%add_real("XMU", "-", "exponent of mixed modes: 0.1 to 20 power law, -20 to " &
          & //"-0.1 Benzeggagh-Kenane")
@@ -102,8 +145,10 @@ contains
       call add_cohesive_head(keyword)
       call keyword%add_integer("TES", "separation: 2 dimensionless", default=0, least=0, most=2)
       call keyword%add_integer("TSLC", "curve of traction over separation, a triangle", least=1)
-      call keyword%add_real("GIC", "energy/length2", "toughness in opening", above=0.0_wp)
-      call keyword%add_real("GIIC", "energy/length2", "toughness in sliding", above=0.0_wp)
+      call keyword%add_real("GIC", "energy/length2", "fracture energy in opening (mode I)", &
+         & above=0.0_wp)
+      call keyword%add_real("GIIC", "energy/length2", "fracture energy in sliding (mode II)", &
+         & above=0.0_wp)
       call keyword%add_card()
       call keyword%add_unused("XMU", neutral=[0.0_wp, 1.0_wp])
       call keyword%add_real("T", "stress", "strength in opening", above=0.0_wp)
@@ -144,7 +189,6 @@ contains
 
    !> Part, interfaces and elements
    subroutine add_interface_place(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_integer("PID", "part", least=1)
@@ -155,7 +199,6 @@ contains
 
    !> Circle that bounds what is broken
    subroutine add_circle(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_real("X", "length", "x of the centre of a circle", default=0.0_wp)

@@ -16,7 +16,8 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("BOUNDARY_SPC_SET", standard, &
-         & "Holds nodes over the whole thickness.", repeated=.true., suffixes="ID")
+         & "Holds nodes over the whole thickness; clamped with all three.", repeated=.true., &
+         & suffixes="ID")
       keyword%remark = "A held direction is held at all points through the thickness. The points " &
          & //"have no rotations of their own: DOFRX to DOFRZ may be 1 where DOFX, DOFY and DOFZ " &
          & //"are all 1, since nothing can turn there."
@@ -133,10 +134,8 @@ contains
 
    !> Forces at nodes, shared over the thickness
    function load_node(name, target, sentence) result(keyword)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-      !> Name of its first field
-      character(*), intent(in) :: target
+      !> Name of the keyword, and name of its first field
+      character(*), intent(in) :: name, target
       !> What that field holds
       character(*), intent(in) :: sentence
       type(keyword_type) :: keyword
@@ -208,10 +207,8 @@ contains
 
    !> Acceleration of the frame
    function load_body(name, axis) result(keyword)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-      !> Name of the axis
-      character(*), intent(in) :: axis
+      !> Name of the keyword, and name of the axis
+      character(*), intent(in) :: name, axis
       type(keyword_type) :: keyword
 
       keyword = new_keyword(name, standard, "An acceleration of the frame along "//axis &
@@ -225,7 +222,6 @@ contains
 
    !> Face that something acts on, or all planes
    subroutine add_face(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face, 2 all planes", &
@@ -234,7 +230,6 @@ contains
 
    !> Direction of a load or motion
    subroutine add_direction(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_integer("DOF", "1, 2, 3 for x, y, z", allowed=[1, 2, 3])
@@ -242,7 +237,6 @@ contains
 
    !> Curve and factor of our own keywords
    subroutine add_curve(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_integer("LCID", "curve; 0 for the constant 1", least=0)
@@ -251,7 +245,6 @@ contains
 
    !> Factor on a curve
    subroutine add_factor(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_real("SF", "any", "factor on the curve", default=1.0_wp)

@@ -21,7 +21,6 @@ contains
 
    !> Number, density and elastic constants
    subroutine add_isotropic(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_card()
@@ -95,12 +94,9 @@ contains
 
    !> A card with one number for each point of a yield curve
    subroutine add_points(keyword, name, dimension, sentence)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
-      !> Name without number
-      character(*), intent(in) :: name
-      !> Dimension of the number
-      character(*), intent(in) :: dimension
+      !> Name without number, and dimension of the number
+      character(*), intent(in) :: name, dimension
       !> What it means
       character(*), intent(in) :: sentence
 
@@ -165,7 +161,6 @@ contains
 
    !> First card of a table, and its values
    subroutine add_table_cards(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_card()

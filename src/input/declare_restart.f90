@@ -1,10 +1,10 @@
 !> Keywords of restart files.
 module plydyn_input_declare_restart
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, standard
+   use plydyn_deck_declaration, only : extension, keyword_type, new_keyword, standard
    implicit none
    private
 
-   public :: database_binary_d3dump, database_binary_runrsf
+   public :: control_stage, database_binary_d3dump, database_binary_runrsf, delete_body
 
    !> Most restart files that replace each other
    integer, parameter :: most_files = 99
@@ -41,5 +41,35 @@ contains
       call keyword%zero_is_default()
       call keyword%add_unused("BEAM NPLTC PSETID CID")
    end function database_binary_runrsf
+
+   !> Times of the deck of a restart
+   function control_stage() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_STAGE", extension, "Times of a deck that changes a run.")
+      keyword%once = .true.
+      keyword%remark = "A stage of a chain does not know when the stage before it ends. The time " &
+         & //"of the restart file is added to ENDTIM and to the abscissas of this deck's curves."
+      call keyword%add_card()
+      call keyword%add_integer("TIME", "1 ENDTIM and the curves of this deck count from the " &
+         & //"restart, 0 from the beginning of the run", default=1, allowed=[0, 1])
+   end function control_stage
+
+   !> Bodies that a restart removes
+   function delete_body(kind, field) result(keyword)
+      !> IMPACTOR or FIXTURE
+      character(*), intent(in) :: kind
+      !> Name of the number
+      character(*), intent(in) :: field
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DELETE_"//kind, extension, "Bodies that a restart removes.", &
+         & repeated=.true.)
+      keyword%remark = "For a deck that changes a run. New bodies need new " &
+         & //"numbers. The kinetic energy of impactors leaves the energy balance as " &
+         & //"external work."
+      call keyword%add_card()
+      call keyword%add_integer(field, "number of the body", least=1)
+   end function delete_body
 
 end module plydyn_input_declare_restart

@@ -52,7 +52,6 @@ contains
 
    !> The card of a brick
    subroutine add_brick(keyword)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
 
       integer :: i
@@ -90,10 +89,12 @@ contains
          & suffixes="TITLE")
       keyword%remark = "ELFORM 1: one point, with the mean gradients of the brick, which need " &
          & //"hourglass control. ELFORM 2: eight points that share the mean of their volume " &
-         & //"strain, but in plies that are damaged."
+         & //"strain, but in plies that are damaged. 19 and 20, cohesive bricks, are refused: " &
+         & //"*INTERFACE_COHESIVE joins plies of one part."
       call keyword%add_card()
       call keyword%add_integer("SECID", "number of the section", least=1)
-      call keyword%add_integer("ELFORM", "1 one point, 2 eight points", default=1, allowed=[1, 2])
+      call keyword%add_integer("ELFORM", "1 one point, 2 eight points", default=1, &
+         & allowed=[1, 2, 19, 20])
       call keyword%add_unused("AET")
    end function section_solid
 
@@ -123,7 +124,6 @@ contains
 
    !> Kind and coefficient of hourglass control
    subroutine add_control(keyword, coefficient)
-      !> The keyword
       type(keyword_type), intent(inout) :: keyword
       !> Name of the coefficient
       character(*), intent(in) :: coefficient

@@ -21,7 +21,6 @@ contains
 
    !> An empty model
    subroutine begin_model(model)
-      !> The model
       type(model_type), intent(inout) :: model
 
       model%title = ""
@@ -37,9 +36,7 @@ contains
 
    !> What the deck does not say
    subroutine end_model(deck, model)
-      !> The deck
       type(deck_type), intent(in) :: deck
-      !> The model
       type(model_type), intent(inout) :: model
 
       integer :: i

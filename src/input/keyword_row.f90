@@ -55,7 +55,6 @@ module plydyn_input_keyword_row
          type(cards_type), intent(in) :: cards
          !> Numbers of everything so far; gets new ones, and findings
          type(catalogue_type), intent(inout) :: catalogue
-         !> The model
          type(model_type), intent(inout) :: model
       end subroutine read_cards
    end interface
@@ -107,7 +106,6 @@ contains
    !> Append a row
    subroutine append(self, row)
       class(keyword_list_type), intent(inout) :: self
-      !> The row
       type(keyword_row_type), intent(in) :: row
 
       type(keyword_row_type), allocatable :: longer(:)

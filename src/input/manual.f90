@@ -4,7 +4,7 @@ module plydyn_input_manual
    use plydyn_base_text, only : upper_case
    use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
    use plydyn_deck_lookup, only : find_keyword, keyword_advice
-   use plydyn_deck_manual, only : keyword_list, keyword_page
+   use plydyn_deck_manual, only : keyword_index, keyword_list, keyword_page
    use plydyn_input_keywords, only : all_keywords
    implicit none
    private
@@ -52,7 +52,9 @@ contains
 
       integer :: i
 
-      pages = "# Keywords"//line_feed//line_feed
+      pages = "# Keywords"//line_feed//line_feed//"The examples fit the deck of [Writing a " &
+         & //"deck](decks.md#a-whole-deck), with what they name, such as a curve, beside them." &
+         & //line_feed//line_feed//keyword_index(keywords)
       do i = 1, size(keywords)
          if (keywords(i)%status == is_read) pages = pages//keyword_page(keywords(i))
       end do

@@ -11,7 +11,8 @@ module plydyn_input_read_control
    implicit none
    private
 
-   public :: read_title, read_damping_global, read_control_units, read_control_termination, &
+   public :: read_title, read_damping_global, read_damping_relaxation, &
+      & read_control_units, read_control_termination, &
       & read_control_timestep, read_control_parallel, read_control_layerwise
 
 contains
@@ -42,8 +43,9 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      model%control%end_time = cards%real("ENDTIM")
-      catalogue%end_is_told = .not. cards%is_fine("ENDTIM")
+      model%control%end_time = cards%real("ENDTIM") &
+         & + catalogue%times%of_line(cards%line_of("ENDTIM"))
+      catalogue%end_is_reported = .not. cards%is_fine("ENDTIM")
       if (model%control%planned_end <= 0.0_wp) model%control%planned_end = model%control%end_time
       model%control%end_cycle = cards%integer("ENDCYC")
       model%control%smallest_share = cards%real("DTMIN")
@@ -89,6 +91,15 @@ contains
 
       model%control%damping = cards%real("VALDMP")
    end subroutine read_damping_global
+
+   !> *DAMPING_RELAXATION: dynamic relaxation
+   subroutine read_damping_relaxation(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%control%rest_share = cards%real("DRTOL")
+   end subroutine read_damping_relaxation
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
    subroutine read_control_layerwise(cards, catalogue, model)

@@ -6,6 +6,7 @@ module plydyn_input_read_damage
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, catalogue_type
+   use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
@@ -87,7 +88,6 @@ contains
    subroutine read_switches(cards, catalogue, ply)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> The ply
       type(ply_constants_type), intent(inout) :: ply
 
       ply%band_rule = rules(choice(cards, "LRULE"))
@@ -114,7 +114,6 @@ contains
    subroutine read_average(cards, catalogue, ply)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> The ply
       type(ply_constants_type), intent(inout) :: ply
 
       character(2), parameter :: names(2) = ["R1", "R2"]
@@ -151,7 +150,6 @@ contains
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(curve_type), intent(in) :: curves(:)
-      !> The ply
       type(ply_constants_type), intent(inout) :: ply
 
       integer :: curve
@@ -203,7 +201,8 @@ contains
       integer :: i
 
       associate (shear => choice(cards, "SHEAR"))
-         is_idle(:) = [shear /= exponential .and. cards%real("GAMU") > 0.0_wp, &
+         is_idle(:) = [shear /= exponential &
+            & .and. abs(cards%real("GAMU") - usual_shear_strain) > 0.0_wp, &
             & shear /= table .and. cards%integer("LCID") > 0, &
             & shear /= power .and. cards%real("ALPHA") > 0.0_wp, &
             & shear /= power .and. cards%real("N") > 0.0_wp, &

@@ -4,8 +4,9 @@ module plydyn_input_read_fixture
    use plydyn_contact_bodies_outline, only : circle_outline, outline_type, rectangle_outline, &
       & strip_outline
    use plydyn_deck_cards, only : cards_type
-   use plydyn_input_catalogue, only : a_curve, a_fixture, catalogue_type
+   use plydyn_input_catalogue, only : a_fixture, catalogue_type
    use plydyn_input_read_load, only : find_curve
+   use plydyn_input_rigid_body, only : read_friction, read_motion
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -16,8 +17,6 @@ module plydyn_input_read_fixture
 
    !> Shapes of windows and punches, numbered as on the card
    integer, parameter :: a_rectangle = 1, a_circle = 2
-   !> Fields of the curves of a motion
-   character(3), parameter :: motion_names(3) = ["LCX", "LCY", "LCZ"]
 
 contains
 
@@ -110,17 +109,12 @@ contains
       !> What it is, and the field of the radius of its edges
       character(*), intent(in) :: kind, edge
       type(catalogue_type), intent(inout) :: catalogue
-      !> The fixture
       type(fixture_type), intent(out) :: fixture
-      integer :: c
 
       call read_head(cards, kind, catalogue, fixture)
       fixture%gap = cards%real("GAP")
       fixture%body%edge = cards%real(edge)
-      do c = 1, size(motion_names)
-         if (cards%integer(motion_names(c)) == 0) cycle
-         call catalogue%find(a_curve, cards, motion_names(c), fixture%motion(c))
-      end do
+      call read_motion(cards, catalogue, fixture%motion)
    end subroutine read_body
 
    !> Number, face and friction of a fixture
@@ -129,7 +123,6 @@ contains
       !> What it is
       character(*), intent(in) :: kind
       type(catalogue_type), intent(inout) :: catalogue
-      !> The fixture
       type(fixture_type), intent(out) :: fixture
 
       call catalogue%define(a_fixture, cards, "FID")
@@ -138,9 +131,7 @@ contains
       fixture%face = cards%integer("FACE")
       fixture%body%upward = -fixture%face
       allocate (fixture%body%outlines(0))
-      fixture%friction%static = cards%real("FS")
-      fixture%friction%dynamic = cards%real("FD")
-      fixture%friction%decay = cards%real("DC")
+      call read_friction(cards, catalogue, fixture%friction)
       fixture%line = cards%line_of("FID")
    end subroutine read_head
 

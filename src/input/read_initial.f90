@@ -100,7 +100,6 @@ contains
    !> The circle has a point of an interface in it
    subroutine check_met(cards, nth, model, initial, catalogue)
       type(cards_type), intent(in) :: cards
-      !> Which row
       integer, intent(in) :: nth
       type(model_type), intent(in) :: model
       type(initial_damage_type), intent(in) :: initial

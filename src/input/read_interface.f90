@@ -5,9 +5,11 @@ module plydyn_input_read_interface
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, normal, shear
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
+   use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
+   use plydyn_law_scatter, only : scatter_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layup, only : faces_apart, faces_tied
    use plydyn_model_material, only : interface_material_type
@@ -15,7 +17,7 @@ module plydyn_input_read_interface
    implicit none
    private
 
-   public :: find_interfaces, read_interface_cohesive, &
+   public :: find_interfaces, read_interface_cohesive, read_interface_law, read_interface_scatter, &
       & read_mat_cohesive_elastic, read_mat_cohesive_general, read_mat_cohesive_mixed_mode
 
    !> Share by which a strength may differ from what the ultimate displacement gives
@@ -184,7 +186,6 @@ contains
    subroutine begin_material(cards, catalogue, material)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> The material
       type(interface_material_type), intent(inout) :: material
 
       call catalogue%define(an_interface_material, cards, "MID")
@@ -195,6 +196,67 @@ contains
             & "an interface has no mass")
       end if
    end subroutine begin_material
+
+   !> *INTERFACE_LAW: how a material fails where the mode changes, and under pressure
+   subroutine read_interface_law(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      integer :: material, nth
+
+      do nth = 1, cards%sets()
+         call find_failing(cards, nth, catalogue, model, material)
+         if (material == 0) cycle
+         associate (constants => model%interface_materials(material)%constants)
+            constants%by_work = cards%integer("MIX", nth) == 1
+            constants%pressure_gain = cards%real("ETA", nth)
+         end associate
+      end do
+   end subroutine read_interface_law
+
+   !> *INTERFACE_SCATTER: strengths of a material from point to point
+   subroutine read_interface_scatter(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      type(cohesive_constants_type) :: strongest
+      type(finding_type), allocatable :: findings(:)
+      integer :: material, nth
+
+      do nth = 1, cards%sets()
+         call find_failing(cards, nth, catalogue, model, material)
+         if (material == 0 .or. catalogue%report%has_errors()) cycle
+         associate (own => model%interface_materials(material))
+            own%scatter = scatter_type(cards%integer("SEED", nth), cards%real("M", nth), &
+               & cards%real("LENGTH", nth))
+            strongest = own%constants
+            strongest%strength(:) = own%scatter%largest_factor()*strongest%strength
+            call check_cohesive(strongest, findings)
+            if (size(findings) > 0) call catalogue%refuse(cards, "M", &
+               & "at the strongest points "//findings(1)%wrong, findings(1)%right, nth)
+         end associate
+      end do
+   end subroutine read_interface_scatter
+
+   !> Index of the interface material of a row; 0 for one that is undefined or does not fail
+   subroutine find_failing(cards, nth, catalogue, model, material)
+      type(cards_type), intent(in) :: cards
+      !> Which row
+      integer, intent(in) :: nth
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(in) :: model
+      !> The index
+      integer, intent(out) :: material
+
+      call catalogue%find(an_interface_material, cards, "MID", material, nth)
+      if (material == 0) return
+      if (model%interface_materials(material)%fails) return
+      call catalogue%refuse(cards, "MID", "the material does not fail", &
+         & "a material such as *MAT_COHESIVE_MIXED_MODE", nth)
+      material = 0
+   end subroutine find_failing
 
    !> *INTERFACE_COHESIVE: what lies between plies
    subroutine read_interface_cohesive(cards, catalogue, model)
@@ -295,10 +357,8 @@ contains
    !> Range of interfaces; an empty one and a report when there are no such interfaces
    subroutine find_interfaces(cards, nth, count, catalogue, first, last)
       type(cards_type), intent(in) :: cards
-      !> Which row
-      integer, intent(in) :: nth
-      !> Interfaces of the part
-      integer, intent(in) :: count
+      !> Which row, and interfaces of the part
+      integer, intent(in) :: nth, count
       type(catalogue_type), intent(inout) :: catalogue
       !> First and last interface
       integer, intent(out) :: first, last

@@ -11,13 +11,13 @@ module plydyn_input_read_load
    implicit none
    private
 
-   public :: read_load_node_set, read_load_node_point, read_load_face_point, read_load_face_line, &
-      & read_load_shell_set, read_load_face_pressure, read_load_body, find_curve
+   public :: read_load_node, read_load_face_line, read_load_pressure, read_load_body, find_curve
 
 contains
 
-   !> *LOAD_NODE_SET: a force at each node of a set
-   subroutine read_load_node_set(cards, catalogue, model)
+   !> *LOAD_NODE_SET, *LOAD_NODE_POINT, *LOAD_FACE_POINT: a force at each node of a set, at a node,
+   !> at a node of a face
+   subroutine read_load_node(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
@@ -26,46 +26,23 @@ contains
       integer :: nth
 
       do nth = 1, cards%sets()
-         call catalogue%find_set(a_node_set, cards, "NSID", new(nth)%nodes, nth)
-         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+         if (cards%name == "LOAD_NODE_SET") then
+            call catalogue%find_set(a_node_set, cards, "NSID", new(nth)%nodes, nth)
+         else
+            allocate (new(nth)%nodes(1))
+            call catalogue%find(a_node, cards, "NID", new(nth)%nodes(1), nth)
+         end if
          new(nth)%direction = cards%integer("DOF", nth)
          new(nth)%scale = cards%real("SF", nth)
+         if (cards%name == "LOAD_FACE_POINT") then
+            call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
+            new(nth)%face = cards%integer("FACE", nth)
+         else
+            call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+         end if
       end do
       model%point_loads = [model%point_loads, new]
-   end subroutine read_load_node_set
-
-   !> *LOAD_NODE_POINT: a force at a node
-   subroutine read_load_node_point(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(point_load_type) :: new(cards%sets())
-      integer :: nth
-
-      do nth = 1, cards%sets()
-         call read_node(cards, nth, catalogue, new(nth))
-         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
-      end do
-      model%point_loads = [model%point_loads, new]
-   end subroutine read_load_node_point
-
-   !> *LOAD_FACE_POINT: a force at a node of a face
-   subroutine read_load_face_point(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(point_load_type) :: new(cards%sets())
-      integer :: nth
-
-      do nth = 1, cards%sets()
-         call read_node(cards, nth, catalogue, new(nth))
-         call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
-         new(nth)%face = cards%integer("FACE", nth)
-      end do
-      model%point_loads = [model%point_loads, new]
-   end subroutine read_load_face_point
+   end subroutine read_load_node
 
    !> *LOAD_FACE_LINE: a force per length along element edges
    subroutine read_load_face_line(cards, catalogue, model)
@@ -116,26 +93,8 @@ contains
       has_edge = .false.
    end function has_edge
 
-   !> *LOAD_SHELL_SET: a pressure onto the top face
-   subroutine read_load_shell_set(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(pressure_type) :: new(cards%sets())
-      integer :: nth
-
-      do nth = 1, cards%sets()
-         call catalogue%find_set(a_quad_set, cards, "ESID", new(nth)%quads, nth)
-         call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
-         new(nth)%scale = cards%real("SF", nth)
-         new(nth)%face = top_face
-      end do
-      model%pressures = [model%pressures, new]
-   end subroutine read_load_shell_set
-
-   !> *LOAD_FACE_PRESSURE: a pressure onto a face
-   subroutine read_load_face_pressure(cards, catalogue, model)
+   !> *LOAD_SHELL_SET, *LOAD_FACE_PRESSURE: a pressure onto the top face, onto a face
+   subroutine read_load_pressure(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
@@ -144,17 +103,23 @@ contains
       integer :: i, nth
 
       do nth = 1, cards%sets()
+         new(nth)%scale = cards%real("SF", nth)
+         if (cards%name == "LOAD_SHELL_SET") then
+            call catalogue%find_set(a_quad_set, cards, "ESID", new(nth)%quads, nth)
+            call catalogue%find(a_curve, cards, "LCID", new(nth)%curve, nth)
+            new(nth)%face = top_face
+            cycle
+         end if
          if (cards%integer("SSID", nth) == 0) then
             new(nth)%quads = [(i, i=1, size(model%mesh%quad_id))]
          else
             call catalogue%find_set(a_quad_set, cards, "SSID", new(nth)%quads, nth)
          end if
          call find_curve(cards, nth, catalogue, model%curves, new(nth)%curve)
-         new(nth)%scale = cards%real("SF", nth)
          new(nth)%face = cards%integer("FACE", nth)
       end do
       model%pressures = [model%pressures, new]
-   end subroutine read_load_face_pressure
+   end subroutine read_load_pressure
 
    !> *LOAD_BODY_X, _Y, _Z: an acceleration of the frame
    subroutine read_load_body(cards, catalogue, model)
@@ -169,21 +134,6 @@ contains
       call catalogue%find(a_curve, cards, "LCID", load%curve)
       model%body_loads = [model%body_loads, load]
    end subroutine read_load_body
-
-   !> Node, direction and factor of a force
-   subroutine read_node(cards, nth, catalogue, load)
-      type(cards_type), intent(in) :: cards
-      !> Which set of cards
-      integer, intent(in) :: nth
-      type(catalogue_type), intent(inout) :: catalogue
-      !> The force
-      type(point_load_type), intent(inout) :: load
-
-      allocate (load%nodes(1))
-      call catalogue%find(a_node, cards, "NID", load%nodes(1), nth)
-      load%direction = cards%integer("DOF", nth)
-      load%scale = cards%real("SF", nth)
-   end subroutine read_node
 
    !> Curve of our own keywords, where 0 is the constant 1
    subroutine find_curve(cards, nth, catalogue, curves, curve)

@@ -12,8 +12,8 @@ module plydyn_input_read_material
    implicit none
    private
 
-   public :: read_mat_elastic, read_mat_orthotropic_elastic, read_mat_ply_elastic, &
-      & begin_material, check_stability, read_axes, read_isotropic, read_ply
+   public :: read_mat_elastic, read_mat_orthotropic_elastic, begin_material, check_stability, &
+      & read_axes, read_isotropic, read_ply
 
    !> Poisson's ratio of an isotropic material lies between these
    real(wp), parameter :: least_poisson = -1.0_wp, most_poisson = 0.5_wp
@@ -21,7 +21,7 @@ module plydyn_input_read_material
 
 contains
 
-   !> *MAT_ELASTIC: isotropic
+   !> *MAT_ELASTIC, *MAT_PLY_ELASTIC: isotropic, or a ply by its engineering constants
    subroutine read_mat_elastic(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
@@ -31,7 +31,11 @@ contains
       type(material_type) :: material
 
       call begin_material(cards, catalogue, material)
-      call read_isotropic(cards, catalogue, law)
+      if (cards%name == "MAT_ELASTIC") then
+         call read_isotropic(cards, catalogue, law)
+      else
+         call read_ply(cards, catalogue, law)
+      end if
       call add_material(model%materials, material, law)
    end subroutine read_mat_elastic
 
@@ -54,20 +58,6 @@ contains
             & "a number above -1 and below 0.5, or a strain would give energy")
       end if
    end subroutine read_isotropic
-
-   !> *MAT_PLY_ELASTIC: a ply by its engineering constants
-   subroutine read_mat_ply_elastic(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(elastic_constants_type) :: law
-      type(material_type) :: material
-
-      call begin_material(cards, catalogue, material)
-      call read_ply(cards, catalogue, law)
-      call add_material(model%materials, material, law)
-   end subroutine read_mat_ply_elastic
 
    !> Engineering constants of a ply in its own axes
    subroutine read_ply(cards, catalogue, law)
@@ -133,7 +123,6 @@ contains
       type(cards_type), intent(in) :: cards
       !> Gets the number
       type(catalogue_type), intent(inout) :: catalogue
-      !> The material
       type(material_type), intent(inout) :: material
 
       call catalogue%define(a_material, cards, "MID")

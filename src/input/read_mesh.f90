@@ -9,7 +9,7 @@ module plydyn_input_read_mesh
    implicit none
    private
 
-   public :: new_mesh, read_node, read_element_shell, read_element_plate_q9
+   public :: new_mesh, read_node, read_element_quad
 
    !> Nodes of a quad without and with mid-sides and centre, and of one without centre
    integer, parameter :: four_nodes = 4, eight_nodes = 8, nine_nodes = 9
@@ -44,8 +44,8 @@ contains
       end do
    end subroutine read_node
 
-   !> *ELEMENT_SHELL: quads of four nodes, or of nine
-   subroutine read_element_shell(cards, catalogue, model)
+   !> *ELEMENT_SHELL, *ELEMENT_PLATE_Q9: quads of four or nine nodes, of nine
+   subroutine read_element_quad(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
@@ -54,26 +54,12 @@ contains
 
       n = size(model%mesh%quad_id)
       call add_quads(model%mesh, cards%sets())
+      nodes = nine_nodes
       do nth = 1, cards%sets()
-         call check_node_count(cards, nth, catalogue, nodes)
+         if (cards%name == "ELEMENT_SHELL") call check_node_count(cards, nth, catalogue, nodes)
          call read_quad(cards, nth, nodes, n + nth, catalogue, model%mesh)
       end do
-   end subroutine read_element_shell
-
-   !> *ELEMENT_PLATE_Q9: quads of nine nodes
-   subroutine read_element_plate_q9(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      integer :: n, nth
-
-      n = size(model%mesh%quad_id)
-      call add_quads(model%mesh, cards%sets())
-      do nth = 1, cards%sets()
-         call read_quad(cards, nth, nine_nodes, n + nth, catalogue, model%mesh)
-      end do
-   end subroutine read_element_plate_q9
+   end subroutine read_element_quad
 
    !> One quad: number, part and nodes
    subroutine read_quad(cards, nth, nodes, quad, catalogue, mesh)
@@ -141,10 +127,8 @@ contains
    !> A node that an element has already
    subroutine check_repeated(cards, nth, k, nodes, catalogue)
       type(cards_type), intent(in) :: cards
-      !> Which set of cards
-      integer, intent(in) :: nth
-      !> Place of the node in the element
-      integer, intent(in) :: k
+      !> Which set of cards, and place of the node in the element
+      integer, intent(in) :: nth, k
       !> Nodes up to that place
       integer, intent(in) :: nodes(:)
       type(catalogue_type), intent(inout) :: catalogue

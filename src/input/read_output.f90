@@ -13,127 +13,77 @@ module plydyn_input_read_output
    implicit none
    private
 
-   public :: read_database_glstat, read_database_impactor, check_database_impactor, &
-      & read_database_fixture, check_database_fixture, &
-      & read_database_nodout, check_database_nodout, read_database_spcforc, &
-      & check_database_spcforc, read_database_binary_d3plot, read_database_binary_d3dump, &
-      & read_database_binary_runrsf, read_database_delam, read_database_field, &
-      & read_database_profile, read_database_history_node, read_database_history_node_set
+   public :: read_interval, check_interval, read_restart_cycles, read_database_delam, &
+      & read_database_field, read_database_profile, read_database_history_node
 
 contains
 
-   !> *DATABASE_GLSTAT: time between two lines of the energies
-   subroutine read_database_glstat(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%request%energy_interval = cards%real("DT")
-   end subroutine read_database_glstat
-
-   !> *DATABASE_IMPACTOR: time between two lines of the impactor histories
-   subroutine read_database_impactor(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%request%impactor_interval = cards%real("DT")
-   end subroutine read_database_impactor
-
-   !> Warn of histories of impactors that are not there
-   subroutine check_database_impactor(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      if (size(model%impactors) == 0) call catalogue%warn(cards, "DT", &
-         & "there are no impactors to write", "*IMPACTOR_SPHERE, or not this keyword")
-   end subroutine check_database_impactor
-
-   !> *DATABASE_FIXTURE: time between two lines of the fixture histories
-   subroutine read_database_fixture(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%request%fixture_interval = cards%real("DT")
-   end subroutine read_database_fixture
-
-   !> Warn of histories of fixtures that are not there
-   subroutine check_database_fixture(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      if (size(model%fixtures) == 0) call catalogue%warn(cards, "DT", &
-         & "there are no fixtures to write", "*FIXTURE_PLANE, or not this keyword")
-   end subroutine check_database_fixture
-
-   !> *DATABASE_NODOUT: time between two lines of the node histories
-   subroutine read_database_nodout(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%request%node_interval = cards%real("DT")
-   end subroutine read_database_nodout
-
-   !> Warn of histories of nodes that are not there
-   subroutine check_database_nodout(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      if (size(model%request%nodes) == 0) call catalogue%warn(cards, "DT", &
-         & "there are no nodes to write", "nodes in *DATABASE_HISTORY_NODE, or not this keyword")
-   end subroutine check_database_nodout
-
-   !> *DATABASE_SPCFORC: time between two lines of the support forces
-   subroutine read_database_spcforc(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%request%support_interval = cards%real("DT")
-   end subroutine read_database_spcforc
-
-   !> Warn of forces of supports that are not there
-   subroutine check_database_spcforc(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      if (size(model%holds) + size(model%motions) == 0) call catalogue%warn(cards, "DT", &
-         & "there are no supports to write", "*BOUNDARY_SPC_SET, or not this keyword")
-   end subroutine check_database_spcforc
-
+   !> *DATABASE_GLSTAT, _IMPACTOR, _FIXTURE, _NODOUT, _SPCFORC: time between two lines of a history;
    !> *DATABASE_BINARY_D3PLOT: time between two field states
-   subroutine read_database_binary_d3plot(cards, catalogue, model)
+   subroutine read_interval(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      model%request%field_interval = cards%real("DT")
-   end subroutine read_database_binary_d3plot
+      associate (request => model%request)
+         select case (cards%name)
+         case ("DATABASE_GLSTAT"); request%energy_interval = cards%real("DT")
+         case ("DATABASE_IMPACTOR"); request%impactor_interval = cards%real("DT")
+         case ("DATABASE_FIXTURE"); request%fixture_interval = cards%real("DT")
+         case ("DATABASE_NODOUT"); request%node_interval = cards%real("DT")
+         case ("DATABASE_SPCFORC"); request%support_interval = cards%real("DT")
+         case default; request%field_interval = cards%real("DT")
+         end select
+      end associate
+   end subroutine read_interval
 
-   !> *DATABASE_BINARY_D3DUMP: steps between two restart files that are kept
-   subroutine read_database_binary_d3dump(cards, catalogue, model)
+   !> Warn of histories of what is not there
+   subroutine check_interval(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      model%request%kept_cycles = cards%integer("CYCL")
-   end subroutine read_database_binary_d3dump
+      select case (cards%name)
+      case ("DATABASE_IMPACTOR")
+         call warn_of_none(size(model%impactors), "impactors", "*IMPACTOR_SPHERE")
+      case ("DATABASE_FIXTURE")
+         call warn_of_none(size(model%fixtures), "fixtures", "*FIXTURE_PLANE")
+      case ("DATABASE_NODOUT")
+         call warn_of_none(size(model%request%nodes), "nodes", "nodes in *DATABASE_HISTORY_NODE")
+      case ("DATABASE_SPCFORC")
+         call warn_of_none(size(model%holds) + size(model%motions), "supports", &
+            & "*BOUNDARY_SPC_SET")
+      case default
+         continue
+      end select
 
-   !> *DATABASE_BINARY_RUNRSF: steps between two restart files that replace older ones
-   subroutine read_database_binary_runrsf(cards, catalogue, model)
+   contains
+
+      !> Warn where there are none of them
+      subroutine warn_of_none(number, names, remedy)
+         integer, intent(in) :: number
+         character(*), intent(in) :: names, remedy
+
+         if (number == 0) call catalogue%warn(cards, "DT", "there are no "//names//" to write", &
+            & remedy//", or not this keyword")
+      end subroutine warn_of_none
+
+   end subroutine check_interval
+
+   !> *DATABASE_BINARY_D3DUMP, *DATABASE_BINARY_RUNRSF: steps between two restart files that are
+   !> kept, or that replace older ones
+   subroutine read_restart_cycles(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      model%request%running_cycles = cards%integer("CYCL")
-      model%request%running_files = cards%integer("NR")
-   end subroutine read_database_binary_runrsf
+      if (cards%name == "DATABASE_BINARY_D3DUMP") then
+         model%request%kept_cycles = cards%integer("CYCL")
+      else
+         model%request%running_cycles = cards%integer("CYCL")
+         model%request%running_files = cards%integer("NR")
+      end if
+   end subroutine read_restart_cycles
 
    !> *DATABASE_DELAM: time between two lines of the history of delamination
    subroutine read_database_delam(cards, catalogue, model)
@@ -147,32 +97,25 @@ contains
          & "an interface of a material such as *MAT_COHESIVE_MIXED_MODE, or no *DATABASE_DELAM")
    end subroutine read_database_delam
 
-   !> *DATABASE_HISTORY_NODE: nodes with a history
+   !> *DATABASE_HISTORY_NODE, *DATABASE_HISTORY_NODE_SET: nodes with a history, or sets of them
    subroutine read_database_history_node(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      integer, allocatable :: nodes(:)
-
-      call catalogue%find_all(a_node, cards, "ID", nodes)
-      call add_nodes(nodes, model%request)
-   end subroutine read_database_history_node
-
-   !> *DATABASE_HISTORY_NODE_SET: sets of nodes with a history
-   subroutine read_database_history_node_set(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      integer, allocatable :: sets(:)
+      integer, allocatable :: found(:)
       integer :: i
 
-      call catalogue%find_all(a_node_set, cards, "ID", sets)
-      do i = 1, size(sets)
-         call add_nodes(catalogue%node_sets(sets(i))%list, model%request)
+      if (cards%name == "DATABASE_HISTORY_NODE") then
+         call catalogue%find_all(a_node, cards, "ID", found)
+         call add_nodes(found, model%request)
+         return
+      end if
+      call catalogue%find_all(a_node_set, cards, "ID", found)
+      do i = 1, size(found)
+         call add_nodes(catalogue%node_sets(found(i))%list, model%request)
       end do
-   end subroutine read_database_history_node_set
+   end subroutine read_database_history_node
 
    !> Nodes that have no history yet
    subroutine add_nodes(nodes, request)

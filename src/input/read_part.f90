@@ -11,7 +11,7 @@ module plydyn_input_read_part
    implicit none
    private
 
-   public :: read_part_composite, read_part_composite_long, read_section_layerwise
+   public :: read_part_composite, read_section_layerwise
 
    !> Order without *SECTION_LAYERWISE
    integer, parameter :: usual_order = 2
@@ -20,7 +20,7 @@ module plydyn_input_read_part
 
 contains
 
-   !> *PART_COMPOSITE: a laminate, two plies on a card
+   !> *PART_COMPOSITE, *PART_COMPOSITE_LONG: a laminate, two plies on a card, or one
    subroutine read_part_composite(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
@@ -31,6 +31,11 @@ contains
 
       call begin_part(cards, catalogue, part)
       do nth = 1, cards%sets()
+         if (cards%name == "PART_COMPOSITE_LONG") then
+            call add_ply(cards, nth, ["MID  ", "THICK", "B    "], catalogue, model%materials, part)
+            if (cards%integer("PLYID", nth) /= 0) part%plies(nth)%id = cards%integer("PLYID", nth)
+            cycle
+         end if
          call add_ply(cards, nth, ["MID1  ", "THICK1", "B1    "], catalogue, model%materials, part)
          if (cards%integer("MID2", nth) == 0) then
             call check_no_second(cards, nth, catalogue)
@@ -39,32 +44,25 @@ contains
                & model%materials, part)
          end if
       end do
+      if (cards%name == "PART_COMPOSITE_LONG") call check_numbers(cards, part, catalogue)
       call end_part(part, model%parts)
    end subroutine read_part_composite
 
-   !> *PART_COMPOSITE_LONG: a laminate, one ply on a card
-   subroutine read_part_composite_long(cards, catalogue, model)
+   !> Each ply has a number of its own
+   subroutine check_numbers(cards, part, catalogue)
       type(cards_type), intent(in) :: cards
+      type(part_type), intent(in) :: part
       type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
 
-      type(part_type) :: part
       integer :: nth
 
-      call begin_part(cards, catalogue, part)
-      do nth = 1, cards%sets()
-         call add_ply(cards, nth, ["MID  ", "THICK", "B    "], catalogue, model%materials, part)
-         if (cards%integer("PLYID", nth) == 0) cycle
-         part%plies(nth)%id = cards%integer("PLYID", nth)
-      end do
       do nth = 2, size(part%plies)
          if (all(part%plies(:nth - 1)%id /= part%plies(nth)%id)) cycle
          call catalogue%refuse(cards, "PLYID", "ply "//text(part%plies(nth)%id) &
             & //" is in the part twice", "a number of its own, or 0 for its place in the stack", &
             & nth)
       end do
-      call end_part(part, model%parts)
-   end subroutine read_part_composite_long
+   end subroutine check_numbers
 
    !> *SECTION_LAYERWISE: expansion through the thickness
    subroutine read_section_layerwise(cards, catalogue, model)
@@ -104,7 +102,6 @@ contains
    subroutine begin_part(cards, catalogue, part)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      !> The part
       type(part_type), intent(inout) :: part
 
       call catalogue%define(a_part, cards, "PID")
@@ -127,7 +124,6 @@ contains
       character(*), intent(in) :: names(3)
       type(catalogue_type), intent(inout) :: catalogue
       type(material_type), intent(in) :: materials(:)
-      !> The part
       type(part_type), intent(inout) :: part
 
       type(ply_type) :: ply
@@ -163,7 +159,6 @@ contains
 
    !> All interfaces tied at first, and the part into the list
    subroutine end_part(part, parts)
-      !> The part
       type(part_type), intent(inout) :: part
       !> Parts so far
       type(part_type), allocatable, intent(inout) :: parts(:)

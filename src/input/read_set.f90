@@ -12,8 +12,7 @@ module plydyn_input_read_set
    implicit none
    private
 
-   public :: read_set_node_list, read_set_node_general, read_set_shell_list, read_define_box, &
-      & read_define_curve
+   public :: read_set_list, read_set_node_general, read_define_box, read_define_curve
 
    !> Fields of a rule of *SET_NODE_GENERAL
    character(2), parameter :: rule_fields(*) = ["E1", "E2", "E3", "E4", "E5", "E6", "E7"]
@@ -22,33 +21,24 @@ module plydyn_input_read_set
 
 contains
 
-   !> *SET_NODE_LIST: nodes by number
-   subroutine read_set_node_list(cards, catalogue, model)
+   !> *SET_NODE_LIST, *SET_SHELL_LIST: nodes or quads by number
+   subroutine read_set_list(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      integer, allocatable :: nodes(:)
+      integer :: kind, set
+      integer, allocatable :: members(:)
+      logical :: is_of_nodes
 
-      call catalogue%define(a_node_set, cards, "SID")
-      call catalogue%find_all(a_node, cards, "NID", nodes)
-      call drop_repeated(cards, "NID1", nodes, catalogue)
-      call catalogue%add_set(a_node_set, nodes)
-   end subroutine read_set_node_list
-
-   !> *SET_SHELL_LIST: quads by number
-   subroutine read_set_shell_list(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      integer, allocatable :: quads(:)
-
-      call catalogue%define(a_quad_set, cards, "SID")
-      call catalogue%find_all(a_quad, cards, "EID", quads)
-      call drop_repeated(cards, "EID1", quads, catalogue)
-      call catalogue%add_set(a_quad_set, quads)
-   end subroutine read_set_shell_list
+      is_of_nodes = cards%name == "SET_NODE_LIST"
+      set = merge(a_node_set, a_quad_set, is_of_nodes)
+      kind = merge(a_node, a_quad, is_of_nodes)
+      call catalogue%define(set, cards, "SID")
+      call catalogue%find_all(kind, cards, merge("NID", "EID", is_of_nodes), members)
+      call drop_repeated(cards, merge("NID1", "EID1", is_of_nodes), members, catalogue)
+      call catalogue%add_set(set, members)
+   end subroutine read_set_list
 
    !> *SET_NODE_GENERAL: nodes by rules
    subroutine read_set_node_general(cards, catalogue, model)
@@ -114,7 +104,7 @@ contains
       call catalogue%define(a_curve, cards, "LCID")
       curve%id = cards%integer("LCID")
       curve%x = cards%real("SFA")*([(cards%real("A1", nth), nth=1, cards%sets())] &
-         & + cards%real("OFFA"))
+         & + cards%real("OFFA")) + catalogue%times%of_line(cards%line_of("LCID"))
       curve%y = cards%real("SFO")*([(cards%real("O1", nth), nth=1, cards%sets())] &
          & + cards%real("OFFO"))
       do nth = 2, size(curve%x)

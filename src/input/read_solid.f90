@@ -20,6 +20,8 @@ module plydyn_input_read_solid
    character(2), parameter :: names(corners) = ["N1", "N2", "N3", "N4", "N5", "N6", "N7", "N8"]
    !> ELFORM of bricks of one point
    integer, parameter :: one_point = 1
+   !> Least ELFORM of cohesive bricks
+   integer, parameter :: cohesive = 19
 
 contains
 
@@ -33,6 +35,12 @@ contains
 
       call catalogue%define(a_solid_section, cards, "SECID")
       section%points = merge(1, corners, cards%integer("ELFORM") == one_point)
+      if (cards%integer("ELFORM") >= cohesive) then
+         catalogue%has_other_solids = .true.
+         call catalogue%refuse(cards, "ELFORM", "there are no cohesive bricks", "plies of one " &
+            & //"*PART_COMPOSITE with *INTERFACE_COHESIVE between them and the material there; " &
+            & //"plydyn-pre translate makes them of stacked shells")
+      end if
       catalogue%solid_sections = [catalogue%solid_sections, section]
    end subroutine read_section_solid
 

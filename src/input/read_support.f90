@@ -15,8 +15,8 @@ module plydyn_input_read_support
    implicit none
    private
 
-   public :: read_boundary_spc_set, read_boundary_face, read_boundary_prescribed_motion_set, &
-      & read_boundary_face_motion, read_initial_velocity, read_initial_velocity_node
+   public :: read_boundary_spc_set, read_boundary_face, read_boundary_motion, &
+      & read_initial_velocity, read_initial_velocity_node
 
    !> Fields of directions, of rotations and of a velocity
    character(4), parameter :: direction_names(3) = ["DOFX", "DOFY", "DOFZ"]
@@ -98,8 +98,9 @@ contains
       end associate
    end subroutine find_plane
 
-   !> *BOUNDARY_PRESCRIBED_MOTION_SET: nodes moved over the whole thickness
-   subroutine read_boundary_prescribed_motion_set(cards, catalogue, model)
+   !> *BOUNDARY_PRESCRIBED_MOTION_SET, *BOUNDARY_FACE_MOTION: nodes moved over the whole thickness,
+   !> or on one face
+   subroutine read_boundary_motion(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
@@ -109,40 +110,37 @@ contains
 
       do nth = 1, cards%sets()
          call read_motion(cards, nth, catalogue, motion)
-         motion%name = "motion "//text(cards%integer("NSID", nth))
-         call catalogue%find(a_curve, cards, "LCID", motion%curve, nth)
-         motion%birth = cards%real("BIRTH", nth)
-         if (cards%real("DEATH", nth) > 0.0_wp) motion%death = cards%real("DEATH", nth)
-         if (motion%death <= motion%birth) then
-            call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
-               & "a time behind BIRTH, or 0 for ever", nth)
+         if (cards%name == "BOUNDARY_FACE_MOTION") then
+            call find_curve(cards, nth, catalogue, model%curves, motion%curve)
+            motion%face = cards%integer("FACE", nth)
+            motion%name = "face motion "//text(cards%integer("NSID", nth)) &
+               & //face_words(motion%face, 0.0_wp)
+         else
+            call catalogue%find(a_curve, cards, "LCID", motion%curve, nth)
+            motion%name = "motion "//text(cards%integer("NSID", nth))
+            call read_duration(cards, nth, catalogue, motion)
          end if
          call check_jump(cards, nth, catalogue, model%curves, motion)
          call check_free(cards, nth, catalogue, model%holds, model%motions, motion)
          model%motions = [model%motions, motion]
       end do
-   end subroutine read_boundary_prescribed_motion_set
+   end subroutine read_boundary_motion
 
-   !> *BOUNDARY_FACE_MOTION: one face moved
-   subroutine read_boundary_face_motion(cards, catalogue, model)
+   !> When a motion begins and ends
+   subroutine read_duration(cards, nth, catalogue, motion)
       type(cards_type), intent(in) :: cards
+      !> Which set of cards
+      integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
+      type(motion_type), intent(inout) :: motion
 
-      type(motion_type) :: motion
-      integer :: nth
-
-      do nth = 1, cards%sets()
-         call read_motion(cards, nth, catalogue, motion)
-         call find_curve(cards, nth, catalogue, model%curves, motion%curve)
-         motion%face = cards%integer("FACE", nth)
-         motion%name = "face motion "//text(cards%integer("NSID", nth)) &
-            & //face_words(motion%face, 0.0_wp)
-         call check_jump(cards, nth, catalogue, model%curves, motion)
-         call check_free(cards, nth, catalogue, model%holds, model%motions, motion)
-         model%motions = [model%motions, motion]
-      end do
-   end subroutine read_boundary_face_motion
+      motion%birth = cards%real("BIRTH", nth)
+      if (cards%real("DEATH", nth) > 0.0_wp) motion%death = cards%real("DEATH", nth)
+      if (motion%death <= motion%birth) then
+         call catalogue%refuse(cards, "DEATH", "the motion ends before it begins", &
+            & "a time behind BIRTH, or 0 for ever", nth)
+      end if
+   end subroutine read_duration
 
    !> *INITIAL_VELOCITY: velocity of a set
    subroutine read_initial_velocity(cards, catalogue, model)
@@ -217,7 +215,6 @@ contains
       !> Which set of cards
       integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
-      !> The motion
       type(motion_type), intent(out) :: motion
 
       call catalogue%find_set(a_node_set, cards, "NSID", motion%nodes, nth)
@@ -233,7 +230,6 @@ contains
       integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
       type(curve_type), intent(in) :: curves(:)
-      !> The motion
       type(motion_type), intent(in) :: motion
 
       real(wp) :: jump
@@ -256,7 +252,6 @@ contains
       type(hold_type), intent(in) :: holds(:)
       !> The motions before this one
       type(motion_type), intent(in) :: motions(:)
-      !> The motion
       type(motion_type), intent(in) :: motion
 
       integer :: i, node

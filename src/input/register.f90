@@ -37,10 +37,8 @@ contains
    !> Append a number
    pure subroutine add(self, id, line)
       class(register_type), intent(inout) :: self
-      !> The user's number
-      integer, intent(in) :: id
-      !> Line of the definition
-      integer, intent(in) :: line
+      !> The user's number, and line of the definition
+      integer, intent(in) :: id, line
 
       if (.not. allocated(self%id)) then
          allocate (self%id(first_room), self%line(first_room), self%used(first_room))

@@ -11,6 +11,7 @@ module plydyn_input_unsupported_keywords
 
    !> Output and display only: a warning
    character(longest_name), parameter :: ignored(*) = [character(longest_name) :: &
+      & "CONTROL_ACCURACY", "CONTROL_MPP_DECOMPOSITION_AUTOMATIC", "CONTROL_MPP_IO_NODUMP", &
       & "CONTROL_OUTPUT", "CONTROL_SOLUTION", "DATABASE_ABSTAT", "DATABASE_ATDOUT", &
       & "DATABASE_BINARY_D3PART", "DATABASE_BINARY_D3THDT", "DATABASE_BINARY_INTFOR", &
       & "DATABASE_DEFORC", "DATABASE_DISBOUT", "DATABASE_ELOUT", "DATABASE_EXTENT_BINARY", &
@@ -38,7 +39,8 @@ module plydyn_input_unsupported_keywords
       & "MAT_RATE_SENSITIVE_COMPOSITE_FABRIC", "MAT_ORTHOTROPIC_SIMPLIFIED_DAMAGE", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
-      & "MAT_COHESIVE_TH", "MAT_184", "MAT_185", "MAT_240", "MAT_279", "MAT_COHESIVE_*"]
+      & "MAT_COHESIVE_TH", "MAT_184", "MAT_185", "MAT_240", "MAT_279", "MAT_COHESIVE_*", &
+      & "MAT_ARUP_ADHESIVE", "MAT_169"]
    !> What holds parts together there, and plies of one part here
    character(longest_name), parameter :: ties(*) = [character(longest_name) :: &
       & "CONTACT_*TIE", "CONTACT_*COHESIVE", "ELEMENT_*COHESIVE", "SECTION_*COHESIVE"]
@@ -46,14 +48,24 @@ module plydyn_input_unsupported_keywords
       & "MAT_RIGID", "RIGIDWALL_GEOMETRIC_SPHERE_MOTION", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE", &
       & "CONTACT_AUTOMATIC_SINGLE_SURFACE", "CONTACT_AUTOMATIC_NODES_TO_SURFACE", &
       & "CONTACT_ENTITY", "INITIAL_VELOCITY_GENERATION", "INITIAL_VELOCITY_RIGID_BODY", &
-      & "MAT_020", "MAT_RIGID_*", "RIGIDWALL_*", "PART_INERTIA", "CONSTRAINED_RIGID_BODIES"]
+      & "MAT_020", "MAT_RIGID_*", "RIGIDWALL_*", "PART_INERTIA", "CONSTRAINED_RIGID_BODIES", &
+      & "CONSTRAINED_NODAL_RIGID_BODY*", "CONSTRAINED_EXTRA_NODES*", &
+      & "BOUNDARY_PRESCRIBED_MOTION_RIGID*"]
    !> Behind all other families of contacts
    character(longest_name), parameter :: contacts(*) = [character(longest_name) :: &
       & "CONTACT_AUTOMATIC_*", "CONTACT_ERODING_*", "CONTACT_SURFACE_*", "CONTACT_NODES_*", &
       & "CONTACT_ONE_WAY_*", "CONTACT_SINGLE_*", "CONTACT_RIGID_*"]
    character(longest_name), parameter :: other_elements(*) = [character(longest_name) :: &
-      & "CONTROL_SHELL", "CONTROL_ACCURACY", "CONTROL_BULK_VISCOSITY", &
-      & "CONTROL_CONTACT"]
+      & "CONTROL_SHELL", "CONTROL_SOLID", "CONTROL_BULK_VISCOSITY", "CONTROL_CONTACT"]
+   character(longest_name), parameter :: erosion(*) = [character(longest_name) :: &
+      & "MAT_ADD_*", "DEFINE_ELEMENT_DEATH_*", "MAT_NONLOCAL"]
+   character(longest_name), parameter :: damping(*) = [character(longest_name) :: &
+      & "DAMPING_PART_*", "DAMPING_FREQUENCY_*", "DAMPING_RELATIVE"]
+   character(longest_name), parameter :: sets_of_elements(*) = [character(longest_name) :: &
+      & "SET_SHELL_GENERAL", "SET_SEGMENT*"]
+   character(longest_name), parameter :: sets_of_parts(*) = [character(longest_name) :: "SET_PART*"]
+   character(longest_name), parameter :: transforms(*) = [character(longest_name) :: &
+      & "INCLUDE_TRANSFORM*", "NODE_TRANSFORM*", "DEFINE_TRANSFORMATION*"]
 
 contains
 
@@ -84,7 +96,14 @@ contains
          & listed(contacts, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(own_impactor, is_refused, "a rigid *IMPACTOR_SPHERE with *CONTACT_IMPACTOR"), &
          & listed(other_elements, is_refused, &
-         & "nothing: plydyn has no elements that this keyword is for")]
+         & "nothing: plydyn has no elements that this keyword is for"), &
+         & listed(erosion, is_refused, "nothing: no element is deleted, and damage belongs to " &
+         & //"the material of a ply, as in *MAT_PLY_CODAM2"), &
+         & listed(damping, is_refused, "*DAMPING_GLOBAL, for the whole model"), &
+         & listed(["CONTROL_DYNAMIC_RELAXATION"], is_refused, "*DAMPING_RELAXATION"), &
+         & listed(sets_of_elements, is_refused, "*SET_SHELL_LIST, or *LOAD_SEGMENT with nodes"), &
+         & listed(sets_of_parts, is_refused, "the number of each part where the set is used"), &
+         & listed(transforms, is_refused, "a mesh in its place, by *INCLUDE")]
    end function refused_keywords
 
    !> Declarations of the names in a list

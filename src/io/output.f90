@@ -1,10 +1,9 @@
 !> An observer that writes results of a job.
 module plydyn_io_output
    use plydyn_base_error, only : error_type
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_job, only : job_type
    use plydyn_method_observer, only : observer_type
-   use plydyn_model_model, only : model_type
+   use plydyn_method_simulation, only : simulation_type
    implicit none
    private
 
@@ -17,16 +16,13 @@ module plydyn_io_output
    abstract interface
       !> Create the files, or go on with those of an earlier run. Nothing is opened where the deck
       !> asks for no such results. All ranks come here
-      subroutine open_output(self, job, model, domain, error)
-         import :: domain_type, error_type, job_type, model_type, output_type
+      subroutine open_output(self, job, simulation, error)
+         import :: error_type, job_type, output_type, simulation_type
          implicit none
          class(output_type), intent(inout) :: self
          !> The job, the same on all ranks
          type(job_type), intent(in) :: job
-         !> The model
-         type(model_type), intent(in) :: model
-         !> The domain of this rank
-         type(domain_type), intent(in) :: domain
+         class(simulation_type), intent(in) :: simulation
          !> Why a file could not be created; the same on all ranks
          type(error_type), allocatable, intent(out) :: error
       end subroutine open_output

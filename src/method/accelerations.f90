@@ -3,8 +3,9 @@ module plydyn_method_accelerations
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
-   use plydyn_method_forces, only : add_borders, add_external_power, add_loads, await_forces, &
-      & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
+   use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
+      & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
+      & progress_messages
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_supports, only : add_held_inertia, hold_points, hold_supports
    use plydyn_method_workspace, only : new_workspace, workspace_type
@@ -63,7 +64,7 @@ contains
             call update_remaining(domain, work, state)
          else
             call find_internal_forces(domain, work%team, work%step, u, v, state%history, force)
-            call add_loads(domain, work%time, state%load_factor, force)
+            call add_loads(domain, work%time, state%supports%load_factor, force)
             call hold_supports(domain, work%time, force, state%supports%force)
             call apply_masses(domain, work, state)
          end if
@@ -149,7 +150,7 @@ contains
       type(state_type), intent(inout) :: state
 
       associate (chunk => domain%chunks%list(number), force => state%acceleration)
-         call add_borders(domain, chunk%shared_nodes, force)
+         call add_shared_forces(domain, chunk%shared_nodes, force)
          call hold_points(domain, chunk%held, force, state%supports%force)
       end associate
       call apply_chunk_masses(domain, number, work, state)

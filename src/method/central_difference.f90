@@ -7,7 +7,7 @@ module plydyn_method_central_difference
    use plydyn_method_implicit_column_inertia, only : couple_column
    use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
    use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, &
-      & new_leapfrog_coefficients
+      & coefficients_of_step
    use plydyn_method_workspace, only : chunk_sums_type, workspace_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -40,8 +40,7 @@ contains
       !$omp end master
       !$omp barrier
       if (work%is_predicted) return
-      coefficients = new_leapfrog_coefficients(domain%control%damping, state%step_before, &
-         & state%step)
+      coefficients = coefficients_of_step(domain%control%damping, state)
       ! the thread that updates a chunk moves it: its accelerations are still in the cache
       !$omp do schedule(static)
       do c = size(domain%chunks%list), 1, -1

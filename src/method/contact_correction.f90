@@ -1,23 +1,65 @@
-!> Corrections by contact: displacement, velocity and work of plate and impactors (the paper's
-!> eqs 16 and 17).
+!> Motion of the impactors over a step, and corrections by contact: displacement, velocity and work
+!> of plate and impactors (the paper's eqs 15 to 17).
 module plydyn_method_contact_correction
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_correction, only : correction_type
-   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_contact_solve_sliding, only : step_motion_type
+   use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
-   use plydyn_state_state, only : state_type
+   use plydyn_method_supports, only : prescribed_velocity
+   use plydyn_model_impactor, only : impactor_type
+   use plydyn_state_state, only : energies_type, impactor_state_type, state_type
    implicit none
    private
 
-   public :: correct_impactor, correct_plate
+   public :: correct_impactor, correct_plate, move_impactor, update_impactors
 
 contains
+
+   !> Trial motion of an impactor: under its weight, and as prescribed
+   pure subroutine move_impactor(domain, i, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Which impactor
+      integer, intent(in) :: i
+      !> Impactors and energies
+      type(state_type), intent(inout) :: state
+
+      type(prescribed_type) :: motion
+      real(wp) :: push, work
+      integer :: c
+
+      associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
+         do c = 1, 3
+            if (impactor%motion(c) > 0) then
+               motion%curve = impactor%motion(c)
+               motion%quantity = impactor%quantity
+               push = prescribed_velocity(domain, motion, state, own%displacement(c), &
+                  & own%velocity(c)) - own%velocity(c)
+            else if (abs(impactor%gravity(c)) > 0.0_wp) then
+               push = 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
+            else
+               cycle
+            end if
+            work = impactor%mass*push*(own%velocity(c) + 0.5_wp*push)
+            state%energies%external = state%energies%external + work
+            if (impactor%motion(c) > 0) own%work = own%work + work
+            own%velocity(c) = own%velocity(c) + push
+         end do
+         own%centre(:) = own%centre + state%step*own%velocity
+         own%displacement(:) = own%displacement + state%step*own%velocity
+         own%force(:) = 0.0_wp
+         own%contacts = 0
+         own%penetration = 0.0_wp
+      end associate
+   end subroutine move_impactor
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
    !> before and after it, of which the first is the velocity at the full step. Points that share
    !> their inertia with the corrected points follow
-   pure subroutine correct_plate(domain, surface, inverse_mass, correction, state, reduction)
+   pure subroutine correct_plate(domain, surface, inverse_mass, correction, impactor, state, &
+      & reduction, motion)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The face
@@ -26,10 +68,14 @@ contains
       real(wp), intent(in) :: inverse_mass(:, :)
       !> Displacements that contact adds
       type(correction_type), intent(in) :: correction
+      !> Index of the impactor
+      integer, intent(in) :: impactor
       !> Velocity and displacement of the plate
       type(state_type), intent(inout) :: state
       !> Gets work and power
       type(global_reduction_type), intent(inout) :: reduction
+      !> Has the multipliers of rows that slide; not without friction
+      type(step_motion_type), optional, intent(in) :: motion
 
       real(wp) :: jump, mass, move, power, work
       integer :: c, i, k
@@ -37,6 +83,10 @@ contains
       do i = 1, correction%count
          k = correction%point(i)
          if (surface%freedom(1, k) == 0) cycle
+         if (present(motion) .and. surface%own(k)) then
+            call reduction%bodies%add(impactor, friction_work(surface%freedom(:, k), &
+               & motion%point_force(:, k), correction%displacement(:, k), state))
+         end if
          power = 0.0_wp
          work = 0.0_wp
          do c = 1, 3
@@ -63,25 +113,91 @@ contains
       end do
    end subroutine correct_plate
 
-   !> Add the correction to the impactor
-   pure subroutine correct_impactor(mass, correction, state, i)
-      !> Mass of the impactor, and the displacement that contact adds
-      real(wp), intent(in) :: mass, correction(3)
+   !> Work taken by friction at a point of the plate
+   pure real(wp) function friction_work(place, force, correction, state)
+      !> Places of the point in the arrays of motion
+      integer, intent(in) :: place(3)
+      !> Multiplier of the rows that slide, mass times length, and correction of the point, length
+      real(wp), intent(in) :: force(3), correction(3)
+      !> Velocity and acceleration before the correction
+      type(state_type), intent(in) :: state
+
+      friction_work = -dot_product(force/state%step, state%velocity(place) &
+         & - 0.5_wp*state%step*state%acceleration(place) + 0.5_wp*correction/state%step)
+   end function friction_work
+
+   !> Add the correction to the impactor. Where its motion is prescribed it does the work of the
+   !> force on it at the mean of its velocities before and after
+   pure subroutine correct_impactor(impactor, velocity_before, force, correction, motion, own, &
+      & step, energies)
+      !> The impactor
+      type(impactor_type), intent(in) :: impactor
+      !> Its velocity over the step before, the force on it, and the displacement that contact adds
+      real(wp), intent(in) :: velocity_before(3), force(3), correction(3)
+      !> Rotation that friction adds, and multipliers of rows that slide; not without friction
+      type(step_motion_type), optional, intent(in) :: motion
+      !> Its state
+      type(impactor_state_type), intent(inout) :: own
+      !> Time step
+      real(wp), intent(in) :: step
+      !> Energies
+      type(energies_type), intent(inout) :: energies
+
+      real(wp) :: jump(3), middle(3), spin_jump(3), work
+
+      jump(:) = correction/step
+      middle(:) = own%velocity + 0.5_wp*jump
+      where (impactor%motion > 0) middle = 0.5_wp*(velocity_before + own%velocity)
+      energies%contact = energies%contact &
+         & - impactor%mass*dot_product(jump, own%velocity + 0.5_wp*jump)
+      if (any(impactor%motion > 0)) then
+         work = -step*sum(force*middle, mask=impactor%motion > 0)
+         own%work = own%work + work
+         energies%external = energies%external + work
+         energies%contact = energies%contact + work
+      end if
+      if (present(motion)) then
+         spin_jump(:) = motion%rotation_correction/step
+         energies%contact = energies%contact &
+            & - impactor%inertia*dot_product(spin_jump, own%spin + 0.5_wp*spin_jump)
+         work = -(dot_product(motion%force, middle) &
+            & + dot_product(motion%moment, own%spin + 0.5_wp*spin_jump))/step
+         call count_friction(work, own, energies)
+         own%spin(:) = own%spin + spin_jump
+      end if
+      own%velocity(:) = own%velocity + jump
+      own%centre(:) = own%centre + correction
+      own%displacement(:) = own%displacement + correction
+   end subroutine correct_impactor
+
+   !> Friction on the plate in the step under way, summed over all ranks
+   pure subroutine update_impactors(domain, reduction, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Sums of the step over all ranks
+      type(global_reduction_type), intent(in) :: reduction
       !> Impactors and energies
       type(state_type), intent(inout) :: state
-      !> Which impactor
-      integer, intent(in) :: i
+      integer :: i
 
-      real(wp) :: jump(3)
+      if (.not. any(domain%contact%contacts%friction%static > 0.0_wp)) return
+      do i = 1, size(state%impactors)
+         call count_friction(reduction%bodies%value(i), state%impactors(i), state%energies)
+      end do
+   end subroutine update_impactors
 
-      associate (own => state%impactors(i))
-         jump(:) = correction/state%step
-         state%energies%contact = state%energies%contact &
-            & - mass*dot_product(jump, own%velocity + 0.5_wp*jump)
-         own%velocity(:) = own%velocity + jump
-         own%centre(:) = own%centre + correction
-         own%displacement(:) = own%displacement + correction
-      end associate
-   end subroutine correct_impactor
+   !> What friction takes is not lost where bodies meet
+   pure subroutine count_friction(work, own, energies)
+      !> Work taken
+      real(wp), intent(in) :: work
+      !> The impactor
+      type(impactor_state_type), intent(inout) :: own
+      !> Energies
+      type(energies_type), intent(inout) :: energies
+
+      own%friction = own%friction + work
+      energies%friction = energies%friction + work
+      energies%contact = energies%contact - work
+   end subroutine count_friction
 
 end module plydyn_method_contact_correction

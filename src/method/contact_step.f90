@@ -2,31 +2,30 @@
 module plydyn_method_contact_step
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
-   use plydyn_contact_contact, only : contact_pair_type, contact_result_type, &
-      & contact_setup_type, new_contact
+   use plydyn_contact_contact, only : contact_pair_type, contact_result_type
    use plydyn_contact_patch, only : contact_patch_type
-   use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_model_impactor, only : contact_type, points_on_plate
-   use plydyn_method_contact_correction, only : correct_impactor, correct_plate
-   use plydyn_method_fixture_step, only : correct_fixtures
+   use plydyn_contact_solve_sliding, only : step_motion_type
+   use plydyn_method_contact_correction, only : correct_impactor, correct_plate, move_impactor
+   use plydyn_method_fixture_step, only : correct_fixtures, expect_bodies
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: new_contacts
+   public :: find_positions
 
    !> One contact: the pair and its work space
-   type :: pair_type
+   type, public :: pair_type
       !> Geometry and multipliers
       type(contact_pair_type) :: pair
       !> Trial positions of the surface points, (3, points)
       real(wp), allocatable :: position(:, :)
       !> Their inverse mass, zero in directions that do not give way now, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
+      !> Motion over the step, for friction: not allocated without
+      type(step_motion_type), allocatable :: motion
       !> Listed points near the impactor, rank by rank, and how many of them each rank counts
       integer, allocatable :: listed(:), counts(:)
       !> How often these were listed anew
@@ -35,6 +34,8 @@ module plydyn_method_contact_step
       integer, allocatable :: last_chunk(:), chunk(:)
       !> Positions of the points that this rank counts, and of those of all ranks
       real(wp), allocatable :: sent(:), received(:)
+      !> How many numbers of each point: its position, and with friction its motion
+      integer :: sent_each = 3
    end type pair_type
 
    !> All contacts
@@ -44,6 +45,8 @@ module plydyn_method_contact_step
       !> Whether contact may push a point of each chunk in the coming step; whether of any chunk
       logical, allocatable :: reached(:)
       logical :: reaches_all = .true.
+      !> Velocity of each impactor over the step before, (3, impactors)
+      real(wp), allocatable :: velocity_before(:, :)
    contains
       procedure :: predict
       procedure :: correct
@@ -52,60 +55,7 @@ module plydyn_method_contact_step
       procedure :: restore
    end type contacts_type
 
-   !> Penetration at time zero that is round-off, as a share of the radius
-   real(wp), parameter :: touching = 1.0e-9_wp
-
 contains
-
-   !> Build the contacts; refuse an impactor that begins inside the plate
-   subroutine new_contacts(domain, self, error)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> The contacts
-      type(contacts_type), intent(out) :: self
-      !> An impactor inside the plate
-      type(error_type), allocatable, intent(out) :: error
-
-      real(wp) :: gap
-      integer :: i
-
-      allocate (self%pairs(size(domain%contact%contacts)))
-      allocate (self%reached(size(domain%chunks%list)), source=.false.)
-      do i = 1, size(domain%contact%contacts)
-         associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
-            & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
-            & pair => self%pairs(i))
-            call new_contact(pair%pair, contact_setup_type(radius=impactor%radius, &
-               & mass=impactor%mass, guided=impactor%guided, side=contact%face, &
-               & exact_sphere=contact%method == points_on_plate, spacing=contact%spacing), &
-               & surface%facet, surface%position, impactor%centre, error)
-            if (allocated(error)) then
-               error%message = place_of(contact, merge("METHOD ", "SPACING", &
-                  & contact%method == points_on_plate))//error%message
-               return
-            end if
-            call list_chunks(domain, surface, pair%last_chunk, pair%chunk)
-            pair%position = surface%position
-            pair%inverse_mass = surface%inverse_mass
-            allocate (pair%sent(3*count(surface%own)), pair%received(size(surface%position)))
-            gap = pair%pair%initial_gap(surface%position, impactor%centre)
-            if (gap >= -touching*impactor%radius) cycle
-            call fail(error, exit_input, place_of(contact, "FACE")//"impactor " &
-               & //text(impactor%id)//" begins "//text(-gap)//" inside its part: move its centre " &
-               & //"by that much, or choose the other face")
-            return
-         end associate
-      end do
-   end subroutine new_contacts
-
-   !> Location of a contact in the deck: file, line and field
-   pure function place_of(contact, field) result(words)
-      type(contact_type), intent(in) :: contact
-      character(*), intent(in) :: field
-      character(:), allocatable :: words
-
-      words = "error: "//contact%place//": *CONTACT_IMPACTOR "//trim(field)//": "
-   end function place_of
 
    !> Put the memory of the contacts into the state
    subroutine save(self, state)
@@ -152,6 +102,7 @@ contains
       integer :: i
 
       do i = 1, size(domain%contact%impactors)
+         self%velocity_before(:, i) = state%impactors(i)%velocity
          call move_impactor(domain, i, state)
       end do
       self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) > 0
@@ -196,8 +147,10 @@ contains
       integer :: i
 
       self%reached(:) = .false.
+      call expect_bodies(domain, reduction)
       do i = 1, size(self%pairs)
-         call correct_pair(self%pairs(i), domain, i, state, reduction)
+         call correct_pair(self%pairs(i), domain, i, self%velocity_before( &
+            & :, domain%contact%contacts(i)%impactor), state, reduction)
          call mark_reached(self%pairs(i), self%reached)
       end do
       call correct_fixtures(domain, state, reduction)
@@ -221,33 +174,13 @@ contains
       end do
    end function patch
 
-   !> Trial motion of an impactor
-   subroutine move_impactor(domain, i, state)
-      type(domain_type), intent(in) :: domain
-      integer, intent(in) :: i
-      type(state_type), intent(inout) :: state
-
-      real(wp) :: before, push
-
-      associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
-         push = 0.5_wp*(state%step_before + state%step)*impactor%gravity
-         before = own%velocity(3)
-         own%velocity(3) = before + push
-         state%energies%external = state%energies%external &
-            & + impactor%mass*push*(before + 0.5_wp*push)
-         own%centre(:) = own%centre + state%step*own%velocity
-         own%displacement(:) = own%displacement + state%step*own%velocity
-         own%force(:) = 0.0_wp
-         own%contacts = 0
-         own%penetration = 0.0_wp
-      end associate
-   end subroutine move_impactor
-
    !> Contact of one pair
-   subroutine correct_pair(self, domain, i, state, reduction)
+   subroutine correct_pair(self, domain, i, velocity_before, state, reduction)
       type(pair_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: i
+      !> Velocity of the impactor over the step before
+      real(wp), intent(in) :: velocity_before(3)
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
@@ -259,25 +192,30 @@ contains
          ! another pair may have pushed the impactor
          call self%pair%candidates%update_slack(0.0_wp, own%centre)
          if (self%pair%candidates%needs_all) then
-            call find_positions(domain, surface, surface%of_ranks, surface%counts, &
-               & state%displacement, self)
+            call find_positions(domain, surface, surface%of_ranks, surface%counts, state, self)
          else
             if (self%rebuilds /= self%pair%candidates%rebuilds) call list_by_rank(surface, self)
-            call find_positions(domain, surface, self%listed, self%counts, state%displacement, self)
+            call find_positions(domain, surface, self%listed, self%counts, state, self)
          end if
          if (size(domain%supports%motions) > 0) then
             call hold_prescribed(domain, surface, state%time, self%inverse_mass)
          end if
+         if (allocated(self%motion)) then
+            self%motion%centre(:) = state%step*own%velocity
+            self%motion%rotation(:) = state%step*own%spin
+         end if
          call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
-            & centre_correction, found)
+            & centre_correction, found, self%motion)
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
          own%force(:) = own%force + found%force
-         call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, state, &
-               & reduction)
-         call correct_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor)%mass, &
-            & centre_correction, state, domain%contact%contacts(i)%impactor)
+         own%impulse(:) = own%impulse + state%step*found%force
+         call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, &
+            & domain%contact%contacts(i)%impactor, state, reduction, self%motion)
+         call correct_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor), &
+            & velocity_before, found%force, centre_correction, self%motion, own, &
+            & state%step, state%energies)
       end associate
    end subroutine correct_pair
 
@@ -334,13 +272,14 @@ contains
       end do
    end subroutine list_by_rank
 
-   !> Where some points of the face are, those of other ranks too
-   subroutine find_positions(domain, surface, points, counts, displacement, self)
+   !> Where some points of the face are, those of other ranks too, and with friction their motion
+   subroutine find_positions(domain, surface, points, counts, state, self)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       !> The points, rank by rank, and how many of them each rank counts
       integer, intent(in) :: points(:), counts(:)
-      real(wp), intent(in), contiguous :: displacement(:)
+      !> Displacement and velocity
+      type(state_type), intent(in) :: state
       type(pair_type), intent(inout) :: self
 
       integer :: c, i, k, sent
@@ -350,16 +289,25 @@ contains
          k = points(i)
          if (.not. surface%own(k)) cycle
          do c = 1, 3
-            self%position(c, k) = surface%position(c, k) + displacement(surface%freedom(c, k))
+            self%position(c, k) = surface%position(c, k) + state%displacement(surface%freedom(c, k))
          end do
+         if (allocated(self%motion)) then
+            self%motion%point(:, k) = state%step*state%velocity(surface%freedom(:, k))
+         end if
          if (domain%comm%ranks == 1) cycle
          self%sent(sent + 1:sent + 3) = self%position(:, k)
-         sent = sent + 3
+         if (allocated(self%motion)) self%sent(sent + 4:sent + 6) = self%motion%point(:, k)
+         sent = sent + self%sent_each
       end do
       if (domain%comm%ranks == 1) return
-      call domain%comm%allgather(self%sent(:sent), 3*counts, self%received)
+      call domain%comm%allgather(self%sent(:sent), self%sent_each*counts, self%received)
       do i = 1, size(points)
-         self%position(:, points(i)) = self%received(3*i - 2:3*i)
+         associate (first => self%sent_each*(i - 1))
+            self%position(:, points(i)) = self%received(first + 1:first + 3)
+            if (allocated(self%motion)) then
+               self%motion%point(:, points(i)) = self%received(first + 4:first + 6)
+            end if
+         end associate
       end do
    end subroutine find_positions
 

@@ -10,7 +10,7 @@ module plydyn_method_energy
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, &
-      & new_leapfrog_coefficients
+      & coefficients_of_step
    use plydyn_state_state, only : energies_type, motion_sums_type, state_type
    implicit none
    private
@@ -31,8 +31,7 @@ contains
       type(leapfrog_coefficients_type) :: coefficients
       real(wp) :: inside, internal_power, outside, outside_before
 
-      coefficients = new_leapfrog_coefficients(domain%control%damping, state%step_before, &
-         & state%step)
+      coefficients = coefficients_of_step(domain%control%damping, state)
       call change_step(coefficients, state%step_before, state%sums, state%energies, internal_power)
       call measure_energies(domain, reduction, state%step, state)
       outside_before = reduction%external_power_before%value()
@@ -95,8 +94,12 @@ contains
          e%momentum(:) = sums%momentum
          e%impactor = 0.0_wp
          do i = 1, size(state%impactors)
-            associate (impactor => domain%contact%impactors(i), v => state%impactors(i)%velocity)
+            associate (impactor => domain%contact%impactors(i), v => state%impactors(i)%velocity, &
+               & spin => state%impactors(i)%spin)
                e%impactor = e%impactor + 0.5_wp*impactor%mass*dot_product(v, v)
+               if (impactor%rotates) then
+                  e%impactor = e%impactor + 0.5_wp*impactor%inertia*dot_product(spin, spin)
+               end if
                e%momentum(:) = e%momentum + impactor%mass*v
             end associate
          end do

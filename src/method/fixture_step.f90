@@ -14,7 +14,7 @@ module plydyn_method_fixture_step
    implicit none
    private
 
-   public :: correct_fixtures, update_fixtures
+   public :: correct_fixtures, expect_bodies, place_new_fixtures, update_fixtures
 
    !> Sums of each fixture over its points: force along x, y, z, area, points, work of friction,
    !> normal force, and normal force times slip
@@ -29,6 +29,23 @@ module plydyn_method_fixture_step
 
 contains
 
+   !> Make room for the sums of impactors and fixtures
+   pure subroutine expect_bodies(domain, reduction)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Gets the room, once
+      type(global_reduction_type), intent(inout) :: reduction
+
+      logical :: has_friction
+
+      if (allocated(reduction%bodies%limb)) return
+      associate (bodies => domain%contact)
+         has_friction = any(bodies%contacts%friction%static > 0.0_wp)
+         if (size(bodies%fixtures) == 0 .and. .not. has_friction) return
+         reduction%bodies = new_exact_sums(size(bodies%impactors) + sums*size(bodies%fixtures))
+      end associate
+   end subroutine expect_bodies
+
    !> Push the plate out of the fixtures, and press the clamps onto it, one fixture after the other
    subroutine correct_fixtures(domain, state, reduction)
       !> The domain
@@ -42,9 +59,6 @@ contains
       integer :: i
 
       if (size(domain%contact%fixtures) == 0) return
-      if (.not. allocated(reduction%fixtures%limb)) then
-         reduction%fixtures = new_exact_sums(sums*size(domain%contact%fixtures))
-      end if
       is_moved(0) = .false.
       is_moved(1:) = is_active(domain%supports%motions, state%time)
       do i = 1, size(domain%contact%fixtures)
@@ -58,6 +72,37 @@ contains
       end do
    end subroutine correct_fixtures
 
+   !> Let fixtures that a restart adds stand before the plate as it is: their GAP is from the
+   !> outermost point under them. All ranks must come here
+   subroutine place_new_fixtures(domain, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The plate; fixtures without a height get one
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: outermost(size(state%fixtures))
+      integer :: i, j, k
+
+      outermost(:) = -huge(1.0_wp)
+      do i = 1, size(outermost)
+         associate (fixture => domain%contact%fixtures(i), &
+            & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
+            do j = 1, size(fixture%below)
+               k = fixture%below(j)
+               outermost(i) = max(outermost(i), -fixture%body%upward*(surface%position(3, k) &
+                  & + state%displacement(surface%freedom(3, k))))
+            end do
+         end associate
+      end do
+      call domain%comm%max(outermost)
+      do i = 1, size(outermost)
+         if (state%fixtures(i)%height < huge(1.0_wp)) cycle
+         associate (fixture => domain%contact%fixtures(i))
+            state%fixtures(i)%height = -fixture%body%upward*(outermost(i) + fixture%gap)
+         end associate
+      end do
+   end subroutine place_new_fixtures
+
    !> Forces, paths and work of the fixtures over the step under way
    pure subroutine update_fixtures(reduction, state)
       !> Sums of the step over all ranks
@@ -66,10 +111,11 @@ contains
       type(state_type), intent(inout) :: state
 
       real(wp) :: found(sums)
-      integer :: i, k
+      integer :: first, i, k
 
       do i = 1, size(state%fixtures)
-         found(:) = [(reduction%fixtures%value(sums*(i - 1) + k), k=1, sums)]
+         first = size(state%impactors) + sums*(i - 1)
+         found(:) = [(reduction%bodies%value(first + k), k=1, sums)]
          associate (own => state%fixtures(i))
             own%force(:) = found(:3)
             own%impulse(:) = own%impulse + state%step*own%force
@@ -104,7 +150,7 @@ contains
             k = surface%here(j)
             point(:) = surface%position(:, k) + state%displacement(surface%freedom(:, k)) &
                & - motion%displacement
-            point(3) = point(3) - fixture%height
+            point(3) = point(3) - state%fixtures(i)%height
             if (fixture%body%upward*point(3) >= 0.0_wp) cycle
             call fixture%body%find_gap(point, row%gap, row%normal)
             if (row%gap >= 0.0_wp) cycle
@@ -174,14 +220,15 @@ contains
       type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: middle(3), move(3)
-      integer :: c
+      integer :: c, first
 
+      first = size(state%impactors) + sums*(i - 1)
       move(:) = row%inverse_mass*row%multiplier
       associate (v => state%velocity, u => state%displacement, a => state%acceleration, &
          & places => surface%freedom(:, k))
          ! the mean of the velocities before and after, of which the first is that of the full step
          middle(:) = v(places) - 0.5_wp*state%step*a(places) + 0.5_wp*move/state%step
-         if (surface%own(k)) call count_row(i, row, middle, motion%increment/state%step, &
+         if (surface%own(k)) call count_row(first, row, middle, motion%increment/state%step, &
             & surface%area(k), a(places), state%step, reduction)
          do c = 1, 3
             v(places(c)) = v(places(c)) + move(c)/state%step
@@ -199,9 +246,10 @@ contains
    !> Add the force and the work of a row to the sums of the step. The work on the plate is that of
    !> the fixture's own motion, which is external; the rest is lost, to friction where the point
    !> slides, else where it meets the fixture. That of a clamp along its normal is external
-   pure subroutine count_row(i, row, middle, fixture_velocity, area, acceleration, dt, reduction)
-      !> Index of the fixture
-      integer, intent(in) :: i
+   pure subroutine count_row(first, row, middle, fixture_velocity, area, acceleration, dt, &
+      & reduction)
+      !> Place before the sums of the fixture
+      integer, intent(in) :: first
       type(contact_row_type), intent(in) :: row
       !> Mean velocity of the point over the step, velocity of the fixture
       real(wp), intent(in) :: middle(3), fixture_velocity(3)
@@ -210,7 +258,7 @@ contains
       type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: friction, impulse(3), lost, normal_part, tangent(3)
-      integer :: c, first
+      integer :: c
 
       normal_part = row%normal_multiplier()/dt
       impulse(:) = row%multiplier/dt
@@ -220,8 +268,7 @@ contains
       if (row%slides) friction = -dot_product(tangent, middle - fixture_velocity)
       ! a clamp has no gap: its normal force is given
       if (row%gap >= 0.0_wp) lost = -dot_product(tangent, middle - fixture_velocity)
-      first = sums*(i - 1)
-      associate (found => reduction%fixtures)
+      associate (found => reduction%bodies)
          do c = 1, 3
             call found%add(first + c, -impulse(c)/dt)
          end do

@@ -12,7 +12,7 @@ module plydyn_method_forces
    implicit none
    private
 
-   public :: add_borders, add_external_power, add_group_forces, add_loads, await_forces, &
+   public :: add_external_power, add_group_forces, add_loads, add_shared_forces, await_forces, &
       & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
 
 contains
@@ -30,7 +30,7 @@ contains
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
       !> History of all Gauss points
       real(wp), intent(inout), contiguous :: history(:)
-      !> Force on all points, those of the borders behind
+      !> Force on all points, those of shared nodes behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       integer :: c, chunk
@@ -45,7 +45,7 @@ contains
       call await_forces(domain, team, force)
       !$omp do schedule(static)
       do c = size(domain%chunks%list), 1, -1
-         call add_borders(domain, domain%chunks%list(c)%shared_nodes, force)
+         call add_shared_forces(domain, domain%chunks%list(c)%shared_nodes, force)
       end do
       !$omp end do nowait
    end subroutine find_internal_forces
@@ -95,7 +95,7 @@ contains
       type(domain_type), intent(in) :: domain
       !> The threads
       type(thread_team_type), intent(inout) :: team
-      !> Force on all points, those of the borders behind
+      !> Force on all points, those of shared nodes behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       !$omp barrier
@@ -119,11 +119,9 @@ contains
 
    !> Let MPI progress the forces on their way to other ranks
    subroutine progress_messages(domain, team, force)
-      !> The domain
+      !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
-      !> The threads
       type(thread_team_type), intent(inout) :: team
-      !> Force on all points, those of the borders behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
 
       if (domain%chunks%outer == 0) return
@@ -166,18 +164,13 @@ contains
 
    !> Subtract the internal forces of all groups over a chunk
    pure subroutine add_group_forces(domain, chunk, step, displacement, velocity, history, force)
-      !> The domain
+      !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
       !> The chunk
       type(chunk_type), intent(in) :: chunk
-      !> The step just made
       real(wp), intent(in) :: step
-      !> Displacement of all points, and their velocity half a step before
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
-      !> History of all Gauss points
-      real(wp), intent(inout), contiguous :: history(:)
-      !> Force on all points, those of the columns behind
-      real(wp), intent(inout), contiguous :: force(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
 
       integer :: g
 
@@ -201,33 +194,33 @@ contains
       end do
    end subroutine clear_columns
 
-   !> Add the columns behind some nodes to those of the nodes
-   pure subroutine add_borders(domain, borders, force)
+   !> Add the columns that chunks have of nodes they share to those of the nodes
+   pure subroutine add_shared_forces(domain, nodes, force)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Which of its borders
-      integer, intent(in) :: borders(:)
-      !> Force on all points, those of the borders behind
+      !> Which of its shared nodes
+      integer, intent(in) :: nodes(:)
+      !> Force on all points, those of shared nodes behind
       real(wp), intent(inout), contiguous :: force(:)
 
       integer :: i
 
-      do i = 1, size(borders)
-         call add_columns(domain%columns%height, domain%chunks%shared_nodes(:, borders(i)), &
+      do i = 1, size(nodes)
+         call add_columns(domain%columns%height, domain%chunks%shared_nodes(:, nodes(i)), &
             & force(alignment_offset + 1:))
       end do
-   end subroutine add_borders
+   end subroutine add_shared_forces
 
    !> Add columns behind to that of their node
-   pure subroutine add_columns(height, border, force)
+   pure subroutine add_columns(height, columns, force)
       integer, intent(in) :: height
       !> Node, first and last column
-      integer, intent(in) :: border(3)
+      integer, intent(in) :: columns(3)
       real(wp), intent(inout) :: force(height, *)
       integer :: i
 
-      do i = border(2), border(3)
-         force(:, border(1)) = force(:, border(1)) + force(:, i)
+      do i = columns(2), columns(3)
+         force(:, columns(1)) = force(:, columns(1)) + force(:, i)
       end do
    end subroutine add_columns
 
@@ -267,7 +260,7 @@ contains
       !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
-      call add_load_power(domain, state%load_factor, state%velocity, sum)
+      call add_load_power(domain, state%supports%load_factor, state%velocity, sum)
       call add_support_power(domain, state%supports%force, state%velocity, sum)
    end subroutine add_external_power
 

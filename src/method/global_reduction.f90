@@ -30,8 +30,9 @@ module plydyn_method_global_reduction
       real(wp) :: speed_bound = huge(1.0_wp)
       !> Largest correction by a fixture over the last step, length
       real(wp) :: largest_push = 0.0_wp
-      !> Sums of all fixtures, see `plydyn_method_fixture_step`; not allocated without any
-      type(exact_sums_type) :: fixtures
+      !> Sums of all impactors, of friction alone, and of all fixtures, see
+      !> `plydyn_method_fixture_step`; not allocated where nothing needs them
+      type(exact_sums_type) :: bodies
       !> Ranks that ask for attention after the step
       integer :: requests = 0
    contains
@@ -50,7 +51,7 @@ contains
       self%step_sums_type = step_sums_type()
       self%requests = 0
       self%largest_push = 0.0_wp
-      if (allocated(self%fixtures%limb)) call self%fixtures%clear()
+      if (allocated(self%bodies%limb)) call self%bodies%clear()
    end subroutine clear
 
    !> Add sums over some points
@@ -82,14 +83,14 @@ contains
       if (comm%ranks == 1) return
       n = storage_size(self%step_sums_type)/storage_size(0_int64)
       last = n + 1 + 2*comm%ranks
-      if (allocated(self%fixtures%limb)) last = last + size(self%fixtures%limb)
+      if (allocated(self%bodies%limb)) last = last + size(self%bodies%limb)
       allocate (words(last, 1), source=0_int64)
       words(:n, 1) = transfer(self%step_sums_type, words(:n, 1))
       words(n + 1, 1) = int(self%requests, int64)
       words(n + 2 + comm%rank, 1) = transfer(self%speed_bound, 0_int64)
       words(n + 2 + comm%ranks + comm%rank, 1) = transfer(self%largest_push, 0_int64)
-      if (allocated(self%fixtures%limb)) then
-         words(n + 2 + 2*comm%ranks:, 1) = reshape(self%fixtures%limb, [size(self%fixtures%limb)])
+      if (allocated(self%bodies%limb)) then
+         words(n + 2 + 2*comm%ranks:, 1) = reshape(self%bodies%limb, [size(self%bodies%limb)])
       end if
       call comm%sum(words)
       self%step_sums_type = transfer(words(:n, 1), self%step_sums_type)
@@ -97,8 +98,8 @@ contains
       self%speed_bound = maxval(transfer(words(n + 2:n + 1 + comm%ranks, 1), [0.0_wp]))
       self%largest_push = maxval(transfer(words(n + 2 + comm%ranks:n + 1 + 2*comm%ranks, 1), &
          & [0.0_wp]))
-      if (.not. allocated(self%fixtures%limb)) return
-      self%fixtures%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%fixtures%limb))
+      if (.not. allocated(self%bodies%limb)) return
+      self%bodies%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%bodies%limb))
    end subroutine sum_over_ranks
 
    !> The sums over all points as numbers

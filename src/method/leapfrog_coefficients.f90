@@ -1,10 +1,11 @@
 !> Coefficients of the motion over a step (the paper's eq. 15, with damping).
 module plydyn_method_leapfrog_coefficients
    use plydyn_base_precision, only : wp
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: new_leapfrog_coefficients
+   public :: coefficients_of_step, new_leapfrog_coefficients
 
    !> A step takes velocity and displacement to v = decay v + mean_step a, u = u + step v
    type, public :: leapfrog_coefficients_type
@@ -17,6 +18,17 @@ module plydyn_method_leapfrog_coefficients
    end type leapfrog_coefficients_type
 
 contains
+
+   !> Coefficients of the step under way
+   pure type(leapfrog_coefficients_type) function coefficients_of_step(damping, state) result(self)
+      !> Damping force per mass and velocity that the deck gives, 1/time
+      real(wp), intent(in) :: damping
+      !> Has the step and the damping of dynamic relaxation; the clock is that of its beginning
+      type(state_type), intent(in) :: state
+
+      self = new_leapfrog_coefficients(damping + state%relaxation%damping_at(state%cycle + 1), &
+         & state%step_before, state%step)
+   end function coefficients_of_step
 
    !> Coefficients of a step, with the damping force at the velocity of the full step
    pure type(leapfrog_coefficients_type) function new_leapfrog_coefficients(damping, step_before, &

@@ -5,12 +5,21 @@
 module plydyn_method_observer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : domain_type
-   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type, new_file_positions
    use plydyn_state_state, only : state_type
    implicit none
    private
+
+   public :: instant_of
+
+   !> The end of a step
+   type, public :: instant_type
+      !> Time, number of the step, and whether the run ends with it
+      real(wp) :: time = 0.0_wp
+      integer :: cycle = 0
+      logical :: is_last = .false.
+   end type instant_type
 
    !> Requests of one observer to the others, in the step of a notification
    type, public :: requests_type
@@ -22,50 +31,21 @@ module plydyn_method_observer
       character(:), allocatable :: stopped_by
    end type requests_type
 
-   !> Something that observes a run. All ranks call all procedures together, and get the same error
+   !> Something that observes a run, and does nothing of its own accord: an extension overrides
+   !> what it needs. All ranks call all procedures together, and get the same error
    type, abstract, public :: observer_type
       !> Whether it reads displacements or velocities of points: then the method completes the
       !> motion at the end of each step at which the observer is due
       logical :: reads_motion = .true.
    contains
-      procedure(due_at), deferred :: due
-      procedure(notify_of), deferred :: notify
+      procedure :: due
       procedure :: begin
       procedure :: look_for_requests
+      procedure :: notify
       procedure :: mark
       procedure :: save
       procedure :: close => close_observer
    end type observer_type
-
-   abstract interface
-      !> Whether it will observe the end of a step; the same on all ranks
-      pure logical function due_at(self, time, cycle, is_last)
-         import :: observer_type, wp
-         implicit none
-         class(observer_type), intent(in) :: self
-         !> Time at the end of the step, number of the step, and whether the run ends with it
-         real(wp), intent(in) :: time
-         integer, intent(in) :: cycle
-         logical, intent(in) :: is_last
-      end function due_at
-
-      !> A step is made
-      subroutine notify_of(self, domain, contacts, state, requests, error)
-         import :: contacts_type, domain_type, error_type, observer_type, requests_type, state_type
-         implicit none
-         class(observer_type), intent(inout) :: self
-         !> The domain of this rank
-         type(domain_type), intent(in) :: domain
-         !> The contacts, as the step left them
-         type(contacts_type), intent(in) :: contacts
-         !> The state of this rank; only run control changes it, and only the end of the run
-         type(state_type), intent(inout) :: state
-         !> Requests to and from other observers
-         type(requests_type), intent(inout) :: requests
-         !> Reason why the run must end
-         type(error_type), allocatable, intent(out) :: error
-      end subroutine notify_of
-   end interface
 
    !> An element of the list
    type :: item_type
@@ -90,13 +70,29 @@ module plydyn_method_observer
 
 contains
 
+   !> The end of the last step
+   pure type(instant_type) function instant_of(state)
+      !> A state
+      type(state_type), intent(in) :: state
+
+      instant_of = instant_type(state%time, state%cycle, state%is_finished())
+   end function instant_of
+
+   !> Whether it will observe the end of a step; the same on all ranks
+   pure logical function due(self, instant)
+      class(observer_type), intent(in) :: self
+      !> The end of the step
+      type(instant_type), intent(in) :: instant
+
+      due = .false.
+   end function due
+
    !> Observe the state that a run begins with
-   subroutine begin(self, domain, contacts, state, error)
+   subroutine begin(self, simulation, error)
       class(observer_type), intent(inout) :: self
-      !> As in `notify`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      !> The simulation
+      class(simulation_type), intent(in) :: simulation
+      !> Reason why the run cannot begin
       type(error_type), allocatable, intent(out) :: error
    end subroutine begin
 
@@ -109,6 +105,18 @@ contains
       logical, intent(inout) :: found
    end subroutine look_for_requests
 
+   !> A step is made
+   subroutine notify(self, simulation, requests, error)
+      class(observer_type), intent(inout) :: self
+      !> The simulation at the end of the step. Of it the state alone may change: run control moves
+      !> the end, the monitors of volume and relaxation keep what they measured
+      class(simulation_type), intent(inout) :: simulation
+      !> Requests to and from other observers
+      type(requests_type), intent(inout) :: requests
+      !> Reason why the run must end
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine notify
+
    !> Bring the files to the disk, and add how far they have been written
    subroutine mark(self, positions, error)
       class(observer_type), intent(inout) :: self
@@ -119,14 +127,13 @@ contains
    end subroutine mark
 
    !> All files are on the disk after a request for it, or for a restart file
-   subroutine save(self, contacts, positions, state, requests, error)
+   subroutine save(self, simulation, positions, requests, error)
       class(observer_type), intent(inout) :: self
-      !> The contacts
-      type(contacts_type), intent(in) :: contacts
+      !> The simulation, whose state has the memory of the contacts for a restart file. Writing
+      !> and reading are one procedure: `inout`, though none changes it
+      class(simulation_type), intent(inout) :: simulation
       !> Positions in all files; complete on the root alone
       type(file_positions_type), intent(inout) :: positions
-      !> The state, which gets the memory of the contacts
-      type(state_type), intent(inout) :: state
       !> As in `notify`
       type(requests_type), intent(in) :: requests
       !> Reason why the run must end
@@ -134,12 +141,10 @@ contains
    end subroutine save
 
    !> The run is over: write the last results and close the files
-   subroutine close_observer(self, domain, state, outcome, error)
+   subroutine close_observer(self, simulation, outcome, error)
       class(observer_type), intent(inout) :: self
-      !> The domain of this rank
-      type(domain_type), intent(in) :: domain
-      !> Its last state
-      type(state_type), intent(in) :: state
+      !> The simulation at its end
+      class(simulation_type), intent(in) :: simulation
       !> Reason for the end; not allocated for a normal end
       type(error_type), allocatable, intent(in) :: outcome
       !> Why something could not be written
@@ -174,18 +179,16 @@ contains
    end subroutine add
 
    !> Let all observe the state that a run begins with
-   subroutine begin_all(self, domain, contacts, state, error)
+   subroutine begin_all(self, simulation, error)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
 
       do i = 1, size(self%items)
-         call self%items(i)%observer%begin(domain, contacts, state, error)
+         call self%items(i)%observer%begin(simulation, error)
          if (allocated(error)) return
       end do
    end subroutine begin_all
@@ -197,12 +200,14 @@ contains
       type(state_type), intent(in) :: state
 
       integer :: i
+      type(instant_type) :: next
 
+      next = instant_type(state%time + state%step, state%cycle + 1, state%ends_after())
       read_motion = .true.
       do i = 1, size(self%items)
          associate (observer => self%items(i)%observer)
             if (.not. observer%reads_motion) cycle
-            if (observer%due(state%time + state%step, state%cycle + 1, state%ends_after())) return
+            if (observer%due(next)) return
          end associate
       end do
       read_motion = .false.
@@ -227,35 +232,33 @@ contains
    end subroutine look_for_all_requests
 
    !> Notify all of a step, then bring all files to the disk where this is requested
-   subroutine notify_all(self, domain, contacts, state, attention, error)
+   subroutine notify_all(self, simulation, attention, error)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       !> Whether any rank has found a request
       logical, intent(in) :: attention
       !> The first reason why the run must end
       type(error_type), allocatable, intent(out) :: error
 
-      type(requests_type) :: requests
       integer :: i
+      type(requests_type) :: requests
 
       requests%attention = attention
       do i = 1, size(self%items)
-         call self%items(i)%observer%notify(domain, contacts, state, requests, error)
+         call self%items(i)%observer%notify(simulation, requests, error)
          if (allocated(error)) return
       end do
+      if (requests%checkpoint) call simulation%contacts%save(simulation%state)
       if (requests%flush .or. requests%checkpoint) then
-         call save_all(self, contacts, state, requests, error)
+         call save_all(self, simulation, requests, error)
       end if
    end subroutine notify_all
 
    !> Bring all files to the disk, then let all know how far they have been written
-   subroutine save_all(self, contacts, state, requests, error)
+   subroutine save_all(self, simulation, requests, error)
       class(observers_type), intent(inout) :: self
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -268,17 +271,16 @@ contains
          if (allocated(error)) return
       end do
       do i = 1, size(self%items)
-         call self%items(i)%observer%save(contacts, positions, state, requests, error)
+         call self%items(i)%observer%save(simulation, positions, requests, error)
          if (allocated(error)) return
       end do
    end subroutine save_all
 
    !> Close all, the last one first, also after an error
-   subroutine close_all(self, domain, state, error)
+   subroutine close_all(self, simulation, error)
       class(observers_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      !> The simulation at its end
+      class(simulation_type), intent(in) :: simulation
       !> Reason for the end of the run; becomes the first failure to close, if there was none
       type(error_type), allocatable, intent(inout) :: error
 
@@ -286,7 +288,7 @@ contains
       integer :: i
 
       do i = size(self%items), 1, -1
-         call self%items(i)%observer%close(domain, state, error, failure)
+         call self%items(i)%observer%close(simulation, error, failure)
          if (.not. allocated(error)) call move_alloc(failure, error)
       end do
    end subroutine close_all

@@ -10,7 +10,7 @@ module plydyn_method_supports
    private
 
    public :: add_held_inertia, add_support_power, hold_points, hold_supports, is_active, &
-      & prescribe_motion, support_points
+      & prescribe_motion, prescribed_velocity, support_points
 
 contains
 
@@ -153,8 +153,11 @@ contains
 
    !> Velocity in the middle of the coming step
    pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)
+      !> The domain
       type(domain_type), intent(in) :: domain
+      !> The motion
       type(prescribed_type), intent(in) :: motion
+      !> Time and step
       type(state_type), intent(in) :: state
       !> Displacement and velocity of the point before the step
       real(wp), intent(in) :: displacement, velocity

@@ -46,7 +46,8 @@ contains
 
       work%time = state%time + state%step
       work%step = state%step
-      work%next = new_leapfrog_coefficients(domain%control%damping, state%step, &
+      work%next = new_leapfrog_coefficients(domain%control%damping &
+         & + state%relaxation%damping_at(state%cycle + 2), state%step, &
          & next_step(domain, state, work%time, state%cycle + 1))
       work%is_predicted = work%predicts_next
       work%predicts_next = can_predict(domain) .and. .not. motion_is_read &

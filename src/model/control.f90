@@ -48,6 +48,9 @@ module plydyn_model_control
       integer :: kinematics = total_lagrangian
       !> Force per mass and velocity that brakes every point, 1/time
       real(wp) :: damping = 0.0_wp
+      !> Dynamic relaxation ends the run where the kinetic energy is below this share of the
+      !> largest; 0 for no dynamic relaxation
+      real(wp) :: rest_share = 0.0_wp
       !> The run stops when the energy balance is off by more than this share
       real(wp) :: energy_limit = 0.05_wp
       !> The run stops when the ratio of volumes of an element falls below this
@@ -60,8 +63,8 @@ module plydyn_model_control
 
    !> What the newest deck of a restart changes
    type, public :: changes_type
-      !> Supports or loads; the end
-      logical :: conditions = .false., end = .false.
+      !> Supports or loads; the end; dynamic relaxation; impactors or fixtures
+      logical :: conditions = .false., end = .false., relaxation = .false., bodies = .false.
    end type changes_type
 
    !> Stress through the thickness at a place of the plane

@@ -1,4 +1,4 @@
-!> Fixtures: rigid bodies that stand still or move as told, and tips that clamp with a force.
+!> Fixtures: rigid bodies that stand still or move as prescribed, and tips that clamp with a force.
 module plydyn_model_fixture
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_flat_body, only : flat_body_type

@@ -4,6 +4,7 @@ module plydyn_model_material
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : scalars
+   use plydyn_law_scatter, only : scatter_type
    implicit none
    private
 
@@ -48,6 +49,8 @@ module plydyn_model_material
       logical :: nodal = .false.
       !> Strengths lowered until the mesh resolves the zone that softens
       logical :: fitted = .false.
+      !> Scatter of the strengths from point to point
+      type(scatter_type) :: scatter
    end type interface_material_type
 
 contains

@@ -1,4 +1,4 @@
-!> Faces of a part that something may touch: its quads, or faces of bricks that no other brick has.
+!> Faces of parts that something may touch: its quads, or faces of bricks that no other brick has.
 module plydyn_model_outer_faces
    use plydyn_base_precision, only : wp
    use plydyn_model_mesh, only : mesh_type
@@ -6,10 +6,10 @@ module plydyn_model_outer_faces
    implicit none
    private
 
-   public :: faces_of_part
+   public :: faces_of_parts
 
    !> Stands for all parts
-   integer, parameter, public :: all_parts = 0
+   integer, parameter, public :: all_parts(0) = [integer ::]
 
    !> Corners of the faces of a brick, counter-clockwise seen from outside
    integer, parameter :: face_corner(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, 1, 2, 6, 5, 2, 3, 7, &
@@ -19,43 +19,41 @@ module plydyn_model_outer_faces
 
 contains
 
-   !> Quads of a part, in the order of the deck, or its outer faces that look up or down,
+   !> Quads of parts, in the order of the deck, or their outer faces that look up or down,
    !> counter-clockwise seen from above, (nodes, faces)
-   pure function faces_of_part(mesh, part, side) result(faces)
-      !> The mesh
+   pure function faces_of_parts(mesh, parts, side) result(faces)
       type(mesh_type), intent(in) :: mesh
-      !> Index of the part, or `all_parts`
-      integer, intent(in) :: part
+      !> Indices of the parts, or `all_parts`
+      integer, intent(in) :: parts(:)
       !> `bottom_face` or `top_face`
       integer, intent(in) :: side
       integer, allocatable :: faces(:, :)
 
       integer :: e
+      logical :: is_chosen(size(mesh%quad_part))
 
-      if (any(is_of(mesh%quad_part, part))) then
-         faces = mesh%quad_node(:, pack([(e, e=1, size(mesh%quad_part))], &
-            & is_of(mesh%quad_part, part)))
+      is_chosen(:) = [(is_of(mesh%quad_part(e), parts), e=1, size(is_chosen))]
+      if (any(is_chosen)) then
+         faces = mesh%quad_node(:, pack([(e, e=1, size(is_chosen))], is_chosen))
       else
-         faces = brick_faces(mesh, part, side)
+         faces = brick_faces(mesh, parts, side)
       end if
-   end function faces_of_part
+   end function faces_of_parts
 
    !> Whether an element of a part is chosen
-   elemental logical function is_of(part, chosen)
-      !> Part of the element, and the chosen one or `all_parts`
-      integer, intent(in) :: part, chosen
+   pure logical function is_of(part, chosen)
+      !> Part of the element
+      integer, intent(in) :: part
+      !> The chosen ones, or `all_parts`
+      integer, intent(in) :: chosen(:)
 
-      is_of = part == chosen .or. chosen == all_parts
+      is_of = any(part == chosen) .or. size(chosen) == 0
    end function is_of
 
-   !> Outer faces of a part of bricks that look up or down
-   pure function brick_faces(mesh, part, side) result(faces)
-      !> The bricks
+   !> Outer faces of parts of bricks that look up or down
+   pure function brick_faces(mesh, parts, side) result(faces)
       type(mesh_type), intent(in) :: mesh
-      !> Index of the part, or `all_parts`
-      integer, intent(in) :: part
-      !> `bottom_face` or `top_face`
-      integer, intent(in) :: side
+      integer, intent(in) :: parts(:), side
       integer, allocatable :: faces(:, :)
 
       integer :: corner(4, 6*size(mesh%brick_id)), kept
@@ -65,7 +63,7 @@ contains
       call find_outer(mesh, outer)
       kept = 0
       do e = 1, size(mesh%brick_id)
-         if (.not. is_of(mesh%brick_part(e), part)) cycle
+         if (.not. is_of(mesh%brick_part(e), parts)) cycle
          do f = 1, 6
             k = f + 6*(e - 1)
             if (.not. outer(k)) cycle

@@ -28,7 +28,7 @@ module plydyn_model_support
       character(name_length) :: name = ""
    end type hold_type
 
-   !> Points that move as told
+   !> Points that move as prescribed
    type, public :: motion_type
       !> Nodes, indices into `mesh%node_id`
       integer, allocatable :: nodes(:)

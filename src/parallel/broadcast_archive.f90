@@ -1,6 +1,7 @@
-!> Decks that the root has read, told to the other ranks word for word.
+!> Broadcast of the decks, word for word: the root alone reads the files.
 module plydyn_parallel_broadcast_archive
    use plydyn_base_archive, only : archive_type, bundle_type
+   use plydyn_base_precision, only : wp
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
@@ -43,7 +44,11 @@ contains
 
       character(:), allocatable :: content, path
       integer :: count(1), d
+      real(wp) :: start(1)
 
+      start(1) = bundle%start
+      call comm%broadcast(start)
+      bundle%start = start(1)
       if (comm%is_root()) count(1) = size(bundle%documents)
       call comm%broadcast(count)
       if (.not. comm%is_root()) then

@@ -1,5 +1,5 @@
 !> Arrays of the whole model in bands of consecutive places, one on each rank, of which every rank
-!> has pieces wherever they lie: from the pieces to the bands, and back to all that have them.
+!> has segments wherever they lie: from the segments to the bands, and back to all that have them.
 !>
 !> No rank ever has the whole array. Nothing is copied on the way but into the band and out of it.
 module plydyn_parallel_distributed_array
@@ -18,11 +18,11 @@ module plydyn_parallel_distributed_array
    !> Tag of messages
    integer, parameter :: value_tag = 3
 
-   !> The pieces of an array
+   !> The segments of an array
    type, public :: distributed_array_type
       !> Length of the whole array, places before the band of this rank, and places in it
       integer :: whole = 0, first = 0, count = 0
-      !> Where pieces are here that belong to the band of each rank, and where those of each rank
+      !> Where segments are here that belong to the band of each rank, and where those of each rank
       !> are in the band of this one; null where there are none. Not allocated with one rank
       type(mpi_datatype), allocatable, private :: here(:), there(:)
    contains
@@ -32,14 +32,14 @@ module plydyn_parallel_distributed_array
 
 contains
 
-   !> Say which pieces this rank has; all ranks must come here
-   function new_distributed_array(comm, whole, piece) result(self)
+   !> Say which segments this rank has; all ranks must come here
+   function new_distributed_array(comm, whole, segment) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> Length of the whole array
       integer, intent(in) :: whole
-      !> First place here, first place in the whole model and length of each piece, (3, pieces)
-      integer, intent(in) :: piece(:, :)
+      !> First place here, first place in the whole model and length of each segment, (3, segments)
+      integer, intent(in) :: segment(:, :)
       type(distributed_array_type) :: self
 
       integer :: from(0:comm%ranks - 1), r, to(0:comm%ranks - 1)
@@ -49,7 +49,7 @@ contains
       self%first = band_start(whole, comm%rank, comm%ranks)
       self%count = band_start(whole, comm%rank + 1, comm%ranks) - self%first
       if (comm%ranks == 1) return
-      own = cut(joined(piece), whole, comm%ranks)
+      own = cut(joined(segment), whole, comm%ranks)
       band = band_of(own(2, :), whole, comm%ranks)
       own = own(:, sorted_order(band))
       to(:) = [(count(band == r), r=0, comm%ranks - 1)]
@@ -61,75 +61,75 @@ contains
       call make_types(got(2, :) - self%first, got(3, :), from, self%there)
    end function new_distributed_array
 
-   !> Make one piece of those that follow each other both here and in the whole model
-   pure function joined(piece) result(longer)
-      integer, intent(in) :: piece(:, :)
+   !> Make one segment of those that follow each other both here and in the whole model
+   pure function joined(segment) result(longer)
+      integer, intent(in) :: segment(:, :)
       integer, allocatable :: longer(:, :)
 
-      integer :: i, list(3, size(piece, 2)), n
+      integer :: i, list(3, size(segment, 2)), n
 
       n = 0
-      do i = 1, size(piece, 2)
+      do i = 1, size(segment, 2)
          if (n > 0) then
-            if (all(list(:2, n) + list(3, n) == piece(:2, i))) then
-               list(3, n) = list(3, n) + piece(3, i)
+            if (all(list(:2, n) + list(3, n) == segment(:2, i))) then
+               list(3, n) = list(3, n) + segment(3, i)
                cycle
             end if
          end if
          n = n + 1
-         list(:, n) = piece(:, i)
+         list(:, n) = segment(:, i)
       end do
       longer = list(:, :n)
    end function joined
 
-   !> Cut pieces where bands end
-   pure function cut(piece, whole, ranks) result(parts)
-      integer, intent(in) :: piece(:, :), whole, ranks
+   !> Cut segments where bands end
+   pure function cut(segment, whole, ranks) result(parts)
+      integer, intent(in) :: segment(:, :), whole, ranks
       integer, allocatable :: parts(:, :)
 
       integer :: before, i, length, n
 
-      ! bands that the first and the last place of a piece lie in, and those between
-      allocate (parts(3, sum(1 + band_of(piece(2, :) + piece(3, :) - 1, whole, ranks) &
-         & - band_of(piece(2, :), whole, ranks))))
+      ! bands that the first and the last place of a segment lie in, and those between
+      allocate (parts(3, sum(1 + band_of(segment(2, :) + segment(3, :) - 1, whole, ranks) &
+         & - band_of(segment(2, :), whole, ranks))))
       n = 0
-      do i = 1, size(piece, 2)
+      do i = 1, size(segment, 2)
          before = 0
-         do while (before < piece(3, i))
-            associate (place => piece(2, i) + before)
-               length = min(piece(3, i) - before, 1 - place &
+         do while (before < segment(3, i))
+            associate (place => segment(2, i) + before)
+               length = min(segment(3, i) - before, 1 - place &
                   & + band_start(whole, 1 + band_of(place, whole, ranks), ranks))
                n = n + 1
-               parts(:, n) = [piece(1, i) + before, place, length]
+               parts(:, n) = [segment(1, i) + before, place, length]
             end associate
             before = before + length
          end do
       end do
    end function cut
 
-   !> Make types of messages from or to some pieces of an array, one for each rank
-   subroutine make_types(first, length, pieces, kind)
-      !> First place and length of each piece, rank by rank
+   !> Make types of messages from or to some segments of an array, one for each rank
+   subroutine make_types(first, length, segments, kind)
+      !> First place and length of each segment, rank by rank
       integer, intent(in) :: first(:), length(:)
-      !> Pieces for each rank
-      integer, intent(in) :: pieces(0:)
+      !> Segments for each rank
+      integer, intent(in) :: segments(0:)
       type(mpi_datatype), allocatable, intent(out) :: kind(:)
 
       integer :: before, r
 
-      allocate (kind(0:size(pieces) - 1))
+      allocate (kind(0:size(segments) - 1))
       before = 0
-      do r = 0, size(pieces) - 1
+      do r = 0, size(segments) - 1
          kind(r) = mpi_datatype_null
-         if (pieces(r) == 0) cycle
-         call mpi_type_indexed(pieces(r), length(before + 1:), first(before + 1:) - 1, &
+         if (segments(r) == 0) cycle
+         call mpi_type_indexed(segments(r), length(before + 1:), first(before + 1:) - 1, &
             & mpi_double_precision, kind(r))
          call mpi_type_commit(kind(r))
-         before = before + pieces(r)
+         before = before + segments(r)
       end do
    end subroutine make_types
 
-   !> Bring the pieces of all ranks to the bands; all ranks of several must come here
+   !> Bring the segments of all ranks to the bands; all ranks of several must come here
    subroutine gather(self, values, band)
       class(distributed_array_type), intent(in) :: self
       !> The array of this rank
@@ -140,7 +140,7 @@ contains
       call exchange(values, self%here, band, self%there)
    end subroutine gather
 
-   !> Take the pieces of this rank from the bands; all ranks of several must come here
+   !> Take the segments of this rank from the bands; all ranks of several must come here
    subroutine scatter(self, band, values)
       class(distributed_array_type), intent(in) :: self
       !> The band of this rank, (`count`)

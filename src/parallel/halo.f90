@@ -42,10 +42,8 @@ contains
 
    !> Build the exchange lists
    function new_halo(ranks, height, sent, received) result(self)
-      !> Number of ranks
-      integer, intent(in) :: ranks
-      !> Length of a column
-      integer, intent(in) :: height
+      !> Number of ranks, and length of a column
+      integer, intent(in) :: ranks, height
       !> Receiving rank and offset in the array of each column, in the order in which that rank
       !> receives them, (2, columns)
       integer, intent(in) :: sent(:, :)

@@ -47,10 +47,8 @@ contains
    elemental integer function band_of(row, rows, ranks) result(rank)
       !> The row, from 1
       integer, intent(in) :: row
-      !> Rows of all bands
-      integer, intent(in) :: rows
-      !> How many ranks there are
-      integer, intent(in) :: ranks
+      !> Rows of all bands, and how many ranks there are
+      integer, intent(in) :: rows, ranks
 
       rank = int((int(row, int64)*ranks - 1)/rows)
    end function band_of
@@ -65,8 +63,8 @@ contains
       integer, intent(in) :: row(:), key(:)
       type(owner_reduction_type) :: self
 
-      integer :: i, keeper(size(row))
-      integer, allocatable :: got(:, :)
+      integer :: i, owner(size(row))
+      integer, allocatable :: received(:, :)
 
       self%comm = comm
       self%first = band_start(rows, comm%rank, comm%ranks)
@@ -74,37 +72,37 @@ contains
       allocate (self%to(0:comm%ranks - 1), self%from(0:comm%ranks - 1))
       self%to(:) = 0
       do i = 1, size(row)
-         keeper(i) = band_of(row(i), rows, comm%ranks)
-         self%to(keeper(i)) = self%to(keeper(i)) + 1
+         owner(i) = band_of(row(i), rows, comm%ranks)
+         self%to(owner(i)) = self%to(owner(i)) + 1
       end do
-      self%sent = sorted_order(keeper)
+      self%sent = sorted_order(owner)
       self%from(:) = self%to
       if (comm%ranks > 1) call mpi_alltoall(self%to, 1, mpi_integer, self%from, 1, mpi_integer, &
          & mpi_comm_world)
-      call exchange_keys(self, row(self%sent), key(self%sent), got)
-      self%order = sorted_order(got(2, :))
-      self%order(:) = self%order(sorted_order(got(1, self%order)))
-      self%row = got(1, self%order) - self%first
+      call exchange_keys(self, row(self%sent), key(self%sent), received)
+      self%order = sorted_order(received(2, :))
+      self%order(:) = self%order(sorted_order(received(1, self%order)))
+      self%row = received(1, self%order) - self%first
    end function new_owner_reduction
 
-   !> Tell the keepers which rows they get parts of
-   subroutine exchange_keys(self, row, key, got)
+   !> Send to the owners which rows they get parts of
+   subroutine exchange_keys(self, row, key, received)
       type(owner_reduction_type), intent(in) :: self
       !> Of the parts that are sent, in their order
       integer, intent(in) :: row(:), key(:)
       !> Row and key of the parts that come, (2, parts)
-      integer, allocatable, intent(out) :: got(:, :)
+      integer, allocatable, intent(out) :: received(:, :)
 
       integer :: own(2, size(row))
 
       own(1, :) = row
       own(2, :) = key
       if (self%comm%ranks == 1) then
-         got = own
+         received = own
          return
       end if
-      allocate (got(2, sum(self%from)))
-      call mpi_alltoallv(own, 2*self%to, 2*starts(self%to), mpi_integer, got, 2*self%from, &
+      allocate (received(2, sum(self%from)))
+      call mpi_alltoallv(own, 2*self%to, 2*starts(self%to), mpi_integer, received, 2*self%from, &
          & 2*starts(self%from), mpi_integer, mpi_comm_world)
    end subroutine exchange_keys
 
@@ -121,27 +119,27 @@ contains
       end do
    end function starts
 
-   !> Bring the parts to their keepers, in the order in which they are added
-   subroutine bring(self, values, got)
+   !> Exchange the parts: each goes to the owner of its row, in the order in which they are added
+   subroutine exchange_parts(self, values, received)
       class(owner_reduction_type), intent(in) :: self
       real(wp), intent(in) :: values(:, :)
-      real(wp), allocatable, intent(out) :: got(:, :)
+      real(wp), allocatable, intent(out) :: received(:, :)
 
-      real(wp), allocatable :: come(:, :)
+      real(wp), allocatable :: arrived(:, :)
       type(mpi_datatype) :: kind
 
       if (self%comm%ranks == 1) then
-         got = values(:, self%sent(self%order))
+         received = values(:, self%sent(self%order))
          return
       end if
-      allocate (come(size(values, 1), sum(self%from)))
+      allocate (arrived(size(values, 1), sum(self%from)))
       call mpi_type_contiguous(size(values, 1), mpi_double_precision, kind)
       call mpi_type_commit(kind)
-      call mpi_alltoallv(values(:, self%sent), self%to, starts(self%to), kind, come, self%from, &
+      call mpi_alltoallv(values(:, self%sent), self%to, starts(self%to), kind, arrived, self%from, &
          & starts(self%from), kind, mpi_comm_world)
       call mpi_type_free(kind)
-      got = come(:, self%order)
-   end subroutine bring
+      received = arrived(:, self%order)
+   end subroutine exchange_parts
 
    !> Add up the parts of each row
    subroutine sum_parts(self, values, sums)
@@ -151,13 +149,13 @@ contains
       !> Rows of its band, (width, `count`)
       real(wp), intent(out) :: sums(:, :)
 
-      real(wp), allocatable :: got(:, :)
+      real(wp), allocatable :: received(:, :)
       integer :: i
 
-      call bring(self, values, got)
+      call exchange_parts(self, values, received)
       sums(:, :) = 0.0_wp
       do i = 1, size(self%row)
-         sums(:, self%row(i)) = sums(:, self%row(i)) + got(:, i)
+         sums(:, self%row(i)) = sums(:, self%row(i)) + received(:, i)
       end do
    end subroutine sum_parts
 
@@ -169,10 +167,10 @@ contains
       !> Rows of its band, (width, `count`)
       real(wp), intent(out) :: taken(:, :)
 
-      real(wp), allocatable :: got(:, :)
+      real(wp), allocatable :: received(:, :)
 
-      call bring(self, values, got)
-      taken(:, self%row) = got
+      call exchange_parts(self, values, received)
+      taken(:, self%row) = received
    end subroutine take_one
 
 end module plydyn_parallel_owner_reduction

@@ -1,18 +1,15 @@
 !> Schedules and writes restart files.
 module plydyn_run_checkpoint_writer
    use plydyn_base_error, only : error_type, exit_stopped, fail
-   use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_checkpoint_broadcast_job, only : broadcast_file_positions
    use plydyn_io_checkpoint_dump, only : write_dump
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : request_type
    use plydyn_state_file_positions, only : file_positions_type
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -56,38 +53,29 @@ contains
    end function new_checkpoint_writer
 
    !> Whether a restart file is due at the end of a step
-   pure logical function due(self, time, cycle, is_last)
+   pure logical function due(self, instant)
       class(checkpoint_writer_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      type(instant_type), intent(in) :: instant
 
-      due = is_due(self%kept_cycles, cycle, is_last) &
-         & .or. is_due(self%running_cycles, cycle, is_last)
+      due = is_due(self%kept_cycles, instant) .or. is_due(self%running_cycles, instant)
    end function due
 
    !> Ask for the positions of all files when a restart file is due
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(checkpoint_writer_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       self%is_requested = requests%checkpoint
-      if (self%due(state%time, state%cycle, state%is_finished())) requests%checkpoint = .true.
+      if (self%due(instant_of(simulation%state))) requests%checkpoint = .true.
    end subroutine notify
 
    !> Write the restart file, and end the run if that is requested
-   subroutine save(self, contacts, positions, state, requests, error)
+   subroutine save(self, simulation, positions, requests, error)
       class(checkpoint_writer_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(contacts_type), intent(in) :: contacts
+      class(simulation_type), intent(inout) :: simulation
       type(file_positions_type), intent(inout) :: positions
-      type(state_type), intent(inout) :: state
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -95,18 +83,17 @@ contains
       logical :: is_kept
 
       if (.not. requests%checkpoint) return
-      is_kept = self%is_requested .or. is_due(self%kept_cycles, state%cycle, state%is_finished())
+      is_kept = self%is_requested .or. is_due(self%kept_cycles, instant_of(simulation%state))
       if (is_kept) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
       else
-         path = running_path(self, state)
+         path = running_path(self, simulation%state%cycle)
       end if
-      call contacts%save(state)
       call broadcast_file_positions(self%layout%comm, self%job%path, positions)
-      call write_dump(path, self%job, positions, self%layout, state, error)
+      call write_dump(path, self%job, positions, self%layout, simulation%state, error)
       if (allocated(error)) return
-      when = " at cycle "//text(state%cycle)//", time "//text(state%time)
+      when = " at cycle "//text(simulation%state%cycle)//", time "//text(simulation%state%time)
       if (is_kept) call self%job%note("restart file "//path//when)
       if (.not. allocated(requests%stopped_by)) return
       call fail(error, exit_stopped, "stopped by "//requests%stopped_by//when &
@@ -114,15 +101,14 @@ contains
    end subroutine save
 
    !> Whether a restart file is due: at every so many steps, and at the end
-   pure logical function is_due(cycles, cycle, is_last)
+   pure logical function is_due(cycles, instant)
       !> Steps between two files, 0 for none
       integer, intent(in) :: cycles
-      !> Steps made, and whether that is the end
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      !> The end of a step
+      type(instant_type), intent(in) :: instant
 
       is_due = .false.
-      if (cycles > 0) is_due = mod(cycle, cycles) == 0 .or. is_last
+      if (cycles > 0) is_due = mod(instant%cycle, cycles) == 0 .or. instant%is_last
    end function is_due
 
    !> Path of a restart file that is kept
@@ -136,14 +122,14 @@ contains
    end function kept_path
 
    !> Path of a restart file that replaces an older one
-   pure function running_path(self, state) result(path)
+   pure function running_path(self, cycle) result(path)
       type(checkpoint_writer_type), intent(in) :: self
-      type(state_type), intent(in) :: state
+      integer, intent(in) :: cycle
       character(:), allocatable :: path
 
       path = self%job%path//".runrsf"
       if (self%running_files > 1) path = path &
-         & //text(modulo(state%cycle/self%running_cycles - 1, self%running_files) + 1)
+         & //text(modulo(cycle/self%running_cycles - 1, self%running_files) + 1)
    end function running_path
 
 end module plydyn_run_checkpoint_writer

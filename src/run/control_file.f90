@@ -24,8 +24,8 @@ module plydyn_run_control_file
 
    !> Behind the name of a file of requests that was read
    character(*), parameter :: was_read = ".read"
-   !> Longest line, most lines that are read, and most of which is told what became of them
-   integer, parameter :: longest = 200, most = 100000, most_told = 100
+   !> Longest line, most lines that are read, and most that are answered one by one
+   integer, parameter :: longest = 200, most = 100000, most_answers = 100
    character(*), parameter :: words = "stop, dump, plot, status, flush, end-time TIME " &
       & //"(or sw1, sw3, sw4, sw2, d3kil)"
 
@@ -71,10 +71,10 @@ contains
       logical, intent(out) :: good
 
       character(longest + 1) :: line
-      character(:), allocatable :: told
+      character(:), allocatable :: answers
       integer :: i, status, unit
 
-      told = ""
+      answers = ""
       open (newunit=unit, file=path//was_read, status="old", action="read", iostat=status)
       good = status == 0
       if (.not. good) return
@@ -82,12 +82,12 @@ contains
          read (unit, "(a)", iostat=status) line
          if (status /= 0) exit
          if (len_trim(line) > 0) call take_line(path, trim(adjustl(line)), time, requests)
-         if (i == most_told) told = requests%answer
-         if (i > most_told) requests%answer = told
+         if (i == most_answers) answers = requests%answer
+         if (i > most_answers) requests%answer = answers
       end do
       close (unit)
-      if (i > most_told + 1) requests%answer = told//path//": and "//text(i - 1 - most_told) &
-         & //" lines more, read likewise"//new_line("a")
+      if (i > most_answers + 1) requests%answer = answers//path//": and " &
+         & //text(i - 1 - most_answers)//" lines more, read likewise"//new_line("a")
       if (i > most) requests%answer = requests%answer//path//": lines beyond " &
          & //text(most)//" are not read"//new_line("a")
    end subroutine take_lines

@@ -15,9 +15,7 @@ contains
 
    !> Points and impactors where they begin, with the velocity that the deck gives them
    function new_state(model, domain) result(state)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
       type(state_type) :: state
 
@@ -36,8 +34,9 @@ contains
       state%history(:) = 0.0_wp
       call start_histories(domain, state%history)
       call set_initial_damage(model, domain, state%history)
-      allocate (state%load_factor(size(domain%loads)), state%supports%force(support_points(domain)))
-      state%load_factor(:) = 0.0_wp
+      allocate (state%supports%load_factor(size(domain%loads)))
+      allocate (state%supports%force(support_points(domain)))
+      state%supports%load_factor(:) = 0.0_wp
       state%supports%force(:) = 0.0_wp
       call set_velocities(domain, state%velocity)
       allocate (state%supports%velocity(0))
@@ -46,8 +45,11 @@ contains
             & state%velocity(domain%supports%motions(i)%freedom)]
       end do
       allocate (state%fixtures(size(domain%contact%fixtures)))
+      state%fixtures(:)%id = domain%contact%fixtures(:)%id
+      state%fixtures(:)%height = domain%contact%fixtures(:)%height
       allocate (state%contacts(size(domain%contact%contacts)))
       allocate (state%impactors(size(domain%contact%impactors)))
+      state%impactors(:)%id = domain%contact%impactors(:)%id
       do i = 1, size(domain%contact%impactors)
          state%impactors(i)%centre(:) = domain%contact%impactors(i)%centre
          state%impactors(i)%velocity(:) = domain%contact%impactors(i)%velocity
@@ -59,21 +61,19 @@ contains
       type(domain_type), intent(in) :: domain
       real(wp), intent(inout) :: velocity(:)
 
-      integer :: c, i, k, t
+      integer :: i, k, t
 
-      associate (columns => domain%columns)
-         do i = 1, size(domain%supports%initial_velocities)
-            associate (initial => domain%supports%initial_velocities(i))
-               do k = 1, size(columns%layer_slot, 2)
-                  do t = 1, columns%levels(k)
-                     do c = 1, 3
-                        velocity(columns%freedom(k, t, c, initial%nodes)) = initial%velocity(c)
-                     end do
-                  end do
+      do i = 1, size(domain%supports%initial_velocities)
+         associate (initial => domain%supports%initial_velocities(i))
+            do k = 1, size(domain%columns%layer_slot, 2)
+               do t = 1, domain%columns%levels(k)
+                  velocity(domain%columns%freedom(k, t, 1, initial%nodes)) = initial%velocity(1)
+                  velocity(domain%columns%freedom(k, t, 2, initial%nodes)) = initial%velocity(2)
+                  velocity(domain%columns%freedom(k, t, 3, initial%nodes)) = initial%velocity(3)
                end do
-            end associate
-         end do
-      end associate
+            end do
+         end associate
+      end do
       velocity(domain%supports%held) = 0.0_wp
    end subroutine set_velocities
 

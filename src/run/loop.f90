@@ -5,12 +5,13 @@ module plydyn_run_loop
    use plydyn_method_accelerations, only : add_motion_sums, begin_accelerations, &
       & update_accelerations
    use plydyn_method_central_difference, only : predict, undo_prediction
-   use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_energy, only : measure_energies, update_energies
+   use plydyn_method_contact_correction, only : update_impactors
    use plydyn_method_fixture_step, only : update_fixtures
    use plydyn_method_forces, only : add_external_power
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_observer, only : observers_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_method_supports, only : prescribe_motion
    use plydyn_method_time_step, only : choose_step, prepare_step
    use plydyn_method_workspace, only : new_workspace, workspace_type
@@ -23,13 +24,9 @@ module plydyn_run_loop
 contains
 
    !> From the state at time zero, or of a restart file, to the end
-   subroutine run(domain, contacts, state, observers, error)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> Contacts and their work space
-      type(contacts_type), intent(inout) :: contacts
-      !> The state
-      type(state_type), intent(inout) :: state
+   subroutine run(simulation, observers, error)
+      !> Its state and its contacts change
+      class(simulation_type), intent(inout) :: simulation
       !> Observers of the run
       type(observers_type), intent(inout) :: observers
       !> Reason for an end before its time
@@ -38,47 +35,49 @@ contains
       type(global_reduction_type) :: reduction
       type(workspace_type) :: work
 
-      if (state%cycle == 0) then
-         call start(domain, state, reduction)
-         call observers%begin(domain, contacts, state, error)
-         if (allocated(error)) return
-      end if
-      call new_workspace(domain, state, work)
+      associate (domain => simulation%domain, contacts => simulation%contacts, &
+         & state => simulation%state)
+         if (state%cycle == 0) then
+            call start(domain, state, reduction)
+            call observers%begin(simulation, error)
+            if (allocated(error)) return
+         end if
+         call new_workspace(domain, state, work)
 
-      do while (.not. state%is_finished())
-         call choose_step(domain, state)
-         call contacts%predict(domain, reduction, state)   ! impactors
-         call prepare_step(domain, contacts, state, observers%read_motion(state), work)
-         call reduction%clear()
+         do while (.not. state%is_finished())
+            call choose_step(domain, state)
+            call contacts%predict(domain, reduction, state)   ! impactors
+            call prepare_step(domain, contacts, state, observers%read_motion(state), work)
+            call reduction%clear()
 
-         !$omp parallel default(shared)
-         call predict(domain, work, state)                             ! eq. 15
-         !$omp master
-         call prescribe_motion(domain, state, reduction)
-         call contacts%correct(domain, state, reduction)               ! eqs 12-13, 16-17
-         call add_external_power(domain, state, reduction%external_power_before)
-         call work%team%signal_contact()
-         !$omp end master
-         call update_accelerations(domain, work, state)                ! eq. 6
-         !$omp end parallel
+            !$omp parallel default(shared)
+            call predict(domain, work, state)                             ! eq. 15
+            !$omp master
+            call prescribe_motion(domain, state, reduction)
+            call contacts%correct(domain, state, reduction)               ! eqs 12-13, 16-17
+            call add_external_power(domain, state, reduction%external_power_before)
+            call work%team%signal_contact()
+            !$omp end master
+            call update_accelerations(domain, work, state)                ! eq. 6
+            !$omp end parallel
 
-         call add_motion_sums(domain, work, state, reduction)
-         call observers%look_for_requests(state, reduction%requests)
-         call reduction%sum(domain%comm)
-         call update_energies(domain, reduction, state)
-         call update_fixtures(reduction, state)
-         call state%advance_clock()
-         call observers%notify(domain, contacts, state, reduction%requests > 0, error)
-         if (allocated(error)) exit
-      end do
-      if (allocated(error)) call undo_prediction(domain, work, state)
+            call add_motion_sums(domain, work, state, reduction)
+            call observers%look_for_requests(state, reduction%requests)
+            call reduction%sum(domain%comm)
+            call update_energies(domain, reduction, state)
+            call update_impactors(domain, reduction, state)
+            call update_fixtures(reduction, state)
+            call state%advance_clock()
+            call observers%notify(simulation, reduction%requests > 0, error)
+            if (allocated(error)) exit
+         end do
+         if (allocated(error)) call undo_prediction(domain, work, state)
+      end associate
    end subroutine run
 
    !> Accelerations and energies at time zero
    subroutine start(domain, state, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(inout) :: state
       !> Sums over all points
       type(global_reduction_type), intent(out) :: reduction

@@ -17,6 +17,8 @@ module plydyn_run_observers
    use plydyn_io_vtkhdf_field_output, only : field_output_type
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
+   use plydyn_run_finite_monitor, only : new_finite_monitor
+   use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
    use plydyn_run_stability_monitor, only : new_stability_monitor
@@ -42,59 +44,72 @@ contains
       !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      call observers%start(job%path)
+      call add_output(new_end_of_run(), job, run, observers, error)
+      call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
+      call add_other(new_finite_monitor(), observers)
+      call add_other(new_relaxation_monitor(job, trim(run%model%control%units%time)), observers)
+      call add_other(new_volume_monitor(job, run%model%mesh), observers)
+      call add_histories(job, run, observers, error)
+      call add_output(field_output_type(), job, run, observers, error)
+      call add_output(new_progress_monitor(), job, run, observers, error)
+      call add_other(new_stability_monitor(), observers)
+      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
+   end subroutine make_observers
+
+   !> Add the histories, each with a file of its own
+   subroutine add_histories(job, run, observers, error)
+      type(job_type), intent(in) :: job
+      type(run_type), intent(in) :: run
+      type(observers_type), intent(inout) :: observers
+      type(error_type), allocatable, intent(inout) :: error
+
       integer :: i
 
-      call observers%start(job%path)
-      call add(new_end_of_run())
-      call add_other(new_run_control(run%domain%comm, job, most_seconds))
-      call add_other(new_volume_monitor(job, run%model%mesh))
-      call add(energy_history_type())
-      call add(node_history_type())
-      call add(support_history_type())
+      call add_output(energy_history_type(), job, run, observers, error)
+      call add_output(node_history_type(), job, run, observers, error)
+      call add_output(support_history_type(), job, run, observers, error)
       do i = 1, size(run%model%impactors)
-         call add(new_impactor_history(i))
+         call add_output(new_impactor_history(i), job, run, observers, error)
       end do
       do i = 1, size(run%model%fixtures)
-         call add(new_fixture_history(i))
+         call add_output(new_fixture_history(i), job, run, observers, error)
       end do
       do i = 1, size(run%model%request%profiles)
-         call add(new_profile_file(i))
+         call add_output(new_profile_file(i), job, run, observers, error)
       end do
-      call add(delamination_history_type())
-      call add(contact_history_type())
-      call add(field_output_type())
-      call add(new_progress_monitor())
-      call add_other(new_stability_monitor())
-      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request))
+      call add_output(delamination_history_type(), job, run, observers, error)
+      call add_output(contact_history_type(), job, run, observers, error)
+   end subroutine add_histories
 
-   contains
+   !> Open an observer that writes results and add it, unless something went wrong before
+   subroutine add_output(prototype, job, run, observers, error)
+      !> The observer, not open yet
+      class(output_type), intent(in) :: prototype
+      type(job_type), intent(in) :: job
+      type(run_type), intent(in) :: run
+      type(observers_type), intent(inout) :: observers
+      type(error_type), allocatable, intent(inout) :: error
 
-      !> Add an observer that writes results, unless something went wrong before
-      subroutine add(prototype)
-         !> The observer, not open yet
-         class(output_type), intent(in) :: prototype
+      class(observer_type), allocatable :: observer
+      class(output_type), allocatable :: output
 
-         class(observer_type), allocatable :: observer
-         class(output_type), allocatable :: output
+      if (allocated(error)) return
+      allocate (output, source=prototype)
+      call output%open(job, run, error)
+      call move_alloc(output, observer)
+      call observers%add(observer)
+   end subroutine add_output
 
-         if (allocated(error)) return
-         allocate (output, source=prototype)
-         call output%open(job, run%model, run%domain, error)
-         call move_alloc(output, observer)
-         call observers%add(observer)
-      end subroutine add
+   !> Add another observer
+   subroutine add_other(prototype, observers)
+      class(observer_type), intent(in) :: prototype
+      type(observers_type), intent(inout) :: observers
 
-      !> Add another observer
-      subroutine add_other(prototype)
-         !> The observer
-         class(observer_type), intent(in) :: prototype
+      class(observer_type), allocatable :: observer
 
-         class(observer_type), allocatable :: observer
-
-         allocate (observer, source=prototype)
-         call observers%add(observer)
-      end subroutine add_other
-
-   end subroutine make_observers
+      allocate (observer, source=prototype)
+      call observers%add(observer)
+   end subroutine add_other
 
 end module plydyn_run_observers

@@ -6,11 +6,13 @@ module plydyn_run_restart
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_method_accelerations, only : begin_accelerations
+   use plydyn_method_contact_setup, only : new_contacts
    use plydyn_method_energy, only : measure_energies
+   use plydyn_method_fixture_step, only : place_new_fixtures
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_run_setup, only : run_type
    use plydyn_method_supports, only : support_points
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : relaxation_state_type, state_type
    implicit none
    private
 
@@ -34,9 +36,15 @@ contains
       associate (changes => run%model%changes, state => run%state)
          end_time = state%end%time
          end_cycle = state%end%cycle
-         call dump%read_state(run%state_parts, .not. changes%conditions, state, error)
+         state%fixtures%height = huge(1.0_wp)
+         call dump%read_state(run%state_parts, changes, state, error)
          if (allocated(error)) return
-         call run%contacts%restore(state, error)
+         if (changes%bodies) then
+            call new_contacts(run%domain, state, run%contacts, error)
+            call place_new_fixtures(run%domain, state)
+         else
+            call run%contacts%restore(state, error)
+         end if
          if (allocated(error)) return
          if (changes%end) then
             state%end%time = end_time
@@ -44,7 +52,8 @@ contains
             call check_end(state, error)
             if (allocated(error)) return
          end if
-         if (changes%conditions) call change_conditions(run%domain, state)
+         if (changes%relaxation) state%relaxation = relaxation_state_type()
+         if (changes%conditions .or. changes%bodies) call change_conditions(run%domain, state)
       end associate
    end subroutine resume
 
@@ -62,12 +71,11 @@ contains
          & //"; ENDTIM and ENDCYC, if given, must lie behind")
    end subroutine check_end
 
-   !> Change supports and loads. Energy that they take from the motion at once, or give to it, is
-   !> external work
+   !> Change supports, loads and bodies. Energy that they take from the motion at once, or give to
+   !> it, is external work
    subroutine change_conditions(domain, state)
       !> The domain with the new supports and loads
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(inout) :: state
 
       real(wp), allocatable :: history(:)
@@ -76,8 +84,9 @@ contains
       type(global_reduction_type) :: reduction
 
       state%velocity(domain%supports%held) = 0.0_wp
-      deallocate (state%load_factor, state%supports%force, state%supports%velocity)
-      allocate (state%load_factor(size(domain%loads)), state%supports%force(support_points(domain)))
+      deallocate (state%supports%load_factor, state%supports%force, state%supports%velocity)
+      allocate (state%supports%load_factor(size(domain%loads)))
+      allocate (state%supports%force(support_points(domain)))
       allocate (state%supports%velocity(0))
       do m = 1, size(domain%supports%motions)
          state%supports%velocity = [state%supports%velocity, &

@@ -5,14 +5,12 @@ module plydyn_run_run_control
    use plydyn_base_precision, only : wp
    use plydyn_base_signals, only : caught_signal, has_caught_signal
    use plydyn_base_text, only : text
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_method_observer, only : instant_type, observer_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_control_file, only : control_requests_type, take_requests
    use plydyn_state_file_positions, only : file_positions_type
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -67,23 +65,17 @@ contains
 
    !> A request that was found in the step before is met at the end of this step, when the motion is
    !> complete
-   pure logical function due(self, time, cycle, is_last)
+   pure logical function due(self, instant)
       class(run_control_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      type(instant_type), intent(in) :: instant
 
       due = self%is_pending
    end function due
 
    !> Meet requests, or note them for the next step
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(run_control_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -92,27 +84,25 @@ contains
 
       if (.not. (requests%attention .or. self%is_pending)) return
       ! the motion is complete at the end of a run, and where this was due
-      self%is_pending = .not. (self%is_pending .or. state%is_finished())
+      self%is_pending = .not. (self%is_pending .or. simulation%state%is_finished())
       if (self%is_pending) return
-      call share_requests(self, domain%comm, asked_by, asked)
-      if (asked%end_time > 0.0_wp) state%end%time = asked%end_time
+      call share_requests(self, simulation%domain%comm, asked_by, asked)
+      if (asked%end_time > 0.0_wp) simulation%state%end%time = asked%end_time
       requests%fields = asked%plot
       requests%progress = asked%status
       requests%flush = asked%flush
       requests%checkpoint = asked%dump
-      if (len(asked_by) > 0 .and. .not. state%is_finished()) then
+      if (len(asked_by) > 0 .and. .not. simulation%state%is_finished()) then
          requests%checkpoint = .true.
          requests%stopped_by = asked_by
       end if
    end subroutine notify
 
    !> Answer a request to bring all results to the disk
-   subroutine save(self, contacts, positions, state, requests, error)
+   subroutine save(self, simulation, positions, requests, error)
       class(run_control_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(contacts_type), intent(in) :: contacts
+      class(simulation_type), intent(inout) :: simulation
       type(file_positions_type), intent(inout) :: positions
-      type(state_type), intent(inout) :: state
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -122,7 +112,6 @@ contains
    !> Look for signals on every rank, for the rest on the root
    subroutine look_for_requests(self, time, found)
       class(run_control_type), intent(inout) :: self
-      !> As in `observer_type`
       real(wp), intent(in) :: time
       logical, intent(inout) :: found
 

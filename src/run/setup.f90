@@ -1,36 +1,31 @@
 !> Sets up a run from its model, on one rank or on several.
 module plydyn_run_setup
-   use plydyn_base_error, only : error_type
+   use plydyn_base_error, only : error_type, exit_run, fail
+   use plydyn_base_limits, only : available_memory
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_domain_crack_band_widths, only : check_bands
-   use plydyn_domain_build, only : begin_domain, build_share
+   use plydyn_domain_build, only : begin_domain, build_subdomain
    use plydyn_domain_build_elements, only : whole_mass
    use plydyn_domain_rank_partition, only : divide_ranks
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_memory, only : history_bytes, mesh_bytes
+   use plydyn_domain_memory, only : history_bytes, least_bytes, mesh_bytes, motion_bytes
    use plydyn_domain_subdomain, only : subdomain_type
-   use plydyn_model_model, only : model_type
    use plydyn_io_csv_profile, only : check_profiles
    use plydyn_io_listing_ranks, only : rank_numbers
    use plydyn_io_checkpoint_state_layout, only : new_state_layout, state_layout_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_method_contact_step, only : contacts_type, new_contacts
+   use plydyn_method_contact_setup, only : new_contacts
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_run_initial_state, only : new_state
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
    public :: set_up
 
-   !> Model, domain, contacts and state of a run
-   type, public :: run_type
-      !> The deck's model
-      type(model_type) :: model
-      !> The domain of this rank, its contacts and its state
-      type(domain_type), allocatable :: domain
-      type(contacts_type) :: contacts
-      type(state_type) :: state
+   !> A simulation, and how it is shared by the ranks
+   type, public, extends(simulation_type) :: run_type
       !> Which places of the arrays of the whole model this rank has
       type(state_layout_type) :: state_parts
       !> Size of the part of each rank; see `write_ranks`. Empty with one rank
@@ -50,32 +45,64 @@ contains
 
       type(decomposition_type) :: division
       integer, allocatable :: rank_of_chunk(:)
-      type(subdomain_type) :: share
+      type(subdomain_type) :: subdomain
 
+      call check_memory(comm, least_bytes(self%model)/comm%ranks, error)
+      if (allocated(error)) return
       allocate (self%domain)
       call begin_domain(self%model, self%domain, division)
       self%domain%comm = comm
       call divide_ranks(self%domain, division, comm%ranks, rank_of_chunk)
       call comm%broadcast(rank_of_chunk)
-      call build_share(self%model, division, rank_of_chunk, self%domain, share, error)
+      call build_subdomain(self%model, division, rank_of_chunk, self%domain, subdomain, error)
       if (allocated(error)) return
-      self%domain%inertia%total_mass = whole_mass(self%domain, share%own)
+      self%domain%inertia%total_mass = whole_mass(self%domain, subdomain%own)
       call check_bands(self%model, self%domain, error)
       if (allocated(error)) return
       call check_profiles(self%model%request%profiles, self%domain, error)
       if (allocated(error)) return
-      call count_ranks(comm, self%domain, share, self%ranks)
-      self%state_parts = new_state_layout(self%domain, share)
-      call new_contacts(self%domain, self%contacts, error)
+      call count_ranks(comm, self%domain, subdomain, self%ranks)
+      self%state_parts = new_state_layout(self%domain, subdomain)
+      ! the cost of a step is measured with a copy
+      call check_memory(comm, 2.0_wp*(motion_bytes(self%domain) + history_bytes(self%domain)), &
+         & error)
       if (allocated(error)) return
       self%state = new_state(self%model, self%domain)
+      call new_contacts(self%domain, self%state, self%contacts, error)
    end subroutine set_up
 
+   !> Refuse what the machine of any rank has no memory for
+   subroutine check_memory(comm, bytes, error)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> Memory that this rank will take at least
+      real(wp), intent(in) :: bytes
+      !> Says how much is missing; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (bytes > available_memory()) call fail(error, exit_run, "out of memory: the model takes " &
+         & //gigabytes(bytes)//" more at least, and "//gigabytes(available_memory()) &
+         & //" are free; right would be fewer quads, plies or layers in a ply (NSUB, ORDER of " &
+         & //"*SECTION_LAYERWISE), or ranks on more machines")
+      call comm%broadcast_error(error)
+
+   contains
+
+      !> A size in words
+      function gigabytes(size) result(words)
+         real(wp), intent(in) :: size
+         character(:), allocatable :: words
+
+         words = text(size/1.0e9_wp, 3)//" GB"
+      end function gigabytes
+
+   end subroutine check_memory
+
    !> Size of the part of each rank; empty with one rank
-   subroutine count_ranks(comm, domain, share, ranks)
+   subroutine count_ranks(comm, domain, subdomain, ranks)
       type(comm_type), intent(in) :: comm
       type(domain_type), intent(in) :: domain
-      type(subdomain_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: subdomain
       !> See `write_ranks`
       real(wp), allocatable, intent(out) :: ranks(:, :)
 
@@ -86,8 +113,8 @@ contains
          allocate (ranks(rank_numbers, 0))
          return
       end if
-      own(:) = [real(size(domain%chunks%list), wp), real(size(share%own), wp), &
-         & real(count(.not. share%own), wp), &
+      own(:) = [real(size(domain%chunks%list), wp), real(size(subdomain%own), wp), &
+         & real(count(.not. subdomain%own), wp), &
          & real(max(domain%chunks%halo%neighbours(), domain%averaging%strain_halo%neighbours()), &
          & wp), &
          & real(domain%chunks%halo%bytes + domain%averaging%strain_halo%bytes, wp), &

@@ -1,5 +1,5 @@
 !> Watches the ratio of volumes, det F: the step follows the stiffness of compressed layers. Warns
-!> of the first element that is pressed nearly flat, and stops a run that turns one inside out.
+!> of the first element that is pressed nearly flat, and stops a run in which one is inverted.
 module plydyn_run_volume_monitor
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_precision, only : wp
@@ -8,8 +8,8 @@ module plydyn_run_volume_monitor
    use plydyn_domain_least_volume, only : find_least_volume
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -40,9 +40,7 @@ contains
 
    !> A monitor
    function new_volume_monitor(job, mesh) result(self)
-      !> The job
       type(job_type), intent(in) :: job
-      !> The mesh
       type(mesh_type), intent(in) :: mesh
       type(volume_monitor_type) :: self
 
@@ -51,39 +49,35 @@ contains
    end function new_volume_monitor
 
    !> Every so many steps, and at the end
-   pure logical function due(self, time, cycle, is_last)
+   pure logical function due(self, instant)
       class(volume_monitor_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      type(instant_type), intent(in) :: instant
 
-      due = is_last .or. mod(cycle, steps_per_look) == 0
+      due = instant%is_last .or. mod(instant%cycle, steps_per_look) == 0
    end function due
 
    !> Look at a step
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(volume_monitor_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       type(least_volume_type) :: least
 
-      if (.not. self%due(state%time, state%cycle, state%is_finished())) return
-      least = find_least_volume(domain, state%displacement)
-      state%least_volume = least%ratio
-      if (least%ratio < domain%control%volume_limit) then
-         call fail(error, exit_run, place_of(self, domain, state, least)//", below the limit of " &
-            & //text(domain%control%volume_limit)//" (VOLLIM of *CONTROL_LAYERWISE)")
-      else if (least%ratio < warning_ratio .and. .not. self%has_warned) then
-         self%has_warned = .true.
-         if (domain%comm%is_root()) call self%job%note("warning: " &
-            & //place_of(self, domain, state, least)//"; no law of plies is known to hold there")
-      end if
+      if (.not. self%due(instant_of(simulation%state))) return
+      associate (domain => simulation%domain, state => simulation%state)
+         least = find_least_volume(domain, state%displacement)
+         state%least_volume = least%ratio
+         if (least%ratio < domain%control%volume_limit) then
+            call fail(error, exit_run, place_of(self, domain, state, least)//", below the limit " &
+               & //"of "//text(domain%control%volume_limit)//" (VOLLIM of *CONTROL_LAYERWISE)")
+         else if (least%ratio < warning_ratio .and. .not. self%has_warned) then
+            self%has_warned = .true.
+            if (domain%comm%is_root()) call self%job%note("warning: " &
+               & //place_of(self, domain, state, least)//"; no law of plies is known to hold there")
+         end if
+      end associate
    end subroutine notify
 
    !> Which element is pressed to which ratio, and when

@@ -4,7 +4,7 @@ module plydyn_state_exchange
    use plydyn_base_text, only : text
    use plydyn_state_state, only : contact_memory_type, energies_type, fixture_state_type, &
       & impactor_state_type, &
-      & motion_sums_type, state_type
+      & motion_sums_type, relaxation_state_type, state_type
    implicit none
    private
 
@@ -55,9 +55,10 @@ contains
       call exchange%reals("velocity", state%velocity)
       call exchange_accelerations(exchange, size(state%displacement), state%acceleration)
       call exchange%reals("history", state%history)
-      call exchange%reals("load_factor", state%load_factor)
+      call exchange%reals("load_factor", state%supports%load_factor)
       call exchange%reals("support_force", state%supports%force)
       call exchange%reals("support_velocity", state%supports%velocity)
+      call exchange_relaxation(exchange, state%relaxation)
       call exchange_sums(exchange, state%sums, state%energies)
       call exchange_impactors(exchange, state%impactors)
       call exchange_fixtures(exchange, state%fixtures)
@@ -73,13 +74,15 @@ contains
       integer, allocatable :: counts(:)
       real(wp), allocatable :: least_volume(:)
 
-      clock = [state%time, state%step, state%step_before, state%first_step, state%end%time]
-      call exchange%reals("clock", clock)
+      clock = [state%time]
+      call exchange%reals("time", clock)
       state%time = clock(1)
-      state%step = clock(2)
-      state%step_before = clock(3)
-      state%first_step = clock(4)
-      state%end%time = clock(5)
+      clock = [state%step, state%step_before, state%first_step, state%end%time]
+      call exchange%reals("clock", clock)
+      state%step = clock(1)
+      state%step_before = clock(2)
+      state%first_step = clock(3)
+      state%end%time = clock(4)
       counts = [state%cycle, state%end%cycle]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)
@@ -102,6 +105,21 @@ contains
       call exchange%reals("acceleration", values)
       accelerations(:freedoms) = values
    end subroutine exchange_accelerations
+
+   !> Dynamic relaxation
+   subroutine exchange_relaxation(exchange, relaxation)
+      class(exchange_type), intent(inout) :: exchange
+      type(relaxation_state_type), intent(inout) :: relaxation
+
+      real(wp), allocatable :: numbers(:)
+
+      numbers = [relaxation%damping, relaxation%next_damping, real(relaxation%change_cycle, wp), &
+         & relaxation%largest_kinetic, relaxation%twice_kinetic, relaxation%acceleration_square, &
+         & relaxation%damping_power, relaxation%power]
+      call exchange%reals("relaxation", numbers)
+      relaxation = relaxation_state_type(numbers(1), numbers(2), nint(numbers(3)), numbers(4), &
+         & numbers(5), numbers(6), numbers(7), numbers(8))
+   end subroutine exchange_relaxation
 
    !> Sums and energies: all components are reals
    subroutine exchange_sums(exchange, sums, energies)
@@ -131,13 +149,19 @@ contains
          associate (own => impactors(i))
             numbers = [own%centre, own%displacement, own%velocity, own%force, &
                & real(own%contacts, wp), own%penetration]
-            call exchange%reals("impactor_"//text(i), numbers)
+            call exchange%reals("impactor_"//text(own%id), numbers)
             own%centre(:) = numbers(1:3)
             own%displacement(:) = numbers(4:6)
             own%velocity(:) = numbers(7:9)
             own%force(:) = numbers(10:12)
             own%contacts = nint(numbers(13))
             own%penetration = numbers(14)
+            numbers = [own%spin, own%impulse, own%friction, own%work]
+            call exchange%reals("impactor_"//text(own%id)//"_work", numbers)
+            own%spin(:) = numbers(1:3)
+            own%impulse(:) = numbers(4:6)
+            own%friction = numbers(7)
+            own%work = numbers(8)
          end associate
       end do
    end subroutine exchange_impactors
@@ -153,14 +177,15 @@ contains
       do i = 1, size(fixtures)
          associate (own => fixtures(i))
             numbers = [own%force, own%impulse, own%area, real(own%contacts, wp), own%slip, &
-               & own%friction]
-            call exchange%reals("fixture_"//text(i), numbers)
+               & own%friction, own%height]
+            call exchange%reals("fixture_"//text(own%id), numbers)
             own%force(:) = numbers(1:3)
             own%impulse(:) = numbers(4:6)
             own%area = numbers(7)
             own%contacts = nint(numbers(8))
             own%slip = numbers(9)
             own%friction = numbers(10)
+            own%height = numbers(11)
          end associate
       end do
    end subroutine exchange_fixtures

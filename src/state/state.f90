@@ -28,7 +28,7 @@ module plydyn_state_state
       real(wp) :: reference = 0.0_wp
       !> Momentum of plate and impactors
       real(wp) :: momentum(3) = 0.0_wp
-      !> Taken by friction on fixtures
+      !> Taken by friction on impactors and fixtures
       real(wp) :: friction = 0.0_wp
    contains
       procedure :: total
@@ -38,10 +38,16 @@ module plydyn_state_state
 
    !> A rigid impactor
    type, public :: impactor_state_type
+      !> The user's number
+      integer :: id = 0
       !> Position of the centre, its displacement and its velocity
       real(wp) :: centre(3) = 0.0_wp, displacement(3) = 0.0_wp, velocity(3) = 0.0_wp
-      !> Force of the plate on it over the last step
-      real(wp) :: force(3) = 0.0_wp
+      !> Angular velocity; zero where it does not turn
+      real(wp) :: spin(3) = 0.0_wp
+      !> Force of the plate on it over the last step, and its impulse so far
+      real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
+      !> Work of friction between it and the plate so far, and of its prescribed motion
+      real(wp) :: friction = 0.0_wp, work = 0.0_wp
       !> Contact points that carry a force, and the deepest penetration left
       integer :: contacts = 0
       real(wp) :: penetration = 0.0_wp
@@ -49,6 +55,10 @@ module plydyn_state_state
 
    !> A fixture
    type, public :: fixture_state_type
+      !> The user's number
+      integer :: id = 0
+      !> Height of its face without its own motion
+      real(wp) :: height = 0.0_wp
       !> Force of the plate on it over the last step, and its impulse so far
       real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
       !> Area of the points in contact, and how many they are
@@ -84,13 +94,32 @@ module plydyn_state_state
       integer :: cycle = 0
    end type run_end_type
 
-   !> Supports and prescribed motions
+   !> Dynamic relaxation
+   type, public :: relaxation_state_type
+      !> Damping force per mass and velocity, and what takes its place from a step on, 1/time
+      real(wp) :: damping = 0.0_wp, next_damping = 0.0_wp
+      !> Number of that step
+      integer :: change_cycle = 0
+      !> Largest kinetic energy so far
+      real(wp) :: largest_kinetic = 0.0_wp
+      !> Integrals over time since the last change: twice the kinetic energy, a M a, and the power
+      !> of all forces with the share of damping in it
+      real(wp) :: twice_kinetic = 0.0_wp, acceleration_square = 0.0_wp, damping_power = 0.0_wp
+      !> Power of all forces at the last change
+      real(wp) :: power = 0.0_wp
+   contains
+      procedure :: damping_at
+   end type relaxation_state_type
+
+   !> Supports, prescribed motions and loads
    type, public :: support_state_type
       !> Force that each held or prescribed point would feel free, in the order of
       !> `domain%supports%held`, then of `domain%supports%motions`
       real(wp), allocatable :: force(:)
       !> Velocity of the prescribed points over the last step, in the order of the supports' motions
       real(wp), allocatable :: velocity(:)
+      !> Value of each load's curve at this time
+      real(wp), allocatable :: load_factor(:)
    end type support_state_type
 
    !> The state of a run
@@ -106,14 +135,14 @@ module plydyn_state_state
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp, first_step = 0.0_wp
       !> Displacement at this time, velocity half a step before, acceleration at this time,
       !> all points; see `columns_type`. While forces are summed, the accelerations are forces, with
-      !> the columns of the borders behind
+      !> the columns of shared nodes behind
       real(wp), allocatable :: displacement(:), velocity(:), acceleration(:)
       !> History of all Gauss points; see `layer_batch_type` and `interface_type`
       real(wp), allocatable :: history(:)
-      !> Value of each load's curve at this time
-      real(wp), allocatable :: load_factor(:)
-      !> Forces and velocities of supports
+      !> Supports and loads
       type(support_state_type) :: supports
+      !> Dynamic relaxation
+      type(relaxation_state_type) :: relaxation
       !> Sums over all points at this time
       type(motion_sums_type) :: sums
       !> Energies
@@ -164,6 +193,15 @@ contains
       is_end = time >= self%end%time*(1.0_wp - epsilon(1.0_wp)) &
          & .or. (self%end%cycle > 0 .and. cycle >= self%end%cycle)
    end function is_end
+
+   !> Damping of dynamic relaxation in a step
+   pure real(wp) function damping_at(self, cycle)
+      class(relaxation_state_type), intent(in) :: self
+      !> Number of the step
+      integer, intent(in) :: cycle
+
+      damping_at = merge(self%next_damping, self%damping, cycle >= self%change_cycle)
+   end function damping_at
 
    !> Energy stored, dissipated and lost, in the form that central differences conserve
    pure real(wp) function total(self)

@@ -8,6 +8,8 @@ program bench
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
+   use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
+      & update_by_path, whole_law
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
@@ -27,6 +29,8 @@ program bench
 
    !> What can be timed
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
+   !> And the paths of the damage law, behind these
+   integer, parameter :: by_path = 5
 
    type(domain_type) :: domain
    type(global_reduction_type) :: reduction
@@ -52,8 +56,13 @@ program bench
       end do
       call time_interfaces("interface springs", side)
    end do
-   call time_step("step linear", linear_strain)
-   call time_step("step large", total_lagrangian)
+   call time_step("step linear", linear_strain, "elastic")
+   call time_step("step large", total_lagrangian, "elastic")
+   call time_step("step damage law", linear_strain, "damage")
+   call time_path("intact damage law elastic path", elastic_path, damaged=.false.)
+   call time_path("intact damage law no-growth path", no_growth_path, damaged=.false.)
+   call time_path("damaged damage law no-growth path", no_growth_path, damaged=.true.)
+   call time_path("damaged damage law whole law", whole_law, damaged=.true.)
 
 contains
 
@@ -91,17 +100,29 @@ contains
 
    !> Print the parts of a step of 192 quads of nine nodes, order 2, joined by springs, in
    !> microseconds
-   subroutine time_step(name, kinematics)
-      character(*), intent(in) :: name
+   subroutine time_step(name, kinematics, law)
+      character(*), intent(in) :: name, law
       integer, intent(in) :: kinematics
 
       if (index(name, trim(chosen)) == 0) return
       call plate_case(3, of_paper, 2, kinematics, .true., domain)
+      if (law == "damage") call damage_laws(domain)
       call rest()
       write (*, "(2a,f0.2)") name, " forces,", micro*best_time(internal)
       write (*, "(2a,f0.2)") name, " accelerate,", micro*best_time(acceleration)
       write (*, "(2a,f0.2)") name, " advance,", micro*best_time(motion)
    end subroutine time_step
+
+   !> Print the time of a point of eight plies by a path of the damage law
+   subroutine time_path(name, path, damaged)
+      character(*), intent(in) :: name
+      integer, intent(in) :: path
+      logical, intent(in) :: damaged
+
+      if (index(name, trim(chosen)) == 0) return
+      call prepare_paths(damaged)
+      write (*, "(2a,f0.3)") name, ",", nano*best_time(by_path + path)/real(line_points, wp)
+   end subroutine time_path
 
    !> Small random displacements, no history
    subroutine rest()
@@ -144,6 +165,8 @@ contains
       case (acceleration)
          call apply_masses(domain, work_space, state)
          call add_chunk_sums(work_space%chunk_sums, reduction)
+      case (by_path + 1:)
+         call update_by_path(work - by_path)
       case default
          call predict(domain, work_space, state)
          call work_space%team%signal_contact()

@@ -4,7 +4,7 @@
 
 Measures the time of a step on some numbers of ranks, and lets the solver divide panels without
 running them; from the time of a chunk, these divisions, what ranks have of a panel (`shares.py`)
-and a network it reckons up to 1024 ranks. Prints tables, or puts them into a page between its
+and a network it computes them up to 1024 ranks. Prints tables, or puts them into a page between its
 marks. Needs build/release and the preprocessor. No test: nothing is compared with anything.
 """
 
@@ -251,7 +251,7 @@ def tables(options: argparse.Namespace) -> str:
 
 
 def main() -> None:
-    """Measure, reckon, and print or write."""
+    """Measure, extrapolate, and print or write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ranks", type=numbers, default=[1, 2], help="to be timed, as 1,2,4")
     parser.add_argument("--memory-ranks", type=numbers, default=[2, 4])

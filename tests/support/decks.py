@@ -37,6 +37,15 @@ class Sphere:
     method: int = 2  # 1: nodes on the sphere, 2: points of the plate
     spacing: float = 0.0
     face: int = TOP
+    friction: tuple[float, ...] = ()  # FS, FD, DC
+    rotates: bool = True
+    inertia: float = 0.0
+    weight: tuple[float, float] = (0.0, 0.0)  # acceleration along x and y
+    curves: tuple[int, int, int] = (0, 0, 0)  # of a prescribed motion along x, y, z
+    quantity: int = 0  # that these give: 0 velocity, 2 displacement
+    shape: str = "SPHERE"  # or TUP, CYLINDER, CONE
+    form: tuple[float, ...] = ()  # second card of these
+    part: int = 1  # that it meets; 0 for all
 
 
 @dataclass(frozen=True)
@@ -50,6 +59,9 @@ class Bond:
     whole_penalty: bool = False
     friction: float = 0.0
     fit: int = 0
+    by_work: bool = False  # mix of modes of the work so far
+    pressure_gain: float = 0.0  # of the shear strength
+    scatter: tuple[int, float, float] | None = None  # seed, modulus, length
 
     def toughness_of(self, mix: float) -> float:
         """Energy per crack area where shear has a share of the energy."""
@@ -146,6 +158,10 @@ class Deck:
         stiffness, toughness = bond.stiffness, bond.toughness
         head = (200 + self._bonds, 0.0, 0, 0, *stiffness, *toughness)
         self.add("MAT_COHESIVE_MIXED_MODE", head, (bond.exponent, *bond.strength))
+        if bond.by_work or bond.pressure_gain:
+            self.add("INTERFACE_LAW", (head[0], int(bond.by_work), bond.pressure_gain))
+        if bond.scatter:
+            self.add("INTERFACE_SCATTER", (head[0], *bond.scatter))
         options = (int(nodal), int(bond.whole_penalty), bond.friction, bond.fit)
         self.add("INTERFACE_COHESIVE", (1, interface, interface, head[0], *options))
 
@@ -202,11 +218,20 @@ class Deck:
         self.add("LOAD_FACE_POINT", *cards)
 
     def sphere(self, sphere: Sphere, number: int = 1) -> None:
-        """An impactor, in contact with part 1."""
+        """An impactor and its contact."""
         s = sphere
-        motion = (*s.velocity, int(s.guided), s.gravity, 0)
-        self.add("IMPACTOR_SPHERE", (number, s.radius, s.mass, *s.centre), motion)
-        self.add("CONTACT_IMPACTOR", (number, number, 1, s.face, s.method, s.spacing))
+        freedom = 1 if s.guided else 0 if s.rotates else 2
+        cards: list[tuple[object, ...]] = [(number, s.radius, s.mass, *s.centre)]
+        if s.shape == "SPHERE":
+            cards.append((*s.velocity, freedom, s.gravity, 0))
+        else:
+            cards += [s.form, (*s.velocity, freedom, s.gravity)]
+        if s.inertia or any(s.weight) or any(s.curves):
+            inertia = (s.inertia,) if s.shape == "SPHERE" else ()
+            cards.append((*inertia, *s.weight, *s.curves, s.quantity))
+        self.add(f"IMPACTOR_{s.shape}", *cards)
+        contact = [(number, number, s.part, s.face, s.method, s.spacing)]
+        self.add("CONTACT_IMPACTOR", *contact, *([s.friction] if s.friction else []))
 
     def profile(self, number: int, x: float, y: float, interval: float, points: int = 5) -> None:
         """Stress through the thickness at a place."""

@@ -182,7 +182,7 @@ def outcome(specimen: Specimen, mesh: Mesh, results: Results) -> Outcome:
     energy, area = results.table("energy"), results.table("delamination")
     strip = mesh.points[:, 1].max()
     time, work = energy["time"], energy["external"]
-    crack = np.interp(time, area["time"], area["sum"]) / strip
+    crack = np.interp(time, area["time"], area["failed sum"]) / strip
     if 0.0 < specimen.share < 1.0:
         force = 1.2 * float(specimen.force(specimen.crack)) * time / specimen.duration
         deflection = np.zeros_like(time)

@@ -58,9 +58,13 @@ class Results:
         table = self.table(f"profile_{number}")
         return Table(table.names, table.values[table["time"] == table["time"][-1]])
 
-    def field(self, name: str) -> Array:
+    def interface_field(self, name: str) -> Array:
+        """A point field of the interfaces at the last state, (points, components)."""
+        return self.field(name, "interfaces.vtkhdf")
+
+    def field(self, name: str, grid_file: str = "vtkhdf") -> Array:
         """A point field of the last state, (points, components)."""
-        with h5py.File(self.folder / f"{self.job}.vtkhdf") as file:
+        with h5py.File(self.folder / f"{self.job}.{grid_file}") as file:
             grid = file["VTKHDF"]
             points = int(grid["NumberOfPoints"][-1])
             return np.array(grid["PointData"][name][-points:])

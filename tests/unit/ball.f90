@@ -2,6 +2,7 @@
 module ball
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_contact_bodies_revolved_body, only : revolved_body_type, sphere_body
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
    use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
@@ -10,7 +11,7 @@ module ball
    implicit none
    private
 
-   public :: new_plate, set_ball
+   public :: ball_body, new_plate, set_ball
 
    !> Squares along an edge of the plate, and its points
    integer, parameter, public :: squares = 12, points = (2*squares + 1)**2
@@ -20,6 +21,15 @@ module ball
    real(wp), parameter, public :: touching(3) = [0.0_wp, 0.0_wp, radius]
 
 contains
+
+   !> A sphere above a plate
+   pure type(revolved_body_type) function ball_body(radius) result(body)
+      !> Length
+      real(wp), intent(in) :: radius
+
+      body = sphere_body(radius)
+      body%axis(3) = 1.0_wp
+   end function ball_body
 
    !> The plate: its points, and its face
    subroutine new_plate(flat, facet, surface)
@@ -49,8 +59,8 @@ contains
 
       type(error_type), allocatable :: error
 
-      call new_candidate_list(candidates, surface, radius)
-      call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
+      call new_candidate_list(candidates, surface, ball_body(radius))
+      call new_nodes(nodes, surface, flat, touching, ball_body(radius), spacing, error)
       call new_constraints(rows, 9)
    end subroutine set_ball
 

@@ -2,6 +2,7 @@
 module decks
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
    use plydyn_input_read_model, only : read_decks_of_run
    use plydyn_model_model, only : model_type
    use testing, only : write_lines
@@ -59,7 +60,7 @@ contains
 
       allocate (archive%bundles(0))
       archive%parameters = ""
-      call read_decks_of_run(archive, path, model, messages, error)
+      call read_decks_of_run(archive, path, 0.0_wp, model, messages, error)
    end subroutine read_file
 
 end module decks

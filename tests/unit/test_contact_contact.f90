@@ -1,5 +1,6 @@
 !> Contact of a sphere with a face, step by step.
 program test_contact_contact
+   use ball, only : ball_body
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type, contact_setup_type, &
@@ -285,7 +286,7 @@ contains
 
       call begin("new_contact")
       call flat_surface(squares, position, facet)
-      setup%radius = radius
+      setup%body = ball_body(radius)
       setup%mass = mass
       setup%spacing = 1.0e-4_wp
       call new_contact(pair, setup, facet, position, [0.0_wp, 0.0_wp, radius], error)
@@ -321,11 +322,11 @@ contains
          end do
       end do
       inverse(:, :) = 1.0_wp/inverse
-      setup%radius = radius
+      setup%body = ball_body(radius)
       setup%mass = mass
       if (present(guided)) setup%guided = guided
       if (present(side)) setup%side = side
-      setup%exact_sphere = method == 2
+      setup%exact_body = method == 2
       centre(:) = [0.0_wp, 0.0_wp, setup%side*radius]
       call new_contact(pair, setup, facet, position, centre, error)
       call check(.not. allocated(error), "the pair can be built")

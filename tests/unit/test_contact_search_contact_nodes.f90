@@ -1,6 +1,6 @@
 !> Contact nodes on the impactor: spacing, approach bound, folded facets and kinks.
 program test_contact_search_contact_nodes
-   use ball, only : new_plate, points, radius, set_ball, spacing, squares, touching
+   use ball, only : ball_body, new_plate, points, radius, set_ball, spacing, squares, touching
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
@@ -30,16 +30,19 @@ contains
       type(error_type), allocatable :: error
 
       call begin("new_nodes")
-      call new_nodes(nodes, surface, flat, touching, radius, spacing, error)
+      call new_nodes(nodes, surface, flat, touching, ball_body(radius), spacing, error)
       call check(.not. allocated(error), "a spacing can be given")
       call check_first_ring(nodes, spacing)
-      call new_nodes(nodes, surface, flat, touching, radius, 0.0_wp, error)
+      call new_nodes(nodes, surface, flat, touching, ball_body(radius), 0.0_wp, error)
       call check(.not. allocated(error), "a spacing is made from the mesh")
       call check_first_ring(nodes, 0.25_wp)
-      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e4_wp], 1.0e4_wp, spacing, error)
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e4_wp], ball_body(1.0e4_wp), &
+         & spacing, error)
       call check(.not. allocated(error), "a sphere much wider than the plate has few nodes over it")
-      call new_nodes(nodes, surface, flat, touching, radius, 1.0e-3_wp, error)
+      call new_nodes(nodes, surface, flat, touching, ball_body(radius), 1.0e-3_wp, error)
       call check(allocated(error), "millions of nodes are refused")
+      call new_nodes(nodes, surface, flat, touching, ball_body(radius), 4.0_wp, error)
+      call check(allocated(error), "a few nodes are refused")
    end subroutine check_spacing
 
    !> The first ring is a spacing from the pole, or a little less

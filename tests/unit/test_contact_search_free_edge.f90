@@ -1,5 +1,6 @@
 !> Free edges of a face stay outside of the sphere, except where they may be planes of symmetry.
 program test_contact_search_free_edge
+   use ball, only : ball_body
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
    use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
@@ -39,7 +40,8 @@ contains
       do side = 1, 4
          closest(:) = turned([1.0_wp, 0.5_wp, 0.0_wp], side)
          call new_constraints(rows, 9)
-         call collect_edges(surface, facets, flat, closest + turned(arm, side), 0.6_wp, rows)
+         call collect_edges(surface, facets, flat, closest + turned(arm, side), &
+            & ball_body(0.6_wp), rows)
          call check(rows%count, 1, "one side holds the sphere")
          call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
          call check(rows%normal(:, 1), turned(arm, side)/0.5_wp, round_off, "towards the centre")
@@ -55,11 +57,11 @@ contains
 
       call begin("collect_edges, inside")
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], 0.45_wp, rows)
+      call collect_edges(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], ball_body(0.45_wp), rows)
       call check(rows%count, 0, "nothing on a plane of symmetry")
-      call collect_edges(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_edges(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), rows)
       call check(rows%count, 0, "nothing where the edge is outside")
-      call collect_edges(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], 0.6_wp, rows)
+      call collect_edges(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), rows)
       call check(rows%count, 1, "a row where the centre is over the face")
       call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
    end subroutine check_inside
@@ -71,7 +73,7 @@ contains
 
       call begin("collect_edges, corner")
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], 0.8_wp, rows)
+      call collect_edges(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], ball_body(0.8_wp), rows)
       call check(rows%count, 2, "two sides")
       do row = 1, 2
          call check(rows%gap(row), -0.1_wp, round_off, "depth of the corner")
@@ -93,7 +95,7 @@ contains
       position(1, i) = 1.2_wp
       centre(:) = closest + 0.3_wp*out/norm2(out) + [0.0_wp, 0.0_wp, 0.4_wp]
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, position, centre, 0.6_wp, rows)
+      call collect_edges(surface, facets, position, centre, ball_body(0.6_wp), rows)
       call check(rows%count, 1, "one side holds the sphere")
       call check(rows%gap(1), -0.1_wp, round_off, "depth")
       call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), closest, 1.0e-9_wp, &
@@ -105,13 +107,13 @@ contains
       real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, search_distance = 0.2_wp
 
       call begin("edge_gap")
-      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], 0.4_wp, &
+      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], ball_body(0.4_wp), &
          & search_distance), 0.1_wp, round_off, "gap to the edge")
-      call check(edge_gap(surface, facets, flat, [0.7_wp, y, height], 0.6_wp, &
+      call check(edge_gap(surface, facets, flat, [0.7_wp, y, height], ball_body(0.6_wp), &
          & search_distance), -0.1_wp, round_off, "depth of the edge")
-      call check(edge_gap(surface, facets, flat, [1.0_wp, y, height], 0.6_wp, &
+      call check(edge_gap(surface, facets, flat, [1.0_wp, y, height], ball_body(0.6_wp), &
          & search_distance) > 1.0_wp, "the centre is above the side")
-      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], 0.2_wp, &
+      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], ball_body(0.2_wp), &
          & search_distance) > 1.0_wp, "the edge is beyond the search distance")
    end subroutine check_search_distance
 

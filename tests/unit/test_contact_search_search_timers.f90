@@ -1,5 +1,6 @@
 !> Search timers of contact nodes.
 program test_contact_search_search_timers
+   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_value
    use plydyn_base_precision, only : wp
    use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
    use testing, only : begin, check, finish
@@ -27,6 +28,8 @@ contains
       do i = 1, nodes
          timers%due_at(i) = modulo(37*i, 101)
       end do
+      call timers%find_due(ieee_value(1.0_wp, ieee_positive_inf))
+      call check(timers%count, nodes, "an infinite approach makes no node more due than there are")
       do step = 0, 110
          expected = pack([(i, i=1, nodes)], [(modulo(37*i, 101) <= step, i=1, nodes)])
          call timers%find_due(real(step, wp))

@@ -103,12 +103,23 @@ contains
    subroutine check_speed()
       type(friction_type), parameter :: falling = friction_type(static=0.5_wp, dynamic=0.2_wp, &
          & decay=0.1_wp)
+      type(contact_row_type) :: row
+      real(wp) :: speed
 
       call begin("coefficient")
       call check(falling%coefficient(0.0_wp), 0.5_wp, round_off, "at rest")
       call check(falling%coefficient(10.0_wp*log(2.0_wp)), 0.35_wp, round_off, "half-way")
       call check(falling%coefficient(1.0e4_wp), 0.2_wp, round_off, "at high speed")
       call check(rough%coefficient(1.0e4_wp), 0.3_wp, round_off, "without decay")
+      row = contact_row_type(gap=-0.5_wp, normal=[0.0_wp, 0.0_wp, 1.0_wp], &
+         & motion=[0.24_wp, 0.0_wp, -0.7_wp], inverse_mass=spread(1.0_wp/mass, 1, 3))
+      call solve_row(row, falling, dt)
+      call check(row%slip(), spread(0.0_wp, 1, 3), round_off, "the static one decides on stick")
+      row%motion(1) = 6.0_wp
+      call solve_row(row, falling, dt)
+      speed = norm2(row%slip())/dt
+      call check(-row%multiplier(1), falling%coefficient(speed)*row%multiplier(3), round_off*mass, &
+         & "slip at the coefficient of the speed that is left")
    end subroutine check_speed
 
 end program test_contact_solve_coulomb

@@ -30,7 +30,7 @@ program test_domain_averages
    call test_parts()
    call test_other_lane()
    call test_counts()
-   call test_guests()
+   call test_ghosts()
    call test_refused()
    call finish()
 
@@ -218,13 +218,13 @@ contains
    end subroutine test_counts
 
    !> Strains that lie where those of other ranks are kept give the same average to the last bit
-   subroutine test_guests()
+   subroutine test_ghosts()
       type(domain_type) :: domain
-      real(wp), allocatable :: history(:), lent(:)
+      real(wp), allocatable :: history(:), moved(:)
       real(wp) :: worst
       integer :: a, i, k, level, points
 
-      call begin("guests")
+      call begin("ghosts")
       call build(averaged(0.05_wp), domain, history)
       worst = 0.0_wp
       do a = 1, size(domain%averaging%averages)
@@ -233,33 +233,34 @@ contains
             do i = 1, size(history)
                history(i) = sin(real(i, wp))
             end do
-            ! every other point is lent, and what it has itself is worth nothing then
-            lent = [history, spread(0.0_wp, 1, lanes*average%strains*average%levels*points)]
-            average%first_guest = (size(history) - average%first_history + 1)/lanes
+            ! every other point is a ghost, and its own values count for nothing then
+            moved = [history, spread(0.0_wp, 1, lanes*average%strains*average%levels*points)]
+            average%first_ghost = (size(history) - average%first_history + 1)/lanes
             call apply(domain, a, history)
             do i = 2, points, 2
                where (average%row == row_of(average, i, average%behind_own + 1)) &
-                  & average%row = average%first_guest + average%strains*average%levels*(i - 1)
+                  & average%row = average%first_ghost + average%strains*average%levels*(i - 1)
                do level = 1, average%levels
                   do k = 1, average%strains
-                     call lend(domain, a, [i, level, k], lent)
+                     call move_strain(domain, a, [i, level, k], moved)
                   end do
                end do
             end do
-            call apply(domain, a, lent)
+            call apply(domain, a, moved)
             do i = 1, points
                do level = 1, average%levels
-                  worst = max(worst, abs(mean_at(domain, a, i, level, first_lane(domain, a), lent) &
+                  worst = max(worst, abs( &
+                     & mean_at(domain, a, i, level, first_lane(domain, a), moved) &
                      & - mean_at(domain, a, i, level, first_lane(domain, a), history)))
                end do
             end do
          end associate
       end do
       call check(worst, 0.0_wp, 0.0_wp, "are added as neighbours are")
-   end subroutine test_guests
+   end subroutine test_ghosts
 
    !> Move a strain to where those of other ranks are kept
-   subroutine lend(domain, a, which, history)
+   subroutine move_strain(domain, a, which, history)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a
       !> Point, height and strain
@@ -270,12 +271,12 @@ contains
 
       associate (average => domain%averaging%averages(a))
          from = place_of(domain, a, which(1), which(2), average%behind_own + which(3))
-         to = average%first_history + lanes*(average%first_guest + which(2) - 1 &
+         to = average%first_history + lanes*(average%first_ghost + which(2) - 1 &
             & + average%levels*(which(3) - 1 + average%strains*(which(1) - 1)))
          history(to:to + lanes - 1) = history(from:from + lanes - 1)
          history(from:from + lanes - 1) = 1.0e3_wp
       end associate
-   end subroutine lend
+   end subroutine move_strain
 
    !> Ellipses too small for the mesh
    subroutine test_refused()

@@ -1,5 +1,6 @@
 !> Chunks of quads and the columns that take their forces.
 program test_domain_chunks
+   use ball, only : ball_body
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
@@ -16,7 +17,7 @@ program test_domain_chunks
 
    call test_division()
    call test_targets()
-   call test_makers()
+   call test_contributors()
    call test_face()
    call finish()
 
@@ -101,7 +102,7 @@ contains
    end subroutine test_targets
 
    !> A chunk needs the forces of all chunks with a quad at one of its nodes
-   subroutine test_makers()
+   subroutine test_contributors()
       type(domain_type) :: domain
       type(plate_type) :: plate
       type(error_type), allocatable :: error
@@ -115,15 +116,15 @@ contains
       do c = 1, size(domain%chunks%list)
          do k = 1, size(domain%chunks%list)
             associate (own => domain%chunks%list(c)%owned_columns, &
-               & makers => domain%chunks%list(c)%contributors, &
+               & contributors => domain%chunks%list(c)%contributors, &
                & quads => domain%chunks%list(k)%elements)
                meets = any([(any(plate%node(:, quads(1):quads(2)) == own(i)), &
                   & i=1, size(own))])
-               call check(count(makers == k), merge(1, 0, meets), "each that meets it, once")
+               call check(count(contributors == k), merge(1, 0, meets), "each that meets it, once")
             end associate
          end do
       end do
-   end subroutine test_makers
+   end subroutine test_contributors
 
    !> The chunks at a facet are those with a quad at one of its nodes
    subroutine test_face()
@@ -138,9 +139,9 @@ contains
       call begin("list_chunks")
       model = rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), [0.0_wp], 0.25_wp, &
          & [1])
-      model%impactors = [impactor_type(id=1, title="sphere", radius=8.0_wp, mass=1.0_wp, &
-         & centre=[4.0_wp, 3.0_wp, 9.0_wp])]
-      model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face)]
+      model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+         & body=ball_body(8.0_wp), mass=1.0_wp, centre=[4.0_wp, 3.0_wp, 9.0_wp])]
+      model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face)]
       call build_domain(model, domain, error)
       plate = plate_of(domain, 1)
       call check(.not. allocated(error), "the domain is built")

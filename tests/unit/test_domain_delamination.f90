@@ -4,7 +4,7 @@ program test_domain_delamination
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type, &
-      & interface_losses, projected_area
+      & interface_losses, projected_areas
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : set_initial_damage
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
@@ -43,7 +43,10 @@ program test_domain_delamination
    lost(:) = delamination(domain, history)
    call check(lost%failed, [4.0_wp, 0.0_wp, 4.0_wp], 1.0e-12_wp, "areas of two quads each")
    call check(lost%begun, [6.0_wp, 0.0_wp, 6.0_wp], 1.0e-12_wp, "and of a third that is damaged")
-   call check(projected_area(domain, history), 6.0_wp, 1.0e-12_wp, "three quads from above")
+   call check(lost%delaminated, [4.0_wp, 0.0_wp, 4.0_wp], 1.0e-12_wp, &
+      & "opening to a damage of 0.4 spends less than half of the toughness")
+   call check(projected_areas(domain, history), [6.0_wp, 6.0_wp], 1.0e-12_wp, &
+      & "three quads from above")
    call check(interface_losses(lost), [0.0_wp, 0.0_wp], 0.0_wp, &
       & "what was broken before has cost nothing")
 
@@ -58,7 +61,7 @@ program test_domain_delamination
    call check(lost(1)%failed, 2.0_wp*(25.0_wp + 40.0_wp)/324.0_wp, 1.0e-12_wp, "two points")
 
    ! the node in the corner has 1/36 of the quad, the Gauss point beside it 25/324
-   call begin("projected_area of points and nodes")
+   call begin("projected_areas of points and nodes")
    call test_quadratures([.false., .true.])
    call test_quadratures([.true., .false.])
    call finish()
@@ -80,8 +83,8 @@ contains
       deallocate (history)
       allocate (history(domain%histories), source=0.0_wp)
       call set_initial_damage(model, domain, history)
-      call check(projected_area(domain, history), 2.0_wp*25.0_wp/324.0_wp, 1.0e-12_wp, &
-         & "the larger of both is seen")
+      call check(projected_areas(domain, history), spread(2.0_wp*25.0_wp/324.0_wp, 1, 2), &
+         & 1.0e-12_wp, "the larger of both is seen")
    end subroutine test_quadratures
 
    !> Damage of some interfaces and quads

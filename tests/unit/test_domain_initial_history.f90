@@ -85,7 +85,7 @@ contains
       end associate
    end subroutine test_bands
 
-   !> A mesh that is too coarse is refused on request, and the culprit named
+   !> A mesh that is too coarse is refused on request, and the element named
    subroutine test_refused()
       type(domain_type) :: domain
       type(error_type), allocatable :: error

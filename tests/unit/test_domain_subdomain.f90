@@ -2,7 +2,7 @@
 program test_domain_subdomain
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build, only : begin_domain, build_domain, build_share
+   use plydyn_domain_build, only : begin_domain, build_domain, build_subdomain
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
@@ -35,7 +35,7 @@ contains
       type(subdomain_type) :: share
       integer :: i
 
-      call begin("build_share, all")
+      call begin("build_subdomain, all")
       call build(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), whole)
       call share_of(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), [(0, i=1, 1000)], 0, &
          & division, domain, share)
@@ -60,7 +60,7 @@ contains
       integer :: c, counted, rank
       real(wp) :: mass
 
-      call begin("build_share, islands")
+      call begin("build_subdomain, islands")
       call build(islands(2), whole)
       plate = plate_of(whole, 1)
       island = [(int(whole%position(1, plate%node(1, whole%chunks%list(c)%elements(1)))/apart), &
@@ -94,7 +94,7 @@ contains
       integer :: c, i, rank
       real(wp) :: part
 
-      call begin("build_share, memory")
+      call begin("build_subdomain, memory")
       call build(islands(8), whole)
       plate = plate_of(whole, 1)
       island = [(int(whole%position(1, plate%node(1, whole%chunks%list(c)%elements(1)))/apart), &
@@ -200,8 +200,8 @@ contains
 
       call begin_domain(model_of(mesh), domain, division)
       domain%comm%rank = rank
-      call build_share(model_of(mesh), division, rank_of_chunk(:size(division%chunks)), domain, &
-         & share, error)
+      call build_subdomain(model_of(mesh), division, rank_of_chunk(:size(division%chunks)), &
+         & domain, share, error)
       call check(.not. allocated(error), "the share is built")
    end subroutine share_of
 

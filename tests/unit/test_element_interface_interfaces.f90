@@ -160,9 +160,15 @@ contains
          & "makes traction times area")
       sums = sums_of(self, history)
       call check(sums%begun, area*self%present, 1.0e-12_wp, "damage has begun everywhere")
+      call check(sums%delaminated, 0.0_wp*self%present, 0.0_wp, "less than half is spent")
       call check(sums%failed, 0.0_wp*self%present, 0.0_wp, "and is complete nowhere")
       call check(sums%fracture, area*0.28_wp*(opening - first)/(last - first)*self%present, &
          & 1.0e-9_wp, "the energy lost is that of the triangle")
+      call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.6_wp*last], &
+         & unit), history, force)
+      sums = sums_of(self, history)
+      call check(sums%delaminated, area*self%present, 1.0e-12_wp, "past half of the way it is")
+      call check(sums%failed, 0.0_wp*self%present, 0.0_wp, "while damage is complete nowhere")
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.1_wp], unit), &
          & history, force)
       call check(maxval(abs(force)), 0.0_wp, 0.0_wp, "far opened, it carries nothing")
@@ -303,6 +309,7 @@ contains
       do e = 1, size(self%node, 2)
          part = sum_lanes(self, e, history)
          sums%begun(:) = sums%begun + part%begun
+         sums%delaminated(:) = sums%delaminated + part%delaminated
          sums%failed(:) = sums%failed + part%failed
          sums%fracture(:) = sums%fracture + part%fracture
          sums%closing(:) = sums%closing + part%closing

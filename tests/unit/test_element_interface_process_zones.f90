@@ -1,8 +1,12 @@
 !> Zones that soften have the lengths of closed forms, the worst of the interfaces of a material.
 program test_domain_process_zones
    use plydyn_base_precision, only : wp
-   use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, normal, shear
+   use plydyn_element_interface_process_zones, only : find_weakness, new_process_zone, &
+      & process_zone_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
+   use plydyn_law_cohesive_softening, only : normal, shear
+   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_law_scatter, only : scatter_type
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
@@ -13,6 +17,8 @@ program test_domain_process_zones
    real(wp), parameter :: pi = acos(-1.0_wp), across = 9000.0_wp, along = 165.0e3_wp
    type(model_type) :: model
    type(process_zone_type) :: zone
+   real(wp), allocatable :: weakness(:, :, :)
+   real(wp) :: place(2, 9)
 
    ! quads of 2 by 1 mm: 1 mm between nodes; four plies of 0.25 mm, the upper interface is tied
    model = rectangle_model(rectangle_mesh(3, 3, 2, 6.0_wp, 2.0_wp, 0.0_wp), &
@@ -43,6 +49,36 @@ program test_domain_process_zones
       & "opening, which has the shorter zone")
    call check(zone%strength(shear)/zone%strength(normal), 92.3_wp/62.3_wp, 1.0e-12_wp, &
       & "one factor for both")
+   call find_weakness(model, 1, [1, 2, 3, 4, 5, 6], [1, 2, 0, 0, 0, 0, 0, 0], weakness)
+   call check(.not. allocated(weakness), "quads of one size have the strengths of the law")
+
+   call begin("strengths fitted to a graded mesh")
+   ! the quads beyond x = 2 become twice as long
+   associate (x => model%mesh%position(1, :))
+      x(:) = merge(x, 2.0_wp*x - 2.0_wp, x < 2.5_wp)
+   end associate
+   zone = new_process_zone(model, 1)
+   call check(zone%strength(normal), sqrt(9.0_wp*pi/32.0_wp*across*0.28_wp/6.0_wp), 1.0e-10_wp, &
+      & "the lowest are those of the coarsest quad")
+   call check(zone%highest(normal), sqrt(9.0_wp*pi/32.0_wp*across*0.28_wp/3.0_wp), 1.0e-10_wp, &
+      & "the highest those of the finest")
+   call check(zone%quads, 6, "quads of the material")
+   call find_weakness(model, 1, [1, 2, 3, 4, 5, 6], [1, 2, 0, 0, 0, 0, 0, 0], weakness)
+   call check(weakness(1, 1, [1, 4]), [0.5_wp, 0.5_wp], 1.0e-12_wp, &
+      & "the square of the strength falls with the distance of the nodes")
+   call check(weakness(2, 9, [2, 3, 5, 6]), [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp], 1.0e-12_wp, &
+      & "of each quad")
+   model%interface_materials(1)%fitted = .false.
+   zone = new_process_zone(model, 1)
+   call check(all(zone%coarse == 6), "with the strengths of the material all are too coarse")
+
+   call begin("strengths that scatter")
+   model%interface_materials(1)%scatter = scatter_type(seed=1, modulus=10.0_wp, length=1.0_wp)
+   call find_weakness(model, 1, [2, 1], [2, 1, 0, 0, 0, 0, 0, 0], weakness)
+   place(:, :) = quad_points(model%mesh%position(:2, model%mesh%quad_node(:, 1)), .false.)
+   call check(weakness(1, 5, 2), 1.0_wp/model%interface_materials(1)%scatter%factor( &
+      & place(:, 5), 2)**2, 1.0e-12_wp, "are those of the place and the interface")
+   call check(weakness(3, 5, 2), 1.0_wp, 0.0_wp, "lanes without an interface have none")
    call finish()
 
 end program test_domain_process_zones

@@ -59,7 +59,7 @@ contains
    !> A restart without a deck, then with one more
    subroutine again()
       call begin("decks before")
-      call read_decks_of_run(archive, "", model, messages, error)
+      call read_decks_of_run(archive, "", 0.0_wp, model, messages, error)
       call check(.not. allocated(error) .and. all(model%holds(1)%nodes == [3, 4]), &
          & "are read from what is kept")
       call check(.not. model%changes%conditions, "they change nothing any more")
@@ -70,7 +70,7 @@ contains
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "that of the fields stays")
       call read_text("*KEYWORD|*PARAMETER|R end,3.0|*TITLE|as before|*END|")
       call check(index(messages, "changes.k:6: the deck changes nothing") > 0, "a deck in vain")
-      call read_decks_of_run(archive, "", model, messages, error)
+      call read_decks_of_run(archive, "", 0.0_wp, model, messages, error)
       call check(index(messages, "the deck changes nothing") == 0, "is told of once")
    end subroutine again
 
@@ -94,7 +94,7 @@ contains
       character(*), intent(in) :: text
 
       call write_lines(path, text)
-      call read_decks_of_run(archive, path, model, messages, error)
+      call read_decks_of_run(archive, path, 0.0_wp, model, messages, error)
       call remove_file(path)
       if (allocated(error)) call drop_last()
    end subroutine read_text

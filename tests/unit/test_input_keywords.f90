@@ -8,6 +8,10 @@ program test_input_keywords
    use testing, only : begin, check, check_error, finish
    implicit none
 
+   !> Keywords that say how the decks of a restart change those before, before anything is read
+   character(*), parameter :: of_changes(3) = [character(15) :: "CONTROL_STAGE", &
+      & "DELETE_IMPACTOR", "DELETE_FIXTURE"]
+
    type(keyword_type), allocatable :: keywords(:)
    type(keyword_row_type), allocatable :: rows(:)
    type(error_type), allocatable :: error
@@ -62,6 +66,8 @@ contains
 
       associate (keyword => row%declaration)
          if (keyword%status /= is_read) then
+            call check(.not. associated(row%read), keyword%name//" has no reader")
+         else if (any(of_changes == keyword%name)) then
             call check(.not. associated(row%read), keyword%name//" has no reader")
          else if (has_content(keyword)) then
             call check(associated(row%read), keyword%name//" has a reader")

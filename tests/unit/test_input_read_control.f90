@@ -24,7 +24,8 @@ program test_input_read_control
       call check(control%scheme, all_explicit, "all explicit")
    end associate
    call read_plate("*CONTROL_TIMESTEP|1.e-6,0.0,0,0.,0.,3|*CONTROL_LAYERWISE|0,0.1,2,2.e-8|" &
-      & //"*DAMPING_GLOBAL|0,25.|*CONTROL_ENERGY|2,2,2,2|*CONTROL_PARALLEL|4,0,1|" &
+      & //"*DAMPING_GLOBAL|0,25.|*DAMPING_RELAXATION|1.e-5|*CONTROL_ENERGY|2,2,2,2|" &
+      & //"*CONTROL_PARALLEL|4,0,1|" &
       & //"*DEFINE_CURVE|3,|0.,1.e-6|1.,1.e-6|*TITLE|A plate, flat|")
    call check(.not. allocated(error), "is read")
    associate (control => model%control)
@@ -34,6 +35,7 @@ program test_input_read_control
       call check(control%kinematics, linear_strain, "kinematics")
       call check(control%energy_limit, 0.1_wp, 0.0_wp, "limit of the balance")
       call check(control%scheme, implicit_thickness, "what is implicit")
+      call check(control%rest_share, 1.0e-5_wp, 0.0_wp, "kinetic energy at rest")
       call check(control%largest_step, 2.0e-8_wp, 0.0_wp, "largest step")
       call check(control%threads, 4, "threads")
       call check(control%damping, 25.0_wp, 0.0_wp, "damping")

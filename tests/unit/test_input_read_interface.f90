@@ -50,6 +50,17 @@ program test_input_read_interface
    call read_plate("*INTERFACE_COHESIVE|7,0,0,-1,0,0,0.,2|")
    call check_error(error, "FIT needs an interface that fails", "nothing does not fail")
 
+   call begin("read_interface_law")
+   call read_plate(bond//"*INTERFACE_LAW|6,1,0.74|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check(.not. allocated(error), "is read")
+   associate (law => model%interface_materials(model%parts(1)%joint(2))%constants)
+      call check(law%by_work, "mix of modes of the work")
+      call check(law%pressure_gain, 0.74_wp, 0.0_wp, "shear strength over pressure")
+   end associate
+   call read_plate("*MAT_COHESIVE_ELASTIC|6,0.,0,0,2.0e5,3.0e5|*INTERFACE_LAW|6,1|" &
+      & //"*INTERFACE_COHESIVE|7,0,0,6|")
+   call check_error(error, "the material does not fail", "springs have no law of failure")
+
    call begin("read_mat_cohesive_elastic")
    call read_plate("*MAT_COHESIVE_ELASTIC|6,1.0e-9,0,0,2.0e5,3.0e5|*INTERFACE_COHESIVE|7,0,0,6|")
    call check(.not. allocated(error), "is read")

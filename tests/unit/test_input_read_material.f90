@@ -12,7 +12,7 @@ program test_input_read_material
    type(error_type), allocatable :: error
    character(:), allocatable :: messages
 
-   call begin("read_mat_ply_elastic")
+   call begin("read_mat_elastic")
    call read_plate("")
    associate (material => model%materials(1))
       call check(material%density, 1.6e-9_wp, 0.0_wp, "density")

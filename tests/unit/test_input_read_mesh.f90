@@ -12,7 +12,7 @@ program test_input_read_mesh
    type(error_type), allocatable :: error
    character(:), allocatable :: messages
 
-   call begin("read_node, read_element_shell")
+   call begin("read_node, read_element_quad")
    call read_plate("")
    call check(.not. allocated(error), "a good deck is read")
    associate (mesh => model%mesh)

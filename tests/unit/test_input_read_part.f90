@@ -13,7 +13,7 @@ program test_input_read_part
    type(error_type), allocatable :: error
    character(:), allocatable :: messages
 
-   call begin("read_part_composite_long")
+   call begin("read_part_composite")
    call read_plate("")
    associate (part => model%parts(1))
       call check(part%id == 7 .and. part%title == "plate", "number and title")

@@ -12,7 +12,7 @@ program test_input_read_set
    type(error_type), allocatable :: error
    character(:), allocatable :: messages
 
-   call begin("read_set_node_list")
+   call begin("read_set_list")
    call read_plate("*SET_NODE_LIST_TITLE|edge|1,|2,1|4,|*BOUNDARY_SPC_SET|1,0,1|")
    call check(.not. allocated(error), "is read")
    call check(all(model%holds(1)%nodes == [2, 1, 4]), "nodes in their order")
@@ -32,7 +32,7 @@ program test_input_read_set
    call read_plate("*SET_NODE_GENERAL|1,|NODE|*BOUNDARY_SPC_SET|1,0,1|")
    call check_error(error, "the rule names nothing", "a rule without numbers")
 
-   call begin("read_set_shell_list")
+   call begin("read_set_list")
    call read_plate("*SET_SHELL_LIST|4,|11,|*LOAD_FACE_PRESSURE|4,1,0|")
    call check(.not. allocated(error), "is read")
    call check(all(model%pressures(1)%quads == [1]), "elements by their index")

@@ -38,7 +38,7 @@ program test_input_read_support
    call read_plate(edge//"*BOUNDARY_FACE|1,0,0.3,1,0,0|")
    call check_error(error, "no thickness node lies at this height", "a plane between nodes")
 
-   call begin("read_boundary_prescribed_motion_set")
+   call begin("read_boundary_motion")
    call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,-2.0,0,0.5,0.1|1,1,1,3|")
    call check(.not. allocated(error), "is read")
    call check(all(model%motions%direction == [3, 1]), "directions")
@@ -53,7 +53,7 @@ program test_input_read_support
    call read_plate(edge//curve//"*BOUNDARY_PRESCRIBED_MOTION_SET|1,3,2,3,1.0,0,0.1,0.5|")
    call check_error(error, "the motion ends before it begins", "an end before the begin")
 
-   call begin("read_boundary_face_motion")
+   call begin("read_boundary_motion")
    call read_plate(edge//"*BOUNDARY_FACE_MOTION|1,1,3,0,0,5.0|")
    call check(.not. allocated(error), "is read")
    call check(model%motions(1)%face, top_face, "face")

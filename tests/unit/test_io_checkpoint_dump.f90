@@ -9,6 +9,7 @@ program test_io_checkpoint_dump
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_hdf5_output, only : hdf5_output_type
    use plydyn_io_job, only : job_type
+   use plydyn_model_control, only : changes_type
    use plydyn_state_file_positions, only : new_file_positions, file_position_type
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_parallel_comm, only : comm_type
@@ -75,8 +76,8 @@ contains
       state%displacement = [1.0_wp/3.0_wp, 2.0_wp, -0.0_wp]
       state%velocity = -state%displacement
       state%acceleration = 2.0_wp*state%displacement
-      allocate (state%history(0), state%load_factor(1), state%supports%force(2))
-      state%load_factor(:) = 9.0_wp
+      allocate (state%history(0), state%supports%load_factor(1), state%supports%force(2))
+      state%supports%load_factor(:) = 9.0_wp
       state%supports%force(:) = [10.0_wp, 11.0_wp]
       allocate (state%supports%velocity(0), state%impactors(1), state%contacts(1), &
          & state%fixtures(1))
@@ -112,7 +113,7 @@ contains
       call check(len(found%archive%bundles(1)%documents(2)%content), 0, "an empty file too")
       call check(found%archive%parameters == job%archive%parameters, "and parameters")
       call like(other)
-      call dump%read_state(alone, .true., other, error)
+      call dump%read_state(alone, changes_type(), other, error)
       call check(.not. allocated(error), "tells its state")
       call check(other%displacement, state%displacement, 0.0_wp, "motion")
       call check(other%energies%momentum, state%energies%momentum, 0.0_wp, "energies")
@@ -148,7 +149,7 @@ contains
       deallocate (other%supports%force)
       allocate (other%supports%force(3), source=1.0_wp)
       call dump%open(path, error)
-      call dump%read_state(alone, .false., other, error)
+      call dump%read_state(alone, changes_type(conditions=.true.), other, error)
       call check(.not. allocated(error), "goes on")
       call check(other%supports%force, spread(1.0_wp, 1, 3), 0.0_wp, "leaves them alone")
       call check(other%displacement, state%displacement, 0.0_wp, "takes the motion")
@@ -163,7 +164,7 @@ contains
       call like(other)
       other%velocity = [other%velocity, 1.0_wp]
       call dump%open(path, error)
-      call dump%read_state(alone, .true., other, error)
+      call dump%read_state(alone, changes_type(), other, error)
       call check_error(error, "does not hold the velocity", "another number of points")
    end subroutine other_model
 

@@ -1,12 +1,13 @@
 !> The worked example of the manual: a history with its instants, its end, and its restart.
 program test_io_csv_history_recorder
    use momentum_history, only : momentum_history_type
+   use ball, only : ball_body
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_job, only : job_type
-   use plydyn_method_observer, only : observer_type, observers_type, requests_type
+   use plydyn_method_observer, only : instant_type, observer_type, observers_type, &
+      & requests_type
    use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
-   use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_setup, only : run_type, set_up
@@ -35,9 +36,10 @@ contains
 
       run%model = rectangle_model(rectangle_mesh(2, 2, 2, 4.0_wp, 4.0_wp, 0.0_wp), [0.0_wp], &
          & 1.0_wp, [1])
-      run%model%impactors = [impactor_type(id=1, title="sphere", radius=8.0_wp, mass=2.0_wp, &
-         & centre=[2.0_wp, 2.0_wp, 9.0_wp], velocity=[0.0_wp, 0.0_wp, -3.0_wp])]
-      run%model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face, &
+      run%model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+         & body=ball_body(8.0_wp), mass=2.0_wp, centre=[2.0_wp, 2.0_wp, 9.0_wp], &
+         & velocity=[0.0_wp, 0.0_wp, -3.0_wp])]
+      run%model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face, &
          & method=points_on_plate)]
       run%model%request%impactor_interval = 10.0_wp
       run%model%control%end_time = 25.0_wp
@@ -53,15 +55,15 @@ contains
       class(observer_type), allocatable :: observer
 
       call begin("notify")
-      call history%open(job_of(new_file_positions(name)), run%model, run%domain, error)
+      call history%open(job_of(new_file_positions(name)), run, error)
       call check(.not. allocated(error), "opens")
-      call history%begin(run%domain, run%contacts, run%state, error)
+      call history%begin(run, error)
       call step(history)
       call step(history)
       positions = new_file_positions(name)
       call history%mark(positions, error)
       call step(history)
-      call history%close(run%domain, run%state, outcome, error)
+      call history%close(run, outcome, error)
       call check(.not. allocated(error), "goes well")
       lines = lines_of_file()
       call check(size(lines), 3, "a header, the beginning and one instant")
@@ -80,12 +82,12 @@ contains
       call begin("restart")
       run%state%time = 10.0_wp
       run%state%impactors(1)%velocity(3) = -1.5_wp
-      call history%open(job_of(positions), run%model, run%domain, error)
+      call history%open(job_of(positions), run, error)
       call check(.not. allocated(error), "goes on")
       call step(history)
       call step(history)
       call step(history)
-      call history%close(run%domain, run%state, outcome, error)
+      call history%close(run, outcome, error)
       lines = lines_of_file()
       call check(size(lines), 5, "one more instant, and the end")
       call check(lines(4) == "20,-3" .and. lines(5) == "25,-3", "their values")
@@ -94,14 +96,12 @@ contains
    !> Nothing to observe
    subroutine without_impactor()
       type(momentum_history_type) :: history
-      type(model_type) :: model
 
       call begin("open")
-      model = run%model
-      deallocate (model%impactors)
-      allocate (model%impactors(0))
-      call history%open(job_of(positions), model, run%domain, error)
-      call check(.not. history%due(0.0_wp, 0, .true.), "nothing is ever due")
+      deallocate (run%model%impactors)
+      allocate (run%model%impactors(0))
+      call history%open(job_of(positions), run, error)
+      call check(.not. history%due(instant_type(is_last=.true.)), "nothing is ever due")
    end subroutine without_impactor
 
    !> A job that goes on with files
@@ -120,7 +120,7 @@ contains
       type(requests_type) :: requests
 
       call run%state%advance_clock()
-      call history%notify(run%domain, run%contacts, run%state, requests, error)
+      call history%notify(run, requests, error)
    end subroutine step
 
    !> All lines of the file

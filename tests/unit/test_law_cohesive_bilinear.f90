@@ -2,16 +2,16 @@
 program test_law_cohesive_bilinear
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, &
-      & damage_at, &
-      & fracture_at, friction_at, new_cohesive, new_springs, normal, penalty_floor, shear, &
-      & slip_at, stretch_at
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & new_springs, penalty_floor
+   use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
+      & normal, shear, slip_at, stretch_at
    use plydyn_law_cohesive_toughness, only : power_law
    use testing, only : begin, check, finish
    implicit none
 
    !> Most history variables of a point
-   integer, parameter :: most = 7
+   integer, parameter :: most = 8
 
    call test_springs()
    call test_pure_modes()
@@ -57,7 +57,7 @@ contains
       real(wp), parameter :: first(2) = [4.5365e-5_wp, 1.8711e-4_wp]
       real(wp), parameter :: last(2) = [8.9888e-3_wp, 1.7118e-2_wp]
       real(wp), parameter :: strength(2) = [62.3_wp, 92.3_wp], toughness(2) = [0.28_wp, 0.79_wp]
-      real(wp) :: history(lanes, 2), one(2), traction(lanes, 3), middle
+      real(wp) :: history(lanes, 3), one(2), traction(lanes, 3), middle
       integer :: mode
 
       law = new_cohesive(table_6())
@@ -128,7 +128,7 @@ contains
    !> Damage begins where the squares of the tractions over the strengths add to 1
    subroutine test_onset()
       type(cohesive_type) :: law
-      real(wp) :: history(lanes, 2), opening(lanes, 3), traction(lanes, 3)
+      real(wp) :: history(lanes, 3), opening(lanes, 3), traction(lanes, 3)
       integer :: l
 
       call begin("onset")
@@ -148,7 +148,7 @@ contains
    !> Unloading runs to the origin, and reloading the same way back
    subroutine test_unloading()
       type(cohesive_type) :: law
-      real(wp) :: after(lanes, 3), before(lanes, 3), history(lanes, 2), kept(lanes, 2)
+      real(wp) :: after(lanes, 3), before(lanes, 3), history(lanes, 3), kept(lanes, 3)
 
       call begin("unloading")
       law = new_cohesive(table_6())
@@ -165,14 +165,14 @@ contains
       call law%update(20.0_wp*mixed_directions(law), history, after)
       call check(reshape(after, [3*lanes]), reshape(before, [3*lanes]), 1.0e-12_wp, &
          & "and reloading comes to where it left")
-      call check(reshape(history, [2*lanes]), reshape(kept, [2*lanes]), 1.0e-14_wp, &
+      call check(reshape(history, [3*lanes]), reshape(kept, [3*lanes]), 1.0e-14_wp, &
          & "no damage and no energy is added")
    end subroutine test_unloading
 
    !> Damage stays when the mode changes, also where the new mode alone would make less
    subroutine test_mode_change()
       type(cohesive_type) :: law
-      real(wp) :: damage, history(lanes, 2), traction(lanes, 3)
+      real(wp) :: damage, history(lanes, 3), traction(lanes, 3)
       integer :: i
 
       call begin("change of mode")
@@ -193,7 +193,7 @@ contains
    !> Closed faces resist with the whole stiffness, and closing damages nothing
    subroutine test_closing()
       type(cohesive_type) :: law
-      real(wp) :: history(lanes, 2), traction(lanes, 3)
+      real(wp) :: history(lanes, 3), traction(lanes, 3)
 
       call begin("closed faces")
       law = new_cohesive(table_6())
@@ -215,7 +215,7 @@ contains
       type(cohesive_constants_type) :: constants
       type(cohesive_type) :: law
       real(wp), parameter :: depth = 1.0e-4_wp
-      real(wp) :: history(lanes, 3), traction(lanes, 3)
+      real(wp) :: history(lanes, 4), traction(lanes, 3)
 
       call begin("falling penalty")
       constants = table_6()
@@ -243,7 +243,7 @@ contains
       real(wp), parameter :: coefficient = 0.4_wp, depth = 1.0e-4_wp, pressure = 137.33_wp
       !> Sliding that sticks
       real(wp), parameter :: stuck = coefficient*pressure/493.3e3_wp
-      real(wp) :: energy, history(lanes, 7), traction(lanes, 3)
+      real(wp) :: energy, history(lanes, most), traction(lanes, 3)
       integer :: i
 
       call begin("friction")
@@ -285,7 +285,7 @@ contains
    subroutine test_initial_damage()
       type(cohesive_type) :: law
       real(wp), parameter :: damage = 0.9_wp
-      real(wp) :: history(lanes, 2), r, traction(lanes, 3)
+      real(wp) :: history(lanes, 3), r, traction(lanes, 3)
 
       call begin("initial damage")
       law = new_cohesive(table_6())

@@ -2,9 +2,9 @@
 program test_law_cohesive_bilinear_energy
    use bond, only : mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_constants_type, cohesive_type, &
-      & damage_at, &
-      & fracture_at, friction_at, new_cohesive, normal, shear, stretch_at
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
+   use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
+      & normal, share_at, shear, stretch_at
    use testing, only : begin, check, finish
    implicit none
 
@@ -22,7 +22,7 @@ contains
       type(cohesive_type) :: law
       real(wp), parameter :: ratios(4) = [0.08_wp, 0.3592_wp, 1.0_wp, 6.0_wp]
       real(wp), parameter :: steps(6) = [0.9_wp, 1.3_wp, 7.0_wp, 2.0_wp, 40.0_wp, 2.0e3_wp]
-      real(wp) :: history(lanes, 2), toughness(lanes), traction(lanes, 3)
+      real(wp) :: history(lanes, 3), toughness(lanes), traction(lanes, 3)
       integer :: criterion, i, l, s
 
       call begin("straight path")
@@ -33,11 +33,14 @@ contains
             constants%stiffness(shear) = ratios(i)*constants%stiffness(normal)
             law = new_cohesive(constants)
             history(:, :) = 0.0_wp
+            toughness(:) = [(law%toughness_of(mixes(l)), l=1, lanes)]
             do s = 1, size(steps)
                call law%update(steps(s)*mixed_directions(law), history, traction)
+               call check(history(:, share_at), history(:, fracture_at)/toughness, 1.0e-12_wp, &
+                  & "the share spent is the energy over the toughness")
             end do
-            toughness(:) = [(law%toughness_of(mixes(l)), l=1, lanes)]
             call check(history(:, damage_at), spread(1.0_wp, 1, lanes), 0.0_wp, "ends in failure")
+            call check(history(:, share_at), spread(1.0_wp, 1, lanes), 0.0_wp, "spends all of it")
             call check(history(:, fracture_at)/toughness, spread(1.0_wp, 1, lanes), 1.0e-12_wp, &
                & "takes the toughness of its mix of modes")
          end do
@@ -48,7 +51,7 @@ contains
    subroutine test_work_of_straight_paths()
       type(cohesive_type) :: law
       integer, parameter :: steps = 20000
-      real(wp) :: before(lanes, 3), history(lanes, 2), opening(lanes, 3), total(lanes)
+      real(wp) :: before(lanes, 3), history(lanes, 3), opening(lanes, 3), total(lanes)
       real(wp) :: traction(lanes, 3), work(lanes, 3)
       integer :: i, l
 
@@ -80,7 +83,7 @@ contains
       type(cohesive_constants_type) :: constants
       type(cohesive_type) :: law
       integer, parameter :: steps = 100000
-      real(wp) :: before(lanes, 3), history(lanes, 7), last(lanes, 7), next(lanes, 3)
+      real(wp) :: before(lanes, 3), history(lanes, 8), last(lanes, 8), next(lanes, 3)
       real(wp) :: opening(lanes, 3), phase(lanes), traction(lanes, 3), work(lanes), t
       integer :: i, l
       logical :: monotone
@@ -112,14 +115,15 @@ contains
       call check(minval(history(:, damage_at)) > 0.9_wp .and. &
          & minval(history(:, closing_at:friction_at)) > 1.0e-4_wp, "all losses take part")
       call check((stored(law, opening, history) &
-         & + sum(history(:, fracture_at:friction_at), 2))/work, spread(1.0_wp, 1, lanes), &
+         & + history(:, fracture_at) &
+         & + sum(history(:, closing_at:friction_at), 2))/work, spread(1.0_wp, 1, lanes), &
          & 1.0e-5_wp, "work is what is stored and lost")
    end subroutine test_balance
 
    !> Elastic energy per area
    pure function stored(law, opening, history) result(energy)
       type(cohesive_type), intent(in) :: law
-      real(wp), intent(in) :: opening(lanes, 3), history(lanes, 7)
+      real(wp), intent(in) :: opening(lanes, 3), history(lanes, 8)
       real(wp) :: energy(lanes)
 
       associate (d => history(:, damage_at))
@@ -175,7 +179,7 @@ contains
          & 0.1_wp, 0.3_wp]
       real(wp), parameter :: fine = 4.0e-4_wp, far = 4.0e-2_wp
       type(cohesive_type) :: law
-      real(wp) :: before(lanes, 3), first(lanes), history(lanes, 2), opening(lanes, 3)
+      real(wp) :: before(lanes, 3), first(lanes), history(lanes, 3), opening(lanes, 3)
       real(wp) :: next(lanes, 3), part, second(lanes), traction(lanes, 3), turn(lanes)
       integer :: i, l
 

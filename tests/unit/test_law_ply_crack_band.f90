@@ -32,7 +32,7 @@ program test_law_ply_crack_band
       & 6.0_wp), 13.0_wp/6.0_wp, 1.0e-14_wp, "is 13/18 of it with 9 nodes and 3 by 3 points")
    s = sqrt(0.5_wp)
    call check(band_length(rule_band, rectangle, [s, s], [middle, outer], 1.0_wp, 6.0_wp), &
-      & sqrt(8.0_wp), 1.0e-14_wp, "ends at the nearer sides on a slant")
+      & sqrt(8.0_wp), 1.0e-14_wp, "ends at the nearer sides on an inclined line")
    call check(band_length(rule_band, slanted, along_x, [middle, outer], 1.0_wp, 4.0_wp), 2.0_wp, &
       & 1.0e-14_wp, "is the base of a parallelogram")
    call check(band_length(rule_band, slanted, [1.0_wp, 2.0_wp]/sqrt(5.0_wp), [middle, outer], &
@@ -59,7 +59,7 @@ program test_law_ply_crack_band
    call check(brick_band_length(rule_band, brick, x, z, 1.0_wp, [0.75_wp, 6.0_wp]), 3.0_wp, &
       & 1.0e-14_wp, "is the side of a brick along it")
    call check(brick_band_length(rule_band, brick, [s3, s3, 0.0_wp], z, 1.0_wp, [0.75_wp, 6.0_wp]), &
-      & sqrt(8.0_wp), 1.0e-14_wp, "ends at the nearer sides on a slant")
+      & sqrt(8.0_wp), 1.0e-14_wp, "ends at the nearer sides on an inclined line")
    call check(brick_band_length(rule_gauss_point, brick, x, z, 1.0_wp, [0.75_wp, 6.0_wp]), &
       & 1.5_wp, 1.0e-14_wp, "can be the length of the point's own part, one of eight")
    call check(brick_band_length(rule_gauss_point, brick, x, z, 2.0_wp, [6.0_wp, 6.0_wp]), 3.0_wp, &

@@ -66,14 +66,14 @@ contains
 
       real(wp) :: before(lanes, points, histories_open), history(lanes, points, histories_open)
       real(wp) :: off, strain(lanes, 6, points), stress(lanes, 6, points), whole(lanes, 6)
-      integer :: i, m, quiet, wrong
+      integer :: i, m, elastic, wrong
       logical :: grows, stays(points), touched
       type(ply_damage_type) :: law
       type(ply_batch_constants_type) :: lane
 
       call begin(name)
       call make(ply, lane, law)
-      quiet = 0
+      elastic = 0
       wrong = 0
       off = 0.0_wp
       do i = 1, tries
@@ -87,14 +87,14 @@ contains
             grows = any(abs(before(:, m, modes) - history(:, m, modes)) > 0.0_wp)
             if (grows .eqv. stays(m)) wrong = wrong + 1
             if (.not. stays(m)) cycle
-            quiet = quiet + 1
+            elastic = elastic + 1
             off = max(off, maxval(abs(stress(:, :, m) - whole)), &
                & maxval(abs(history(:, m, :) - before(:, m, :))))
          end do
       end do
       call check(wrong == 0, "leaves to the whole law where damage begins or grows, untouched")
       call check(off, 0.0_wp, close, "the same stress and history elsewhere")
-      call check(quiet > tries*points/5 .and. quiet < tries*points*4/5, "both ways")
+      call check(elastic > tries*points/5 .and. elastic < tries*points*4/5, "both ways")
    end subroutine compare
 
    !> Lanes of other laws keep stress and history, and do not count

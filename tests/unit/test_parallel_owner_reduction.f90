@@ -37,21 +37,21 @@ contains
    subroutine sums()
       real(wp), parameter :: small = 0.5_wp**53
       integer, parameter :: row(5) = [2, 1, 2, 3, 2], key(5) = [3, 5, 1, 5, 2]
-      type(owner_reduction_type) :: delivery
+      type(owner_reduction_type) :: reduction
       real(wp) :: rows(2, 3), values(2, 5)
 
       call begin("add_up")
-      delivery = new_owner_reduction(comm_type(), 3, row, key)
-      call check(delivery%first == 0 .and. delivery%count == 3, "one rank has all rows")
+      reduction = new_owner_reduction(comm_type(), 3, row, key)
+      call check(reduction%first == 0 .and. reduction%count == 3, "one rank has all rows")
       values(1, :) = [small, 7.0_wp, 1.0_wp, 9.0_wp, -1.0_wp]
       values(2, :) = [-1.0_wp, 1.0_wp, 1.0_wp, 2.0_wp, small]
-      call delivery%sum(values, rows)
+      call reduction%sum(values, rows)
       call check(rows(1, :), [7.0_wp, small, 9.0_wp], 0.0_wp, "in the order of the keys")
       call check(rows(2, :), [1.0_wp, 0.0_wp, 2.0_wp], 0.0_wp, "whatever the values are")
-      call begin("hand_over")
+      call begin("take_one")
       values(1, :) = [4.0_wp, 7.0_wp, 4.0_wp, 9.0_wp, 4.0_wp]
       values(2, :) = -values(1, :)
-      call delivery%take_one(values, rows)
+      call reduction%take_one(values, rows)
       call check(rows(1, :), [7.0_wp, 4.0_wp, 9.0_wp], 0.0_wp, "each row once")
       call check(rows(2, :), [-7.0_wp, -4.0_wp, -9.0_wp], 0.0_wp, "all of its numbers")
    end subroutine sums

@@ -1,5 +1,6 @@
 !> An impact from the first step to the last: momentum, energy, guards.
 program test_run_loop
+   use ball, only : ball_body
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
@@ -143,9 +144,10 @@ contains
 
       model = rectangle_model(rectangle_mesh(3, 6, 6, 30.0_wp, 30.0_wp, 0.01_wp), &
          & [0.0_wp, 90.0_wp, 90.0_wp, 0.0_wp], 0.25_wp, [order, order, order, order])
-      model%impactors = [impactor_type(id=1, title="sphere", radius=8.0_wp, mass=mass, &
-         & centre=[15.0_wp, 15.0_wp, 8.501_wp], velocity=[0.0_wp, 0.0_wp, -speed])]
-      model%contacts = [contact_type(id=1, impactor=1, part=1, face=top_face, method=method)]
+      model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+         & body=ball_body(8.0_wp), mass=mass, centre=[15.0_wp, 15.0_wp, 8.501_wp], &
+         & velocity=[0.0_wp, 0.0_wp, -speed])]
+      model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face, method=method)]
       model%control%end_time = 6.0e-5_wp
    end function impact_model
 
@@ -163,14 +165,14 @@ contains
       parts%model = model
       call set_up(alone, parts, error)
       if (allocated(error)) return
-      state = parts%state
       job%path = "test_run_loop"
       job%deck = "none"
       job%version = "test"
       job%places = new_file_positions(job%path)
       call make_observers(job, parts, huge(1.0_wp), observers, error)
-      if (.not. allocated(error)) call run(parts%domain, parts%contacts, state, observers, error)
-      call observers%close(parts%domain, state, error)
+      if (.not. allocated(error)) call run(parts, observers, error)
+      call observers%close(parts, error)
+      state = parts%state
    end subroutine run_model
 
    !> Strain energy of linear elasticity, 1/2 u . K u

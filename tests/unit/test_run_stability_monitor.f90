@@ -1,6 +1,6 @@
 !> The worst point, which is named when a run becomes unstable.
 program test_run_stability_monitor
-   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
@@ -9,6 +9,7 @@ program test_run_stability_monitor
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
    use plydyn_model_model, only : model_type
+   use plydyn_run_finite_monitor, only : check_finite
    use plydyn_run_stability_monitor, only : check_stability
    use plydyn_run_initial_state, only : new_state
    use plydyn_state_state, only : state_type
@@ -34,7 +35,7 @@ program test_run_stability_monitor
 
    call begin("check_stability")
    state = start
-   call check_stability(domain, state, error)
+   call check_stability(domain, model, state, error)
    call check(.not. allocated(error), "nothing is wrong")
 
    state = start
@@ -42,23 +43,39 @@ program test_run_stability_monitor
    state%energies%internal = 2.0_wp
    state%velocity(domain%columns%freedom(1, 2, 3, 4)) = -5.0_wp
    state%velocity(domain%columns%freedom(2, 1, 2, 7)) = 6.0_wp
-   call check_stability(domain, state, error)
-   call check_error(error, "fastest is the motion along y at node 930, ply 2 from the bottom, 6", &
+   call check_stability(domain, model, state, error)
+   call check_error(error, "fastest is the motion along y at node 930, ply 2 from the " &
+      & //"bottom, part 1, 6", &
       & "the fastest is named")
    state%velocity(domain%columns%freedom(1, 1, 1, 9)) = -6.0_wp
-   call check_stability(domain, state, error)
-   call check_error(error, "fastest is the motion along x at node 910, ply 1 from the bottom, 6", &
+   call check_stability(domain, model, state, error)
+   call check_error(error, "fastest is the motion along x at node 910, ply 1 from the " &
+      & //"bottom, part 1, 6", &
       & "of two that are as fast that of the least number")
 
+   call begin("check_finite")
    state = start
+   call check_finite(domain, model, state, error)
+   call check(.not. allocated(error), "nothing is wrong")
    state%energies%internal = ieee_value(1.0_wp, ieee_quiet_nan)
-   call check_stability(domain, state, error)
-   call check_error(error, "energies, while no acceleration is", "no point is to blame")
+   state%acceleration(domain%columns%freedom(2, 2, 1, 6)) = -1.0e200_wp
+   call check_finite(domain, model, state, error)
+   call check_error(error, "the largest acceleration is along x at node 940, ply 2 from the " &
+      & //"bottom, part 1, 0.100000E+201", "numbers whose squares overflow are named")
+   state%velocity(domain%columns%freedom(1, 1, 2, 3)) = ieee_value(1.0_wp, ieee_positive_inf)
+   call check_finite(domain, model, state, error)
+   call check_error(error, "velocity along y at node 970, ply 1 from the bottom, part 1", &
+      & "an infinite speed is named")
    state%acceleration(domain%columns%freedom(1, 2, 3, 4)) = ieee_value(1.0_wp, ieee_quiet_nan)
    state%acceleration(domain%columns%freedom(2, 2, 3, 5)) = ieee_value(1.0_wp, ieee_quiet_nan)
-   call check_stability(domain, state, error)
+   call check_finite(domain, model, state, error)
    call check_error(error, "acceleration along z at node 950, ply 2 from the bottom", &
       & "of two that are no numbers that of the least number")
+   state = start
+   state%energies%external = ieee_value(1.0_wp, ieee_quiet_nan)
+   state%energies%reference = 1.0_wp
+   call check_finite(domain, model, state, error)
+   call check_error(error, "no longer finite at cycle 3", "work from outside is looked at")
 
    ! a kernel that dissipates more than the work of its forces: tied metals have no interfaces
    call begin("stored energy")
@@ -77,17 +94,17 @@ program test_run_stability_monitor
    state%energies%internal = 1.0_wp
    state%energies%external = 1.0_wp
    state%energies%reference = 1.0_wp
-   call check_stability(domain, state, error)
+   call check_stability(domain, model, state, error)
    call check(.not. allocated(error), "nothing is dissipated")
    state%history(:) = 1.0_wp
-   call check_stability(domain, state, error)
+   call check_stability(domain, model, state, error)
    call check_error(error, "have given back more energy than they took", &
       & "metals are checked where no interface can fail")
    state%energies%internal = sum(dissipated_energies(domain, state%history, &
       & [delamination_type ::]))
    state%energies%external = state%energies%internal
    state%energies%reference = state%energies%internal
-   call check_stability(domain, state, error)
+   call check_stability(domain, model, state, error)
    call check(.not. allocated(error), "all of the work may be dissipated")
    call finish()
 end program test_run_stability_monitor

@@ -1,6 +1,6 @@
 !> Checks of the unit tests: each names what must hold, `finish` counts and decides the exit.
 !>
-!> The only module of the project with variables: a test program is one process with one tally. It
+!> The only module of the project with variables: a test program is one process that counts once. It
 !> writes its files beside itself, into the build, whatever folder it is started from.
 module testing
    use, intrinsic :: iso_c_binding, only : c_char, c_int, c_null_char

@@ -1,9 +1,9 @@
 !> Active facets: the facets that contact may load in the coming step, known before the step.
 !>
-!> Contact nodes that could close their gap if sphere and surface approached twice as fast as in the
-!> last step make the facets below them active, with two rings of neighbours. A node that is found
-!> over another facet, as crushed material allows, exerts no force until the next step. Internal
-!> forces of all other facets can therefore be computed before contact has been solved.
+!> Contact nodes that could close their gap if impactor and surface approached twice as fast as in
+!> the last step make the facets below them active, with two rings of neighbours. A node that is
+!> found over another facet, as crushed material allows, exerts no force until the next step.
+!> Internal forces of all other facets can therefore be computed before contact has been solved.
 module plydyn_contact_search_active_facets
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
@@ -64,7 +64,7 @@ contains
       class(active_facets_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
-      !> Bound on the approach of sphere and facets since the start, length
+      !> Bound on the approach of impactor and facets since the start, length
       real(wp), intent(in) :: approach_bound
       !> Contact nodes, projected in this step
       type(node_set_type), intent(inout) :: nodes

@@ -1,30 +1,34 @@
 !> Contact nodes on the impactor: positions, closest points on the facets, and search timers.
 !>
 !> A node above the surface by g is projected again when the approach bound of the candidate list
-!> has grown by g. A node below the surface makes a row in every step.
+!> has grown by g. A node below the surface makes a row in every step. Nodes high above the lowest
+!> point of the impactor are made when the plate comes up to them.
 module plydyn_contact_search_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_contact_solve_constraint, only : constraints_type
    use plydyn_contact_search_candidate_list, only : candidate_list_type
-   use plydyn_contact_search_neighbours, only : sides
    use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
-   use plydyn_contact_bodies_sphere, only : sphere_nodes
-   use plydyn_contact_search_surface, only : closest_point_type, surface_type
-   use plydyn_fem_shape, only : bilinear_nodes, shape_functions
+   use plydyn_contact_bodies_body_nodes, only : append_nodes, count_nodes, node_range_type
+   use plydyn_contact_bodies_revolved_body, only : revolved_body_type
+   use plydyn_contact_search_surface, only : closest_point_type, largest_axis_distance, &
+      & point_distance, surface_type
+   use plydyn_fem_shape, only : shape_functions
    implicit none
    private
 
-   public :: new_nodes, point_distance
+   public :: new_nodes
 
-   !> Default spacing over the distance between points of the plate
-   real(wp), parameter :: relative_spacing = 0.5_wp
+   !> Default spacing over the distance between points of the plate, and largest spacing over the
+   !> radius: with a larger one hardly more than the lowest node would touch
+   real(wp), parameter :: relative_spacing = 0.5_wp, largest_spacing = 0.75_wp
 
-   !> Distance from the axis, over the radius, of facets that give the distance between points
-   real(wp), parameter :: relative_zone = 0.5_wp
+   !> Height over the radius up to which nodes are made at the start, the factor by which it grows
+   !> later, and the share of it that the plate reaches at most
+   real(wp), parameter :: first_height = 0.125_wp, height_growth = 2.0_wp, filled_share = 0.75_wp
 
-   !> Cosine of the largest angle, 60 degrees, between facet and sphere: larger ones are folded over
+   !> Cosine of the largest angle, 60 degrees, between facet and body: larger ones are folded over
    real(wp), parameter :: least_facing_cosine = 0.5_wp
 
    !> Distance from a side, in local coordinates, within which a point is at the kink
@@ -34,15 +38,18 @@ module plydyn_contact_search_contact_nodes
    !> touch only after the impactor has moved sideways by half of that
    real(wp), parameter :: axis_distance_factor = 2.0_wp
 
-   real(wp), parameter :: two_pi = 4.0_wp*acos(0.0_wp)
+   !> How often nodes are added at most: up to a thousand radii
+   integer, parameter :: most_growths = 13
 
-   !> Most contact nodes on an impactor
+   !> Most contact nodes on an impactor at the start
    integer, parameter :: most_nodes = 1000000
 
    !> Contact nodes with their search data and multipliers of the last step
    type, public :: node_set_type
-      !> Positions relative to the centre, (3, nodes), ring after ring from the pole, length
+      !> Positions relative to the centre, (3, nodes), ring after ring from the tip, length
       real(wp), allocatable :: position(:, :)
+      !> Outward unit normals, (3, nodes)
+      real(wp), allocatable, private :: outward(:, :)
       !> Multiplier times the step squared, mass times length
       real(wp), allocatable :: multiplier(:)
       !> Facet below each node; negative where the node is outside the free edge or the candidates;
@@ -52,6 +59,12 @@ module plydyn_contact_search_contact_nodes
       real(wp), allocatable, private :: local(:, :)
       !> When each node must be projected again
       type(search_timers_type) :: timers
+      !> The impactor, and which of its nodes were made last
+      type(revolved_body_type), private :: body
+      type(node_range_type) :: range
+      !> How often nodes were added, and the approach bound at which more may be needed, length
+      integer, private :: growths = 0
+      real(wp), private :: grows_at = 0.0_wp
    contains
       procedure :: collect
       procedure :: reset
@@ -63,7 +76,7 @@ module plydyn_contact_search_contact_nodes
 contains
 
    !> Place the contact nodes
-   subroutine new_nodes(self, surface, position, centre, radius, spacing, error)
+   subroutine new_nodes(self, surface, position, centre, body, spacing, error)
       !> The nodes
       type(node_set_type), intent(out) :: self
       !> The surface
@@ -72,83 +85,90 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor at the start, length
       real(wp), intent(in) :: centre(3)
-      !> Radius of the sphere, length
-      real(wp), intent(in) :: radius
+      !> The impactor
+      type(revolved_body_type), intent(in) :: body
       !> Distance between nodes, length; 0 for one derived from the mesh
       real(wp), intent(in) :: spacing
-      !> Input error: more than `most_nodes` nodes
+      !> Input error: more than `most_nodes` nodes, or too few
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: cap_height, axis_distance, node_spacing
       integer :: nodes
 
-      node_spacing = spacing
-      if (node_spacing <= 0.0_wp) then
-         node_spacing = relative_spacing*point_distance(surface, position, centre, radius)
+      self%body = body
+      self%range%side = nint(surface%side)
+      self%range%horizontal = axis_distance_factor*largest_axis_distance(surface, position, centre)
+      self%range%height(2) = first_height*body%radius
+      self%range%spacing = spacing
+      if (spacing <= 0.0_wp) then
+         self%range%spacing = min(largest_spacing*body%radius, &
+            & relative_spacing*point_distance(surface, position, centre, body%radius))
       end if
-      axis_distance = axis_distance_factor*largest_axis_distance(surface, position, centre)
-      ! area 2 pi r h of a spherical cap; a square of the spacing for each node
-      cap_height = radius - sqrt(max(0.0_wp, radius**2 - axis_distance**2))
-      if (two_pi*radius*cap_height/node_spacing**2 > most_nodes) then
-         call fail(error, exit_input, "a spacing of "//text(node_spacing)//" gives more than " &
-            & //text(most_nodes)//" contact nodes on a sphere of radius "//text(radius) &
-            & //": set SPACING to at least " &
-            & //text(1.01_wp*sqrt(two_pi*radius*cap_height/most_nodes), 3)//", or use METHOD 2")
-         return
+      self%range%most = most_nodes
+      nodes = count_nodes(body, self%range)
+      self%range%most = huge(1)
+      if (nodes > most_nodes) then
+         call fail(error, exit_input, "a spacing of "//text(self%range%spacing)//" gives more " &
+            & //"than "//text(most_nodes)//" contact nodes where an impactor of radius " &
+            & //text(body%radius)//" touches first: set a larger SPACING, or use METHOD 2")
+      else if (self%range%spacing > largest_spacing*body%radius) then
+         call fail(error, exit_input, "a spacing of "//text(spacing)//" leaves too few contact " &
+            & //"nodes on an impactor of radius "//text(body%radius)//": set SPACING to at most " &
+            & //text(largest_spacing*body%radius)//", or to 0 for one made from the mesh")
+      else
+         allocate (self%position(3, 0), self%outward(3, 0), self%local(2, 0))
+         allocate (self%facet(0), self%multiplier(0))
+         call new_search_timers(self%timers, 0)
+         call add_nodes(self)
       end if
-      call sphere_nodes(radius, node_spacing, axis_distance, nint(surface%side), self%position)
-      nodes = size(self%position, 2)
-      allocate (self%facet(nodes), source=0)
-      allocate (self%local(2, nodes), source=0.0_wp)
-      allocate (self%multiplier(nodes), source=0.0_wp)
-      call new_search_timers(self%timers, nodes)
    end subroutine new_nodes
 
-   !> Distance from the axis of the impactor to the farthest point of the surface, length
-   pure real(wp) function largest_axis_distance(surface, position, centre)
-      type(surface_type), intent(in) :: surface
+   !> Append the nodes of the range; all of them are due and their facets unknown
+   pure subroutine add_nodes(self)
+      type(node_set_type), intent(inout) :: self
+
+      integer :: before
+
+      before = size(self%facet)
+      call append_nodes(self%body, self%range, self%position, self%outward)
+      associate (added => size(self%position, 2) - before)
+         self%facet = [self%facet, spread(0, 1, added)]
+         self%multiplier = [self%multiplier, spread(0.0_wp, 1, added)]
+         self%local = reshape([self%local, spread(0.0_wp, 1, 2*added)], [2, before + added])
+         call self%timers%enlarge(before, before + added)
+      end associate
+   end subroutine add_nodes
+
+   !> Add the nodes of the next heights
+   pure subroutine grow(self)
+      type(node_set_type), intent(inout) :: self
+
+      self%growths = self%growths + 1
+      self%range%height(:) = [1.0_wp, height_growth]*self%range%height(2)
+      call add_nodes(self)
+   end subroutine grow
+
+   !> Add nodes as long as listed points of the plate lie near the highest ones
+   pure subroutine grow_to_plate(self, candidates, position, centre)
+      type(node_set_type), intent(inout) :: self
+      type(candidate_list_type), intent(in) :: candidates
+      !> Trial positions of the surface points and of the centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
 
-      integer :: f, s
+      real(wp) :: highest
+      integer :: i
 
-      largest_axis_distance = 0.0_wp
-      do f = 1, size(surface%facet, 2)
-         do s = 1, surface%nodes
-            largest_axis_distance = max(largest_axis_distance, &
-               & norm2(position(:2, surface%facet(s, f)) - centre(:2)))
-         end do
+      highest = -huge(1.0_wp)
+      do i = 1, size(candidates%point)
+         highest = max(highest, self%range%side*(position(3, candidates%point(i)) - centre(3)))
       end do
-   end function largest_axis_distance
-
-   !> Smallest distance between points along the sides of facets below the impactor, length
-   pure real(wp) function point_distance(surface, position, centre, radius)
-      !> The surface
-      type(surface_type), intent(in) :: surface
-      !> Surface points at the start, length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the impactor at the start, length
-      real(wp), intent(in) :: centre(3)
-      !> Radius of the sphere, length
-      real(wp), intent(in) :: radius
-
-      real(wp), allocatable :: away(:)
-      integer :: f, s
-
-      allocate (away(size(surface%facet, 2)))
-      do f = 1, size(away)
-         away(f) = norm2(position(:2, surface%facet(surface%nodes, f)) - centre(:2))
+      highest = highest - self%body%lowest_height(self%range%side)
+      do while (highest > filled_share*self%range%height(2) &
+         & .and. self%growths < most_growths)
+         call grow(self)
       end do
-      point_distance = huge(1.0_wp)
-      do f = 1, size(away)
-         if (away(f) > max(relative_zone*radius, minval(away))) cycle
-         do s = 1, sides
-            point_distance = min(point_distance, norm2(position(:, surface%facet(s, f)) &
-               & - position(:, surface%facet(modulo(s, sides) + 1, f))))
-         end do
-      end do
-      if (surface%nodes > bilinear_nodes) point_distance = 0.5_wp*point_distance
-   end function point_distance
+      self%grows_at = candidates%approach_bound + filled_share*self%range%height(2) - highest
+   end subroutine grow_to_plate
 
    !> Smallest gap of any contact node, negative when one penetrates, length
    pure real(wp) function least_gap(self, surface, position, centre)
@@ -186,6 +206,7 @@ contains
       class(node_set_type), intent(inout) :: self
 
       self%facet(:) = 0
+      self%grows_at = 0.0_wp
       self%timers%due_at(:size(self%facet)) = 0.0_wp
       call self%timers%restart_groups()
    end subroutine reset
@@ -194,13 +215,14 @@ contains
    pure subroutine save(self, integers, reals)
       !> The nodes
       class(node_set_type), intent(in) :: self
-      !> Facet of each node
+      !> How often nodes were added, and the facet of each
       integer, allocatable, intent(inout) :: integers(:)
-      !> Multiplier, approach bound at which it is due, and local coordinates of each node
+      !> Approach bound at which more may be needed; multiplier, approach bound at which it is due,
+      !> and local coordinates of each node
       real(wp), allocatable, intent(inout) :: reals(:)
 
-      integers = [integers, self%facet]
-      reals = [reals, self%multiplier, self%timers%due_at(:size(self%facet)), &
+      integers = [integers, self%growths, self%facet]
+      reals = [reals, self%grows_at, self%multiplier, self%timers%due_at(:size(self%facet)), &
          & reshape(self%local, [size(self%local)])]
    end subroutine save
 
@@ -214,13 +236,21 @@ contains
       !> Whether they are for as many nodes
       logical, intent(out) :: good
 
+      integer :: i
+
+      good = size(integers) > 0
+      if (.not. good) return
+      do i = 1, min(integers(1), most_growths)
+         call grow(self)
+      end do
       associate (nodes => size(self%facet))
-         good = size(integers) == nodes .and. size(reals) == 4*nodes
+         good = size(integers) == 1 + nodes .and. size(reals) == 1 + 4*nodes
          if (.not. good) return
-         self%facet(:) = integers
-         self%multiplier(:) = reals(:nodes)
-         self%timers%due_at(:nodes) = reals(nodes + 1:2*nodes)
-         self%local(:, :) = reshape(reals(2*nodes + 1:), shape(self%local))
+         self%facet(:) = integers(2:)
+         self%grows_at = reals(1)
+         self%multiplier(:) = reals(2:nodes + 1)
+         self%timers%due_at(:nodes) = reals(nodes + 2:2*nodes + 1)
+         self%local(:, :) = reshape(reals(2*nodes + 2:), shape(self%local))
       end associate
       call self%timers%restart_groups()
    end subroutine restore
@@ -231,7 +261,7 @@ contains
       class(node_set_type), intent(inout) :: self
       !> The surface
       type(surface_type), intent(in) :: surface
-      !> Facets near the sphere
+      !> Facets near the impactor
       type(candidate_list_type), intent(in) :: candidates
       !> Trial positions of the surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -243,6 +273,9 @@ contains
       integer :: first
 
       if (size(candidates%facet) == 0) return
+      if (candidates%approach_bound >= self%grows_at) then
+         call grow_to_plate(self, candidates, position, centre)
+      end if
       call self%timers%find_due(candidates%approach_bound)
       do first = 1, self%timers%count, lanes
          call project_nodes(self, surface, candidates, position, centre, self%timers%due( &
@@ -279,12 +312,12 @@ contains
          call check_free_edge(self, surface, node(i), closest(i))
          call store_projection(self, candidates%approach_bound, node(i), closest(i))
          if (closest(i)%is_outside .or. closest(i)%gap >= 0.0_wp) cycle
-         if (.not. faces_sphere(self, closest(i), node(i))) cycle
+         if (.not. faces_impactor(self, closest(i), node(i))) cycle
          call add_row(self, surface, closest(i), node(i), rows)
       end do
    end subroutine project_nodes
 
-   !> Treat a node below the surface as outside only if the sphere's radius through it misses, too
+   !> Treat a node below the surface as outside only if the normal of the impactor misses, too
    pure subroutine check_free_edge(self, surface, node, closest)
       type(node_set_type), intent(in) :: self
       type(surface_type), intent(in) :: surface
@@ -293,14 +326,14 @@ contains
       type(closest_point_type), intent(inout) :: closest
 
       if (.not. closest%is_outside .or. closest%gap >= 0.0_wp) return
-      if (.not. faces_sphere(self, closest, node)) return
-      closest%is_outside = surface%line_misses(closest, self%position(:, node))
+      if (.not. faces_impactor(self, closest, node)) return
+      closest%is_outside = surface%line_misses(closest, self%outward(:, node))
    end subroutine check_free_edge
 
    !> Store facet and local coordinates of a node, and when it is due again
    pure subroutine store_projection(self, approach_bound, node, closest)
       class(node_set_type), intent(inout) :: self
-      !> Bound on the approach of sphere and listed facets since the start, length
+      !> Bound on the approach of impactor and listed facets since the start, length
       real(wp), intent(in) :: approach_bound
       integer, intent(in) :: node
       !> Its closest point on the surface
@@ -319,29 +352,25 @@ contains
       if (closest%gap >= 0.0_wp .or. closest%is_outside) self%multiplier(node) = 0.0_wp
    end subroutine store_projection
 
-   !> Whether the facet faces the sphere, and the centre lies on its outer side
+   !> Whether the facet faces the impactor, and the centre lies on its outer side
    !>
-   !> A facet of crushed material that has folded over would pull the sphere in. A sphere that has
-   !> slipped down past a free edge has its centre on the inner side.
-   pure logical function faces_sphere(self, closest, node)
+   !> A facet of crushed material that has folded over would pull the impactor in. An impactor that
+   !> has slipped down past a free edge has its centre on the inner side.
+   pure logical function faces_impactor(self, closest, node)
       type(node_set_type), intent(in) :: self
       !> Closest point of the node
       type(closest_point_type), intent(in) :: closest
       integer, intent(in) :: node
 
-      real(wp) :: height
-
-      associate (arm => self%position(:, node))
-         height = -dot_product(closest%normal, arm)
-         faces_sphere = height >= least_facing_cosine*norm2(arm) .and. height + closest%gap > 0.0_wp
-      end associate
-   end function faces_sphere
+      faces_impactor = -dot_product(closest%normal, self%outward(:, node)) >= least_facing_cosine &
+         & .and. closest%gap - dot_product(closest%normal, self%position(:, node)) > 0.0_wp
+   end function faces_impactor
 
    !> Make a row of a node below the surface
    !>
    !> At the kink between facets the normal of the surface is not unique. The row then acts on the
-   !> point of the kink along the normal of the sphere, which preserves symmetry. The gap is that to
-   !> the closest point, so that it is continuous across the kink.
+   !> point of the kink along the normal of the impactor, which preserves symmetry. The gap is that
+   !> to the closest point, so that it is continuous across the kink.
    pure subroutine add_row(self, surface, closest, node, rows)
       type(node_set_type), intent(in) :: self
       type(surface_type), intent(in) :: surface
@@ -363,7 +392,7 @@ contains
       rows%gap(row) = closest%gap
       call shape_functions(surface%nodes, local(1), local(2), rows%weight(:, row), slope)
       if (any(at_kink)) then
-         rows%normal(:, row) = -self%position(:, node)/norm2(self%position(:, node))
+         rows%normal(:, row) = -self%outward(:, node)
          rows%gap(row) = dot_product(rows%normal(:, row), closest%gap_vector)
       end if
    end subroutine add_row

@@ -1,11 +1,12 @@
-!> Contact of the free edges of a face with the exact sphere.
+!> Contact of the free edges of a face with the exact body of an impactor.
 !>
-!> Contact nodes outside a free edge have no facet below them, and between two nodes a sphere could
-!> penetrate the edge. Each side of a facet at a free edge that enters the sphere therefore makes a
-!> row at its point closest to the centre. A side exactly below the centre makes none: it may be a
-!> plane of symmetry.
+!> Contact nodes outside a free edge have no facet below them, and between two nodes a body could
+!> penetrate the edge. Each side of a facet at a free edge that enters the body therefore makes a
+!> row at its point closest to it. A side whose normal lies in its own vertical plane makes none: it
+!> may be a plane of symmetry.
 module plydyn_contact_search_free_edge
    use plydyn_base_precision, only : wp
+   use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_solve_constraint, only : constraints_type
    use plydyn_contact_search_neighbours, only : sides
    use plydyn_contact_search_surface, only : surface_type
@@ -19,36 +20,49 @@ module plydyn_contact_search_free_edge
    integer, parameter :: max_steps = 30
    real(wp), parameter :: last_step = 1.0e-9_wp
 
-   !> Offset of the centre from the vertical plane of a side, over the radius, that counts as zero
+   !> Steps of bisection
+   integer, parameter :: bisections = 50
+
+   !> Offset of the core from the vertical plane of a side, over the radius, that counts as zero
    real(wp), parameter :: least_offset = 1.0e-6_wp
 
    !> Largest distance of a side's points from its ends over the distance between the ends
    real(wp), parameter :: largest_bulge = 1.5_wp
 
-   !> Closest point of a side to the centre
+   !> Closest point of a side to a body
    type :: edge_contact_type
       !> Coordinate along the side, from -1 to 1 counter-clockwise
       real(wp) :: local = 0.0_wp
-      !> From the closest point to the centre, length
-      real(wp) :: arm(3) = 0.0_wp
-      !> Horizontal distance of the centre from the tangent, length
+      !> Gap there, length, and unit vector towards the body
+      real(wp) :: gap = 0.0_wp, normal(3) = 0.0_wp
+      !> Horizontal distance of the tangent from a point along the normal, of the core for a sphere;
+      !> length
       real(wp) :: offset = 0.0_wp
    end type edge_contact_type
 
+   !> A side as a parabola relative to the centre
+   type :: parabola_type
+      !> Coefficients of the powers of its coordinate, length
+      real(wp) :: constant(3) = 0.0_wp, linear(3) = 0.0_wp, square(3) = 0.0_wp
+   contains
+      procedure :: tangent
+      procedure :: arm
+   end type parabola_type
+
 contains
 
-   !> Make a row of every free edge inside the sphere
-   pure subroutine collect_edges(surface, facets, position, centre, radius, rows)
+   !> Make a row of every free edge inside the body
+   pure subroutine collect_edges(surface, facets, position, centre, body, rows)
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets to test
       integer, intent(in) :: facets(:)
       !> Trial positions of the surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Trial centre of the sphere, length
+      !> Trial centre of the body, length
       real(wp), intent(in) :: centre(3)
-      !> Of the sphere, length
-      real(wp), intent(in) :: radius
+      !> The body
+      type(revolved_body_type), intent(in) :: body
       !> The constraints; the source of an edge row is 0
       type(constraints_type), intent(inout) :: rows
 
@@ -58,66 +72,74 @@ contains
       do i = 1, size(facets)
          do s = 1, sides
             if (surface%neighbour(s, facets(i)) /= 0) cycle
-            if (is_out_of_range(surface, facets(i), s, position, centre, radius)) cycle
-            closest = closest_edge_point(surface, facets(i), s, position, centre)
-            if (closest%offset <= least_offset*radius) cycle
-            if (norm2(closest%arm) >= radius) cycle
-            call add_row(surface, facets(i), s, closest, radius, rows)
+            if (is_out_of_range(surface, facets(i), s, position, centre, body, 0.0_wp)) cycle
+            closest = closest_edge_point(surface, facets(i), s, position, centre, body)
+            if (closest%offset <= least_offset*body%radius .or. closest%gap >= 0.0_wp) cycle
+            call add_row(surface, facets(i), s, closest, rows)
          end do
       end do
    end subroutine collect_edges
 
-   !> Smallest distance of the sphere from a free edge, negative when one is inside; huge when none
+   !> Smallest distance of the body from a free edge, negative when one is inside; huge when none
    !> lies within the search distance, length
-   pure real(wp) function edge_gap(surface, facets, position, centre, radius, search_distance)
+   pure real(wp) function edge_gap(surface, facets, position, centre, body, search_distance)
       !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets to test
       integer, intent(in) :: facets(:)
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre and radius of the sphere, largest distance of edges from it, length
-      real(wp), intent(in) :: centre(3), radius, search_distance
+      !> Centre of the body, length
+      real(wp), intent(in) :: centre(3)
+      !> The body
+      type(revolved_body_type), intent(in) :: body
+      !> Largest distance of edges from it, length
+      real(wp), intent(in) :: search_distance
 
       type(edge_contact_type) :: closest
       integer :: i, s
-      real(wp) :: range
+      logical :: is_far
 
       edge_gap = huge(1.0_wp)
-      range = radius + search_distance
       do i = 1, size(facets)
          do s = 1, sides
             if (surface%neighbour(s, facets(i)) /= 0) cycle
-            if (is_out_of_range(surface, facets(i), s, position, centre, range)) cycle
-            closest = closest_edge_point(surface, facets(i), s, position, centre)
-            if (closest%offset <= least_offset*radius) cycle
-            if (norm2(closest%arm) < range) edge_gap = min(edge_gap, norm2(closest%arm) - radius)
+            is_far = is_out_of_range(surface, facets(i), s, position, centre, body, search_distance)
+            if (is_far) cycle
+            closest = closest_edge_point(surface, facets(i), s, position, centre, body)
+            if (closest%offset <= least_offset*body%radius) cycle
+            if (closest%gap < search_distance) edge_gap = min(edge_gap, closest%gap)
          end do
       end do
    end function edge_gap
 
-   !> Whether every point of a side is farther from the centre than a distance
-   pure logical function is_out_of_range(surface, facet, side, position, centre, distance)
-      type(surface_type), intent(in) :: surface
-      integer, intent(in) :: facet, side
-      real(wp), contiguous, intent(in) :: position(:, :)
-      real(wp), intent(in) :: centre(3), distance
-
-      associate (from => position(:, surface%facet(side, facet)), &
-         & to => position(:, surface%facet(modulo(side, sides) + 1, facet)))
-         is_out_of_range = norm2(from - centre) > distance + largest_bulge*norm2(to - from)
-      end associate
-   end function is_out_of_range
-
-   !> Closest point of a side to the centre
-   pure function closest_edge_point(surface, facet, side, position, centre) result(closest)
+   !> Whether every point of a side is farther from the body than a distance
+   pure logical function is_out_of_range(surface, facet, side, position, centre, body, distance)
       type(surface_type), intent(in) :: surface
       integer, intent(in) :: facet, side
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
+      type(revolved_body_type), intent(in) :: body
+      real(wp), intent(in) :: distance
+
+      associate (from => position(:, surface%facet(side, facet)), &
+         & to => position(:, surface%facet(modulo(side, sides) + 1, facet)))
+         is_out_of_range = body%core_distance(centre - from) > body%rounding + distance &
+            & + largest_bulge*norm2(to - from)
+      end associate
+   end function is_out_of_range
+
+   !> Closest point of a side to the body
+   pure function closest_edge_point(surface, facet, side, position, centre, body) result(closest)
+      type(surface_type), intent(in) :: surface
+      integer, intent(in) :: facet, side
+      real(wp), contiguous, intent(in) :: position(:, :)
+      real(wp), intent(in) :: centre(3)
+      type(revolved_body_type), intent(in) :: body
       type(edge_contact_type) :: closest
 
-      real(wp) :: first(3), last(3), middle(3), slope(3), square(3)
+      type(parabola_type) :: edge
+      real(wp) :: first(3), last(3), length, middle(3), tangent(3)
 
       first(:) = position(:, surface%facet(side, facet)) - centre
       last(:) = position(:, surface%facet(modulo(side, sides) + 1, facet)) - centre
@@ -125,14 +147,60 @@ contains
       if (surface%nodes > bilinear_nodes) then
          middle(:) = position(:, surface%facet(sides + side, facet)) - centre
       end if
-      slope(:) = 0.5_wp*(last - first)
-      square(:) = 0.5_wp*(first + last) - middle
-      closest%local = closest_coordinate(middle, slope, square)
-      closest%arm(:) = -(middle + closest%local*(slope + closest%local*square))
-      slope(:) = slope + 2.0_wp*closest%local*square
-      closest%offset = abs(closest%arm(1)*slope(2) - closest%arm(2)*slope(1)) &
-         & /max(norm2(slope(:2)), tiny(1.0_wp))
+      edge = parabola_type(middle, 0.5_wp*(last - first), 0.5_wp*(first + last) - middle)
+      if (size(body%corner, 2) == 1) then
+         closest%local = closest_coordinate(edge%constant, edge%linear, edge%square)
+         length = norm2(edge%arm(closest%local))
+      else
+         closest%local = least_gap_coordinate(edge, body)
+         length = body%radius
+      end if
+      call body%find_gap(edge%arm(closest%local), closest%gap, closest%normal)
+      tangent(:) = edge%tangent(closest%local)
+      closest%offset = length*abs(closest%normal(1)*tangent(2) - closest%normal(2)*tangent(1)) &
+         & /max(norm2(tangent(:2)), tiny(1.0_wp))
    end function closest_edge_point
+
+   !> Direction of growing coordinate, length
+   pure function tangent(self, local)
+      class(parabola_type), intent(in) :: self
+      !> From -1 to 1
+      real(wp), intent(in) :: local
+      real(wp) :: tangent(3)
+
+      tangent(:) = self%linear + 2.0_wp*local*self%square
+   end function tangent
+
+   !> From a point to the centre, length
+   pure function arm(self, local)
+      class(parabola_type), intent(in) :: self
+      !> From -1 to 1
+      real(wp), intent(in) :: local
+      real(wp) :: arm(3)
+
+      arm(:) = -(self%constant + local*(self%linear + local*self%square))
+   end function arm
+
+   !> Coordinate from -1 to 1 of the smallest gap: bisection of its slope, which grows along a
+   !> straight side
+   pure real(wp) function least_gap_coordinate(edge, body) result(local)
+      type(parabola_type), intent(in) :: edge
+      type(revolved_body_type), intent(in) :: body
+
+      real(wp) :: gap, normal(3), range(2)
+      integer :: iteration
+
+      range(:) = [-1.0_wp, 1.0_wp]
+      do iteration = 1, bisections
+         local = 0.5_wp*sum(range)
+         call body%find_gap(edge%arm(local), gap, normal)
+         if (dot_product(normal, edge%tangent(local)) > 0.0_wp) then
+            range(1) = local
+         else
+            range(2) = local
+         end if
+      end do
+   end function least_gap_coordinate
 
    !> Coordinate from -1 to 1 at which a parabola is closest to the origin
    pure real(wp) function closest_coordinate(constant, linear, square) result(local)
@@ -155,14 +223,12 @@ contains
       end do
    end function closest_coordinate
 
-   !> Make a row of a side that enters the sphere
-   pure subroutine add_row(surface, facet, side, closest, radius, rows)
+   !> Make a row of a side that enters the body
+   pure subroutine add_row(surface, facet, side, closest, rows)
       type(surface_type), intent(in) :: surface
       integer, intent(in) :: facet, side
-      !> Point of the side closest to the centre
+      !> Point of the side closest to the body
       type(edge_contact_type), intent(in) :: closest
-      !> Radius of the sphere, length
-      real(wp), intent(in) :: radius
       type(constraints_type), intent(inout) :: rows
 
       real(wp) :: facet_local(2), slope(2, surface%nodes)
@@ -180,8 +246,8 @@ contains
       call rows%add(0, 0.0_wp)
       associate (row => rows%count)
          rows%point(:, row) = surface%facet(:, facet)
-         rows%gap(row) = norm2(closest%arm) - radius
-         rows%normal(:, row) = closest%arm/norm2(closest%arm)
+         rows%gap(row) = closest%gap
+         rows%normal(:, row) = closest%normal
          call shape_functions(surface%nodes, facet_local(1), facet_local(2), rows%weight(:, row), &
             & slope)
       end associate

@@ -22,6 +22,7 @@ module plydyn_contact_search_search_timers
       !> Lower bound of `due_at` in each group, length
       real(wp), allocatable, private :: group_due_at(:)
    contains
+      procedure :: enlarge
       procedure :: find_due
       procedure :: restart_groups
    end type search_timers_type
@@ -41,6 +42,22 @@ contains
       self%due_at(:nodes) = 0.0_wp
    end subroutine new_search_timers
 
+   !> Add nodes, all of them due
+   pure subroutine enlarge(self, before, nodes)
+      !> The timers
+      class(search_timers_type), intent(inout) :: self
+      !> Number of nodes so far, and with the new ones
+      integer, intent(in) :: before, nodes
+
+      type(search_timers_type) :: larger
+
+      call new_search_timers(larger, nodes)
+      larger%due_at(:before) = self%due_at(:before)
+      call move_alloc(larger%due_at, self%due_at)
+      call move_alloc(larger%due, self%due)
+      call move_alloc(larger%group_due_at, self%group_due_at)
+   end subroutine enlarge
+
    !> Void the bounds of the groups: nodes may be due earlier than before
    pure subroutine restart_groups(self)
       !> The timers
@@ -53,15 +70,17 @@ contains
    pure subroutine find_due(self, approach_bound)
       !> The timers
       class(search_timers_type), intent(inout) :: self
-      !> Approach bound of sphere and surface, length
+      !> Approach bound of impactor and surface, length
       real(wp), intent(in) :: approach_bound
 
       integer :: before, count, g, i
-      real(wp) :: least
+      real(wp) :: bound, least
 
+      ! nodes that fill the last group are never due, whatever the motion
+      bound = min(approach_bound, 0.5_wp*huge(1.0_wp))
       count = 0
       do g = 1, size(self%group_due_at)
-         if (self%group_due_at(g) > approach_bound) cycle
+         if (self%group_due_at(g) > bound) cycle
          before = group_size*(g - 1)
          least = huge(1.0_wp)
          !$omp simd reduction(min:least)
@@ -69,10 +88,10 @@ contains
             least = merge(self%due_at(before + i), least, self%due_at(before + i) < least)
          end do
          self%group_due_at(g) = least
-         if (least > approach_bound) cycle
+         if (least > bound) cycle
          do i = 1, group_size
             self%due(count + 1) = before + i
-            count = count + merge(1, 0, self%due_at(before + i) <= approach_bound)
+            count = count + merge(1, 0, self%due_at(before + i) <= bound)
          end do
       end do
       self%count = count

@@ -9,10 +9,11 @@ module plydyn_contact_search_surface
    use plydyn_contact_search_closest_point, only : closest_points
    use plydyn_contact_search_facet, only : frame_eta, frame_size, frame_value, frame_xi
    use plydyn_contact_search_neighbours, only : find_neighbours, sides
+   use plydyn_fem_shape, only : bilinear_nodes
    implicit none
    private
 
-   public :: new_surface
+   public :: largest_axis_distance, new_surface, point_distance
 
    !> Most facets of a walk
    integer, parameter :: max_walks = 100
@@ -22,6 +23,9 @@ module plydyn_contact_search_surface
 
    !> Distance beyond a side that counts as zero, relative to the size of the facet
    real(wp), parameter :: side_tolerance = 1.0e-10_wp
+
+   !> Distance from the axis, over the radius, of facets that give the distance between points
+   real(wp), parameter :: relative_zone = 0.5_wp
 
    !> Relative decrease of the distance that a walk needs to go on
    real(wp), parameter :: relative_gain = 1.0e-12_wp
@@ -80,6 +84,53 @@ contains
       call find_neighbours(facet, points, self%neighbour)
    end subroutine new_surface
 
+   !> Distance from the axis of the impactor to the farthest point of the surface, length
+   pure real(wp) function largest_axis_distance(surface, position, centre)
+      type(surface_type), intent(in) :: surface
+      !> Surface points at the start, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+
+      integer :: f, s
+
+      largest_axis_distance = 0.0_wp
+      do f = 1, size(surface%facet, 2)
+         do s = 1, surface%nodes
+            largest_axis_distance = max(largest_axis_distance, &
+               & norm2(position(:2, surface%facet(s, f)) - centre(:2)))
+         end do
+      end do
+   end function largest_axis_distance
+
+   !> Smallest distance between points along the sides of facets below the impactor, length
+   pure real(wp) function point_distance(surface, position, centre, radius)
+      type(surface_type), intent(in) :: surface
+      !> Surface points at the start, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      !> Centre of the impactor at the start, length
+      real(wp), intent(in) :: centre(3)
+      !> Radius of the impactor, length
+      real(wp), intent(in) :: radius
+
+      real(wp), allocatable :: away(:)
+      integer :: f, s
+
+      allocate (away(size(surface%facet, 2)))
+      do f = 1, size(away)
+         away(f) = norm2(position(:2, surface%facet(surface%nodes, f)) - centre(:2))
+      end do
+      point_distance = huge(1.0_wp)
+      do f = 1, size(away)
+         if (away(f) > max(relative_zone*radius, minval(away))) cycle
+         do s = 1, sides
+            point_distance = min(point_distance, norm2(position(:, surface%facet(s, f)) &
+               & - position(:, surface%facet(modulo(s, sides) + 1, f))))
+         end do
+      end do
+      if (surface%nodes > bilinear_nodes) point_distance = 0.5_wp*point_distance
+   end function point_distance
+
    !> Start of a projection: the facet whose last point is closest
    pure function start_point(self, position, point, facets) result(closest)
       !> The surface
@@ -96,6 +147,8 @@ contains
       real(wp) :: arm(3), least
 
       least = huge(1.0_wp)
+      ! also of a motion that is about to end the run, whose distances are infinite
+      if (size(facets) > 0) closest%facet = facets(1)
       do i = 1, size(facets)
          arm(:) = position(:, self%facet(self%nodes, facets(i))) - point
          if (sum(arm**2) >= least) cycle

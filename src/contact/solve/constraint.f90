@@ -1,14 +1,14 @@
 !> Contact constraints of one step: points, weights, normals, gaps and multipliers of the rows.
 !>
 !> A row requires g + n.(u_impactor - sum_k N_k u_k) >= 0. The rows are the matrix G of the paper's
-!> eq. 18 along the normal n: one row for each contact node instead of three, as there is no
-!> friction. The gap is linearised at the trial positions, once per step, as in the paper.
+!> eq. 18 along the normal n: one row for each contact node instead of three. Friction adds a vector
+!> along the surface. The gap is linearised at the trial positions, once per step, as in the paper.
 module plydyn_contact_solve_constraint
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: new_constraints, add_correction, gap_change
+   public :: add_correction, add_force, gap_change, new_constraints, relative_motion
 
    !> Number of rows of the first allocation
    integer, parameter :: first_capacity = 64
@@ -29,6 +29,10 @@ module plydyn_contact_solve_constraint
       real(wp), allocatable :: gap(:)
       !> Multiplier times the time step squared, mass times length: initial guess in, solution out
       real(wp), allocatable :: multiplier(:)
+      !> Multiplier along the surface, on the impactor, (3, rows), and whether it is at its limit:
+      !> only of pairs with friction
+      real(wp), allocatable :: friction(:, :)
+      logical, allocatable :: slides(:)
    contains
       procedure :: add
       procedure :: remove
@@ -100,6 +104,8 @@ contains
       call move_alloc(larger%normal, self%normal)
       call move_alloc(larger%gap, self%gap)
       call move_alloc(larger%multiplier, self%multiplier)
+      call move_alloc(larger%friction, self%friction)
+      call move_alloc(larger%slides, self%slides)
    end subroutine enlarge
 
    !> Allocate arrays
@@ -116,6 +122,8 @@ contains
       allocate (self%weight(points, capacity), source=0.0_wp)
       allocate (self%normal(3, capacity), source=0.0_wp)
       allocate (self%gap(capacity), self%multiplier(capacity), source=0.0_wp)
+      allocate (self%friction(3, capacity), source=0.0_wp)
+      allocate (self%slides(capacity), source=.false.)
    end subroutine allocate_rows
 
    !> Add the displacement corrections of a multiplier at one row: the paper's eq. 17
@@ -136,16 +144,33 @@ contains
       !> Displacement correction of the impactor, length
       real(wp), intent(inout) :: impactor_correction(3)
 
-      integer :: i, k
-      real(wp) :: force(3)
+      call add_force(rows, row, multiplier*rows%normal(:, row), inverse_mass, impactor_inverse, &
+         & correction, impactor_correction)
+   end subroutine add_correction
 
-      force(:) = multiplier*rows%normal(:, row)
+   !> Add the displacement corrections of a multiplier in any direction at one row
+   pure subroutine add_force(rows, row, force, inverse_mass, impactor_inverse, correction, &
+      & impactor_correction)
+      !> The constraints
+      type(constraints_type), intent(in) :: rows
+      !> Which row
+      integer, intent(in) :: row
+      !> Multiplier on the impactor times the time step squared, mass times length
+      real(wp), intent(in) :: force(3)
+      !> The others as in `add_correction`
+      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
+      real(wp), intent(in) :: impactor_inverse(3)
+      real(wp), contiguous, intent(inout) :: correction(:, :)
+      real(wp), intent(inout) :: impactor_correction(3)
+
+      integer :: i, k
+
       do i = 1, size(rows%point, 1)
          k = rows%point(i, row)
          correction(:3, k) = correction(:3, k) - rows%weight(i, row)*inverse_mass(:3, k)*force
       end do
       impactor_correction(:) = impactor_correction + impactor_inverse*force
-   end subroutine add_correction
+   end subroutine add_force
 
    !> Change of the gap of a row by displacement corrections, length
    pure real(wp) function gap_change(rows, row, correction, impactor_correction)
@@ -158,16 +183,31 @@ contains
       !> Displacement correction of the impactor, length
       real(wp), intent(in) :: impactor_correction(3)
 
-      integer :: i, k
       real(wp) :: relative(3)
 
-      relative(:) = impactor_correction
-      do i = 1, size(rows%point, 1)
-         k = rows%point(i, row)
-         relative(:) = relative - rows%weight(i, row)*correction(:3, k)
-      end do
+      relative(:) = relative_motion(rows, row, correction, impactor_correction)
       gap_change = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
          & + relative(3)*rows%normal(3, row)
    end function gap_change
+
+   !> Motion of the impactor relative to the plate at the point of a row, length
+   pure function relative_motion(rows, row, displacement, impactor) result(relative)
+      !> The constraints
+      type(constraints_type), intent(in) :: rows
+      !> Which row
+      integer, intent(in) :: row
+      !> Motion of the surface points, (3, points), and of the impactor there, length
+      real(wp), contiguous, intent(in) :: displacement(:, :)
+      real(wp), intent(in) :: impactor(3)
+      real(wp) :: relative(3)
+
+      integer :: i, k
+
+      relative(:) = impactor
+      do i = 1, size(rows%point, 1)
+         k = rows%point(i, row)
+         relative(:) = relative - rows%weight(i, row)*displacement(:3, k)
+      end do
+   end function relative_motion
 
 end module plydyn_contact_solve_constraint

@@ -10,6 +10,9 @@ module plydyn_contact_solve_coulomb
    implicit none
    private
 
+   !> Most iterations for the speed that is left
+   integer, parameter :: most_iterations = 100
+
    public :: limit_friction, solve_row
 
    !> Friction coefficient that falls with the speed from a static to a dynamic one
@@ -20,6 +23,8 @@ module plydyn_contact_solve_coulomb
       real(wp) :: decay = 0.0_wp
    contains
       procedure :: coefficient
+      procedure :: limit
+      procedure, private :: sliding_coefficient
    end type friction_type
 
    !> A point in contact
@@ -52,6 +57,55 @@ contains
       coefficient = self%dynamic + (self%static - self%dynamic)*exp(-self%decay*speed)
    end function coefficient
 
+   !> Coefficient at the speed that it leaves: of several solutions the one nearest to stick
+   pure real(wp) function sliding_coefficient(self, speed, ratio) result(mu)
+      class(friction_type), intent(in) :: self
+      !> Speed without friction, length/time
+      real(wp), intent(in) :: speed
+      !> Normal multiplier over the one that would stop this speed
+      real(wp), intent(in) :: ratio
+
+      real(wp) :: last
+      integer :: i
+
+      mu = self%static
+      do i = 1, most_iterations
+         last = mu
+         mu = self%coefficient(speed*max(0.0_wp, 1.0_wp - last*ratio))
+         if (abs(mu - last) <= epsilon(mu)) exit
+      end do
+   end function sliding_coefficient
+
+   !> Multiplier along the surface of a row that answers alike in all directions along it
+   !>
+   !> It sticks where the static coefficient suffices, else it slides.
+   pure subroutine limit(self, slip, compliance, normal_part, dt, tangent, slides)
+      class(friction_type), intent(in) :: self
+      !> Slip of the step without the multiplier, length
+      real(wp), intent(in) :: slip(3)
+      !> Slip by a unit multiplier, one over mass
+      real(wp), intent(in) :: compliance
+      !> Normal multiplier, mass times length
+      real(wp), intent(in) :: normal_part
+      !> Time step
+      real(wp), intent(in) :: dt
+      !> The multiplier, mass times length, and whether it is at its limit
+      real(wp), intent(out) :: tangent(3)
+      logical, intent(out) :: slides
+
+      real(wp) :: distance, mu
+
+      distance = norm2(slip)
+      slides = distance > self%static*normal_part*compliance
+      tangent(:) = 0.0_wp
+      if (.not. slides) then
+         if (compliance > 0.0_wp) tangent(:) = -slip/compliance
+         return
+      end if
+      mu = self%sliding_coefficient(distance/dt, normal_part*compliance/distance)
+      tangent(:) = -slip*(mu*normal_part/distance)
+   end subroutine limit
+
    !> Multiplier that closes the gap, with stick or slip; none where the point is held along the
    !> normal
    pure subroutine solve_row(row, friction, dt)
@@ -62,7 +116,7 @@ contains
       !> Time step
       real(wp), intent(in) :: dt
 
-      real(wp) :: compliance, coupled, normal_part, tangent(3)
+      real(wp) :: compliance, coupled, mu, normal_part, tangent(3)
 
       row%multiplier(:) = 0.0_wp
       row%slides = .false.
@@ -71,10 +125,11 @@ contains
       tangent(:) = sticking(row)
       coupled = sum(row%normal*row%inverse_mass*tangent)
       normal_part = (-row%gap - coupled)/compliance
-      associate (mu => friction%coefficient(norm2(row%slip())/dt), size_of => norm2(tangent))
-         if (size_of <= mu*normal_part) then
+      associate (size_of => norm2(tangent))
+         if (size_of <= friction%static*normal_part) then
             row%multiplier(:) = normal_part*row%normal + tangent
          else
+            mu = friction%sliding_coefficient(norm2(row%slip())/dt, normal_part/size_of)
             tangent(:) = mu*tangent/size_of
             coupled = sum(row%normal*row%inverse_mass*tangent)
             ! the friction of a point that is held in some directions must not turn the sign
@@ -98,10 +153,17 @@ contains
 
       real(wp) :: most, tangent(3)
 
+      row%multiplier(:) = 0.0_wp
       tangent(:) = sticking(row)
-      most = normal_part*friction%coefficient(norm2(row%slip())/dt)
-      row%slides = norm2(tangent) > most .and. most > 0.0_wp
-      if (norm2(tangent) > most) tangent(:) = tangent*(most/norm2(tangent))
+      most = normal_part*friction%static
+      if (norm2(tangent) > most) then
+         most = normal_part*friction%sliding_coefficient(norm2(row%slip())/dt, &
+            & normal_part/norm2(tangent))
+         row%slides = most > 0.0_wp
+         tangent(:) = tangent*(most/norm2(tangent))
+      else
+         row%slides = .false.
+      end if
       row%multiplier(:) = normal_part*row%normal + tangent
    end subroutine limit_friction
 

@@ -1,4 +1,4 @@
-!> Multipliers of rows with one point each: points of the plate against the exact sphere.
+!> Multipliers of rows with one point each: points of the plate against the exact impactor.
 !>
 !> For a given displacement c of the impactor the rows are independent: p = max(0, -(g + n.c)/a)
 !> with the compliance a = n.M^-1 n of the point. The balance of momentum of the impactor with the

@@ -34,28 +34,13 @@ module plydyn_element_brick_group
       !> The rank's number of each node of the bricks it has, (8, bricks)
       integer, allocatable :: node(:, :)
    contains
-      procedure :: take_elements
-      procedure :: set_targets
-      procedure :: add_masses
-      procedure :: history_shape
-      procedure :: set_history
-      procedure :: start_history
-      procedure :: add_forces
-      procedure :: find_volume
-      procedure :: find_rates
-      procedure :: add_dissipation
-      procedure :: add_hourglass_energy
-      procedure :: add_crack_bands
-      procedure :: work
-      procedure :: add_memory
-      procedure :: element_id
-      procedure :: sheets
-      procedure :: find_cell
-      procedure :: list_elements
-      procedure :: element_nodes
-      procedure :: node_weights
-      procedure :: output_values
-      procedure :: fibre_angle
+      procedure :: take_elements, set_targets, add_masses
+      procedure :: history_shape, set_history, start_history
+      procedure :: add_forces, find_volume, find_rates
+      procedure :: add_dissipation, add_hourglass_energy, add_crack_bands
+      procedure :: work, add_memory, element_id
+      procedure :: sheets, find_cell, list_elements, element_nodes, node_weights
+      procedure :: output_values, fibre_angle
    end type brick_group_type
 
 contains

@@ -146,12 +146,9 @@ contains
 
    !> Energy stored in the unfelt shapes of each lane
    pure function hold_energy(hold, axis, h, large, q) result(energy)
-      !> Stiffness and axes
+      !> As in `add_hold`
       real(wp), intent(in) :: hold(lanes, stabilisers), axis(lanes, 3, 3)
-      !> Derivatives of the displacement; 1 for large displacement, else 0
-      real(wp), intent(in) :: h(lanes, 3, 3), large
-      !> Amounts of the unfelt shapes
-      real(wp), intent(in) :: q(lanes, 3, shapes_unfelt)
+      real(wp), intent(in) :: h(lanes, 3, 3), large, q(lanes, 3, shapes_unfelt)
       real(wp) :: energy(lanes)
 
       real(wp) :: force(lanes, 3, shapes_unfelt), p(lanes, 3, 3)

@@ -278,13 +278,11 @@ contains
    pure real(wp) function hourglass_energy(bricks, b, large, displacement, history) result(energy)
       !> The bricks of a part, with one point
       type(bricks_type), intent(in) :: bricks
-      !> The batch
+      !> The batch; large displacement
       integer, intent(in) :: b
-      !> Large displacement
       logical, intent(in) :: large
-      !> Displacement of all points
+      !> Displacement of all points, history of the part
       real(wp), intent(in) :: displacement(*)
-      !> History of the part
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
 
       real(wp) :: h(lanes, 3, 3), q(lanes, 3, shapes_unfelt), u(lanes, corners, 3)

@@ -235,13 +235,9 @@ contains
       type(model_type), intent(in) :: model
       !> Their part
       integer, intent(in) :: part
-      !> All of them, those of other ranks too: they add to nodes where ranks meet
-      integer, intent(in) :: bricks(:)
-      !> The rank's number of each node of the mesh, 0 where it does not have it
-      integer, intent(in) :: local_node(:)
-      !> Where their points lie
+      !> All of them; as `elements` in `add_masses` of `element_group_type`
+      integer, intent(in) :: bricks(:), local_node(:)
       type(columns_type), intent(in) :: columns
-      !> Mass of each point
       real(wp), intent(inout) :: mass(:)
 
       integer :: c, here(corners), i, place

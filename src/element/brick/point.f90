@@ -150,8 +150,8 @@ contains
       !> Stress
       real(wp), intent(inout) :: t(lanes, 6)
 
-      real(wp) :: c, s, x, y, z
       integer :: l
+      real(wp) :: c, s, x, y, z
 
       c = turn(1)
       s = turn(2)

@@ -44,10 +44,8 @@ contains
 
    !> Axes of the deformed face at a point
    pure subroutine point_axes(metric, along, axes, stretch)
-      !> Geometry of the point
-      real(wp), intent(in) :: metric(5)
-      !> Derivatives of twice the displacement along xi and eta
-      real(wp), intent(in) :: along(lanes, 3, 2)
+      !> Geometry of the point; derivatives of twice the displacement along xi and eta
+      real(wp), intent(in) :: metric(5), along(lanes, 3, 2)
       !> Axes, (lanes, components, axes), and the stretch
       real(wp), intent(out) :: axes(lanes, 3, 3), stretch(lanes, 3)
 
@@ -69,21 +67,12 @@ contains
             n1 = a2*b3 - a3*b2
             n2 = a3*b1 - a1*b3
             n3 = a1*b2 - a2*b1
-            area = sqrt(n1*n1 + n2*n2 + n3*n3)
-            inverse = 1.0_wp/area
-            n1 = n1*inverse
-            n2 = n2*inverse
-            n3 = n3*inverse
-            length = sqrt(a1*a1 + a2*a2 + a3*a3)
-            inverse = 1.0_wp/length
-            a1 = a1*inverse
-            a2 = a2*inverse
-            a3 = a3*inverse
+            call normalise(n1, n2, n3, area, inverse)
+            call normalise(a1, a2, a3, length, inverse)
             c1 = n2*a3 - n3*a2
             c2 = n3*a1 - n1*a3
             c3 = n1*a2 - n2*a1
-            ! in these axes along a and across it a is (length, 0) and b is (lean, height); turned
-            ! by the angle of cosine c and sine s both have the same part along the other's axis
+            ! along a and across it a is (length, 0), b (lean, height); c and s make them alike
             lean = a1*b1 + a2*b2 + a3*b3
             height = area*inverse
             inverse = 1.0_wp/sqrt((length + height)**2 + lean**2)
@@ -104,6 +93,19 @@ contains
          end do
       end associate
    end subroutine point_axes
+
+   !> Make a vector one of length 1
+   pure subroutine normalise(x, y, z, length, inverse)
+      real(wp), intent(inout) :: x, y, z
+      !> Its length, and one over that
+      real(wp), intent(out) :: length, inverse
+
+      length = sqrt(x*x + y*y + z*z)
+      inverse = 1.0_wp/length
+      x = x*inverse
+      y = y*inverse
+      z = z*inverse
+   end subroutine normalise
 
    !> Components in the axes of the face, in place
    pure subroutine turn_in(points, axes, vector)
@@ -132,11 +134,9 @@ contains
 
    !> Components along x, y, z from those in the axes of the face, in place
    pure subroutine turn_back(points, axes, vector)
-      !> Number of points
+      !> As in `turn_in`
       integer, intent(in) :: points
-      !> Axes
       real(wp), intent(in) :: axes(lanes, 3, 3, points)
-      !> Vectors
       real(wp), intent(inout) :: vector(lanes, 3, points)
 
       real(wp) :: x, y, z

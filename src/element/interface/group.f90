@@ -7,10 +7,11 @@ module plydyn_element_interface_group
       & interface_type, &
       & set_interface_damage => set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_interface_process_zones, only : find_weakness
    use plydyn_element_quad, only : tensor_order
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_quad_points, only : quad_points
-   use plydyn_law_cohesive_bilinear, only : damage_at
+   use plydyn_law_cohesive_softening, only : damage_at, delaminated_share, share_at
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layers, only : layers_type, new_layers
@@ -42,7 +43,7 @@ module plydyn_element_interface_group
       procedure :: spring_rate
       procedure :: add_joint_stiffness
       procedure :: add_losses
-      procedure :: mark_failed
+      procedure :: mark_areas
       procedure :: mark_interfaces
       procedure :: work
       procedure :: add_memory
@@ -94,6 +95,8 @@ contains
       end do
       self%element = elements
       call set_plane(self%batch, elements, node, position)
+      if (self%batch%law%histories > 0) call find_weakness(model, self%batch%material, elements, &
+         & self%ply, self%batch%weakness)
    end subroutine take_elements
 
    pure subroutine set_targets(self, elements, height, column)
@@ -264,7 +267,8 @@ contains
          do l = 1, lanes
             if (self%ply(l) == 0) cycle
             associate (last => losses*self%ply(l))
-               call sums%add(last - 4, part%begun(l))
+               call sums%add(last - 5, part%begun(l))
+               call sums%add(last - 4, part%delaminated(l))
                call sums%add(last - 3, part%failed(l))
                call sums%add(last - 2, part%fracture(l))
                call sums%add(last - 1, part%closing(l))
@@ -274,32 +278,33 @@ contains
       end do
    end subroutine add_batch_losses
 
-   pure subroutine mark_failed(self, history, failed)
+   pure subroutine mark_areas(self, history, areas)
       class(interface_group_type), intent(in) :: self
       real(wp), intent(in) :: history(:)
-      real(wp), allocatable, intent(inout) :: failed(:, :)
+      real(wp), allocatable, intent(inout) :: areas(:, :, :)
 
       if (self%batch%law%histories == 0) return
-      if (.not. allocated(failed)) then
-         allocate (failed(size(self%batch%node, 1), size(self%batch%node, 2)), source=0.0_wp)
+      if (.not. allocated(areas)) then
+         allocate (areas(2, size(self%batch%node, 1), size(self%batch%node, 2)), source=0.0_wp)
       end if
-      call mark_points(self%batch, history(self%batch%first_history:), failed)
-   end subroutine mark_failed
+      call mark_points(self%batch, history(self%batch%first_history:), areas)
+   end subroutine mark_areas
 
-   !> Mark the areas of the points of a batch that have failed
-   pure subroutine mark_points(batch, history, failed)
+   !> Mark the areas of the points of a batch that are delaminated, and of those that have failed
+   pure subroutine mark_points(batch, history, areas)
       type(interface_type), intent(in) :: batch
       real(wp), intent(in) :: history(lanes, size(batch%node, 1), size(batch%node, 2), &
          & batch%law%histories)
-      real(wp), intent(inout) :: failed(:, :)
+      real(wp), intent(inout) :: areas(:, :, :)
 
+      logical :: reached(2)
       integer :: e, q
 
       do e = 1, size(batch%node, 2)
          do q = 1, size(batch%node, 1)
-            if (any(history(:, q, e, damage_at) >= 1.0_wp .and. batch%lower > 0)) then
-               failed(q, e) = max(failed(q, e), batch%metric(5, q, e))
-            end if
+            reached(1) = any(history(:, q, e, share_at) >= delaminated_share .and. batch%lower > 0)
+            reached(2) = any(history(:, q, e, damage_at) >= 1.0_wp .and. batch%lower > 0)
+            where (reached) areas(:, q, e) = max(areas(:, q, e), batch%metric(5, q, e))
          end do
       end do
    end subroutine mark_points
@@ -324,6 +329,7 @@ contains
       real(wp), intent(inout) :: reals, integers
 
       reals = reals + size(self%batch%metric)
+      if (allocated(self%batch%weakness)) reals = reals + size(self%batch%weakness)
       integers = integers + size(self%batch%node) + size(self%batch%target)
    end subroutine add_memory
 

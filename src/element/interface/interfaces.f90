@@ -11,8 +11,9 @@ module plydyn_element_interface_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_quad, only : quad_metric, quad_node_metric
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_cohesive_bilinear, only : closing_at, cohesive_type, damage_at, fracture_at, &
-      & friction_at
+   use plydyn_law_cohesive_bilinear, only : cohesive_type
+   use plydyn_law_cohesive_softening, only : closing_at, damage_at, delaminated_share, &
+      & fracture_at, friction_at, normal, share_at
    implicit none
    private
 
@@ -38,8 +39,8 @@ module plydyn_element_interface_interfaces
       logical :: adjacent = .false.
       !> The law
       type(cohesive_type) :: law
-      !> Plate whose quads these are
-      integer :: plate = 0
+      !> Plate whose quads these are, and index of the interface material
+      integer :: plate = 0, material = 0
       !> Nodes along a side of a quad
       integer :: side = 0
       !> Points at the nodes instead of the Gauss points
@@ -54,14 +55,18 @@ module plydyn_element_interface_interfaces
       integer, allocatable :: target(:, :)
       !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
+      !> Square of the strength of the law over that of each point, (lanes, side**2, quads); none
+      !> where all points have the strengths of the law
+      real(wp), allocatable :: weakness(:, :, :)
       !> First of its histories, (lanes, side**2, quads, law%histories), in the history of all
       integer :: first_history = 1
    end type interface_type
 
    !> What the interfaces of each lane have lost
    type, public :: interface_sums_type
-      !> Area where damage has begun, and where it is complete
-      real(wp) :: begun(lanes) = 0.0_wp, failed(lanes) = 0.0_wp
+      !> Areas where damage has begun, where half of the toughness is spent, and where damage is
+      !> complete
+      real(wp), dimension(lanes) :: begun = 0.0_wp, delaminated = 0.0_wp, failed = 0.0_wp
       !> Energies lost in fracture, by a falling penalty, and in friction
       real(wp) :: fracture(lanes) = 0.0_wp, closing(lanes) = 0.0_wp, friction(lanes) = 0.0_wp
    end type interface_sums_type
@@ -104,7 +109,8 @@ contains
       history_size = lanes*self%law%histories*size(self%node)
    end function history_size
 
-   !> Begin with damage at some points of a lane; 1 where the faces are apart
+   !> Begin with damage at some points of a lane; 1 where the faces are apart. It counts as the
+   !> share of the toughness that opening would have spent
    pure subroutine set_damage(self, lane, chosen, damage, history)
       !> The interfaces
       type(interface_type), intent(in) :: self
@@ -122,7 +128,12 @@ contains
       do e = 1, size(self%node, 2)
          where (chosen(:, e))
             history(lane, :, e, damage_at) = max(history(lane, :, e, damage_at), damage)
+            history(lane, :, e, share_at) = self%law%spent_share(normal, &
+               & history(lane, :, e, damage_at))
          end where
+         if (.not. self%law%by_work) cycle
+         history(lane, :, e, self%law%histories - 1) = self%law%toughness(normal) &
+            & *history(lane, :, e, share_at)
       end do
    end subroutine set_damage
 
@@ -144,6 +155,8 @@ contains
       do q = 1, size(self%node, 1)
          associate (area => self%metric(5, q, quad)*self%present, h => history(:, q, quad, :))
             sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
+            sums%delaminated(:) = sums%delaminated &
+               & + merge(area, 0.0_wp, h(:, share_at) >= delaminated_share)
             sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
             sums%fracture(:) = sums%fracture + area*h(:, fracture_at)
             if (self%law%histories < closing_at) cycle

@@ -42,7 +42,7 @@ contains
             call add_turned_forces(self, e, displacement, history(1, row, 1), jump, force)
             cycle
          end if
-         call resist(self, self%metric(:, :, e), history(1, row, 1), jump)
+         call resist(self, e, history(1, row, 1), jump)
          if (.not. self%nodal) call to_nodes(self%side, self%gauss_abscissa, jump)
          call scatter(self, self%target(:, e), jump, jump, force)
       end do
@@ -73,7 +73,7 @@ contains
          call find_axes(side, metric, middle, axes, stretch)
          call turn_in(side**2, axes, jump)
          pull(:, :, :side**2) = jump(:, :, :side**2)
-         call resist(self, metric, history, pull)
+         call resist(self, quad, history, pull)
          call find_turning(side, metric, axes, stretch, jump, pull, turning)
          call turn_back(side**2, axes, pull)
          if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, pull)
@@ -92,11 +92,11 @@ contains
    end subroutine add_turned_forces
 
    !> Openings at the points to tractions times area
-   pure subroutine resist(self, metric, history, jump)
+   pure subroutine resist(self, quad, history, jump)
       !> The interfaces
       type(interface_type), intent(in) :: self
-      !> Geometry of the points
-      real(wp), intent(in) :: metric(5, self%side**2)
+      !> The quad
+      integer, intent(in) :: quad
       !> History from the first of the points on
       real(wp), intent(inout) :: history(lanes, size(self%node), *)
       !> Opening in, force out
@@ -105,12 +105,17 @@ contains
       real(wp) :: traction(lanes, 3, most)
       integer :: c, l, q
 
-      call self%law%update_points(self%side**2, size(self%node), jump, history, traction)
+      if (allocated(self%weakness)) then
+         call self%law%update_points(self%side**2, size(self%node), jump, history, traction, &
+            & self%weakness(:, :, quad))
+      else
+         call self%law%update_points(self%side**2, size(self%node), jump, history, traction)
+      end if
       do q = 1, self%side**2
          do c = 1, 3
             !$omp simd
             do l = 1, lanes
-               jump(l, c, q) = metric(5, q)*traction(l, c, q)
+               jump(l, c, q) = self%metric(5, q, quad)*traction(l, c, q)
             end do
          end do
       end do
@@ -152,15 +157,11 @@ contains
 
    !> The same where the places of a face do not lie side by side
    pure subroutine gather_apart(self, node, sign, displacement, both)
-      !> The interfaces
+      !> As in `gather`
       type(interface_type), intent(in) :: self
-      !> Nodes of the quad
       integer, intent(in) :: node(:)
-      !> 1 or -1
       real(wp), intent(in) :: sign
-      !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
-      !> Sum or difference
       real(wp), intent(out) :: both(lanes, 3, size(node))
 
       integer :: c, i, l
@@ -188,16 +189,16 @@ contains
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
 
-      real(wp) :: high, low
       integer :: above, below, c, i, l
+      real(wp) :: high, low
 
       if (.not. self%adjacent) then
          call scatter_apart(self, node, from_upper, to_lower, force)
          return
       end if
       do i = 1, size(node)
-         above = self%above%first(1) + self%above%step(1)*(node(i) - 1) - 1
          below = self%below%first(1) + self%below%step(1)*(node(i) - 1) - 1
+         above = self%above%first(1) + self%above%step(1)*(node(i) - 1) - 1
          do c = 1, 3
             ! both are read before either is written: faces of order 1 share a place, that of a last
             ! lane above without an interface, which leaves it as it was: first

@@ -18,11 +18,9 @@ contains
    !> stay in the lanes of their lower layers; those between layers of different order groups fill
    !> batches of their own
    pure function new_interfaces(model, p, columns, joint) result(batches)
-      !> The model
+      !> The model, index of the part, and where the points lie
       type(model_type), intent(in) :: model
-      !> Index of the part
       integer, intent(in) :: p
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Index of the interface material between each layer and the next; 0 or less for none
       integer, intent(in) :: joint(:)
@@ -67,6 +65,7 @@ contains
       batch%law = interface_law(model, material)
       batch%adjacent = columns%layer_slot(1, k) == columns%layer_slot(1, k + 1)
       batch%plate = p
+      batch%material = material
       batch%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
       batch%nodal = model%interface_materials(material)%nodal
       lane = 0

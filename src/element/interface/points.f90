@@ -1,4 +1,7 @@
 !> From the nodes of a quad to the Gauss points of its interfaces, and back with the transposed.
+!>
+!> Plates interpolate with the numbers 0.3 and 0.4 of three Gauss points, and take derivatives with
+!> it; here the distance of the points is a variable. Both round differently in the last bit.
 module plydyn_element_interface_points
    use plydyn_base_precision, only : lanes, wp
    implicit none

@@ -46,32 +46,14 @@ module plydyn_element_plate_group
       !> Index of the group, which crack bands name
       integer :: number = 0
    contains
-      procedure :: take_elements
-      procedure :: set_targets
-      procedure :: add_masses
-      procedure :: history_shape
-      procedure :: set_history
-      procedure :: start_history
-      procedure :: add_forces
-      procedure :: find_volume
-      procedure :: find_rates
-      procedure :: rate_without_thickness
-      procedure :: point_factor
-      procedure :: layer_springs
-      procedure :: add_dissipation
-      procedure :: add_crack_bands
-      procedure :: work
-      procedure :: add_memory
-      procedure :: element_id
-      procedure :: sheets
-      procedure :: sheet_levels
-      procedure :: find_cell
-      procedure :: list_elements
-      procedure :: element_nodes
-      procedure :: node_weights
-      procedure :: sheet_motion
-      procedure :: output_values
-      procedure :: fibre_angle
+      procedure :: take_elements, set_targets, add_masses
+      procedure :: history_shape, set_history, start_history
+      procedure :: add_forces, find_volume
+      procedure :: find_rates, rate_without_thickness, point_factor, layer_springs
+      procedure :: add_dissipation, add_crack_bands
+      procedure :: work, add_memory, element_id
+      procedure :: sheets, sheet_levels, find_cell, list_elements, element_nodes, node_weights
+      procedure :: sheet_motion, output_values, fibre_angle
    end type plate_group_type
 
 contains

@@ -48,18 +48,14 @@ contains
       integer, intent(in) :: p
       !> Its layers
       type(plate_type), intent(in) :: plate
-      !> All quads of the part, those of other ranks too: they add to nodes where ranks meet
-      integer, intent(in) :: quads(:)
-      !> The rank's number of each node of the mesh, 0 where it does not have it
-      integer, intent(in) :: local_node(:)
-      !> Where their points lie
+      !> All quads of the part; as `elements` in `add_masses` of `element_group_type`
+      integer, intent(in) :: quads(:), local_node(:)
       type(columns_type), intent(in) :: columns
-      !> Mass of each point
       real(wp), intent(inout) :: mass(:)
 
       real(wp) :: area(plate%side**2)
       real(wp), allocatable :: density(:, :)
-      integer :: e, f, here(plate%side**2), i, node(plate%side**2)
+      integer :: e, f, first, here(plate%side**2), i, node(plate%side**2)
 
       do f = 1, size(plate%batches)
          density = surface_density(model, p, new_layers(model%parts(p)), &
@@ -70,29 +66,31 @@ contains
             if (all(here == 0)) cycle
             area(:) = quad_node_area(plate%side, model%mesh%position(1:2, node))
             do i = 1, size(area)
-               if (here(i) > 0) call add_column(here(i), area(i))
+               if (here(i) == 0) cycle
+               first = columns%mass_start(f, here(i))
+               call add_column(plate%batches(f)%expansion%mass_share, density, area(i), &
+                  & mass(first:))
             end do
          end do
       end do
-   contains
-      !> Share the mass above a piece of the plane among the points of a column
-      subroutine add_column(node, area)
-         integer, intent(in) :: node
-         real(wp), intent(in) :: area
-
-         integer :: first, levels, t
-
-         associate (order_group => columns%order_groups(f), share &
-            & => plate%batches(f)%expansion%mass_share)
-            levels = order_group%order + 1
-            do t = 1, levels
-               first = columns%mass_start(f, node) + lanes*order_group%blocks*(t - 1)
-               mass(first:first + lanes*order_group%blocks - 1) = &
-                  & mass(first:first + lanes*order_group%blocks - 1) &
-                  & + area*share(t)*reshape(density, [size(density)])
-            end do
-         end associate
-      end subroutine add_column
    end subroutine add_masses
+
+   !> Share the mass above a piece of the plane among the points of a column
+   pure subroutine add_column(share, density, area, mass)
+      !> Share of each point of the thickness
+      real(wp), intent(in) :: share(:)
+      !> Mass per area of the layers
+      real(wp), intent(in) :: density(:, :)
+      !> Area of the piece
+      real(wp), intent(in) :: area
+      !> Masses of the column
+      real(wp), intent(inout) :: mass(size(density), *)
+
+      integer :: t
+
+      do t = 1, size(share)
+         mass(:, t) = mass(:, t) + area*share(t)*reshape(density, [size(density)])
+      end do
+   end subroutine add_column
 
 end module plydyn_element_plate_masses

@@ -57,15 +57,12 @@ contains
 
    !> Largest eigenvalue that one quad would have if the thickness of its plies were implicit
    real(wp) function plane_rate(model, p, plate, quad, implicit) result(rate)
-      !> The model
+      !> As in `layer_rates`
       type(model_type), intent(in) :: model
-      !> The part
       integer, intent(in) :: p
-      !> Its plate
       type(plate_type), intent(in) :: plate
       !> Index in the mesh
       integer, intent(in) :: quad
-      !> Share of the stiffness through the thickness that is implicit
       real(wp), intent(in) :: implicit
 
       integer :: f

@@ -26,7 +26,7 @@ module plydyn_io_checkpoint_dump
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories or what contact remembers are arranged anew
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 7
+   integer, parameter, public :: dump_format = 9
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
@@ -71,6 +71,7 @@ contains
       if (allocated(error)) return
       call write_run(writer%file, job, places)
       call write_decks(writer%file, job%archive)
+      call writer%file%write_values(run_group//"/starts", job%archive%bundles%start, store_double)
       call writer%file%make_group(state_group)
       call exchange_state(writer, state)
       call writer%file%close(error)

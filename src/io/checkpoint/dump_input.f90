@@ -12,6 +12,7 @@ module plydyn_io_checkpoint_dump_input
    use plydyn_io_hdf5_input, only : hdf5_input_type
    use plydyn_io_checkpoint_table_ends, only : compare_ends, end_length
    use plydyn_io_job, only : job_type
+   use plydyn_model_control, only : changes_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_file_positions, only : file_position_type, new_file_positions
    use plydyn_state_state, only : state_type
@@ -31,8 +32,8 @@ module plydyn_io_checkpoint_dump_input
       character(:), allocatable :: path
       !> Which places of the arrays this rank reads
       type(state_layout_type) :: parts
-      !> Whether supports and loads are those of the file
-      logical :: with_conditions = .true.
+      !> What the deck of the restart changes: the file has other supports, loads or bodies
+      type(changes_type) :: changes
       !> How the tables of results ended
       character(:), allocatable :: ends
       !> The first thing that went wrong
@@ -63,7 +64,8 @@ contains
       self%path = path
       inquire (file=path, exist=exists)
       if (.not. exists) then
-         call fail(error, exit_input, "there is no restart file "//path)
+         call fail(error, exit_input, "there is no restart file "//path//": one is named " &
+            & //"JOB.dump01 or JOB.runrsf")
          return
       end if
       call self%file%open(path, good)
@@ -74,7 +76,8 @@ contains
       end if
       call self%file%read_text(run_group, "kind", kind, good)
       if (.not. good .or. kind /= dump_kind) then
-         call fail(error, exit_input, path//" is a file of HDF5, but no restart file of plydyn")
+         call fail(error, exit_input, path//" is a file of HDF5, but no restart file of plydyn: " &
+            & //"one is named JOB.dump01 or JOB.runrsf")
          return
       end if
       call self%file%read_number(run_group, "format", form, good)
@@ -94,7 +97,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: endings, name
-      logical :: good(6)
+      logical :: good(7)
+      real(wp) :: clock(1)
 
       good(:) = .true.
       call self%file%read_text(run_group, "version", job%version, good(1))
@@ -106,8 +110,14 @@ contains
       job%dumps = max(job%dumps, number_of_dump(self%path))
       if (all(good)) call read_places(self, endings, job, good(5))
       if (all(good)) call read_decks(self, job%archive, good(6))
-      if (.not. all(good)) call fail(error, exit_input, self%path//" is damaged: go on from " &
-         & //"another restart file")
+      if (all(good)) call self%file%read_reals(state_group//"/time", clock, good(7))
+      job%start_time = clock(1)
+      if (.not. all(good(:6))) then
+         call fail(error, exit_input, self%path//" is damaged: go on from another restart file")
+      else if (.not. good(7)) then
+         call fail(error, exit_input, self%path//" is damaged: the time is not what was " &
+            & //"written; go on from another restart file")
+      end if
       if (.not. allocated(error)) job%deck = job%archive%bundles(1)%documents(1)%path
    end subroutine read_job
 
@@ -173,6 +183,7 @@ contains
       type(bundle_type) :: bundle
       character(:), allocatable :: group
       integer :: d
+      real(wp), allocatable :: starts(:)
 
       good = self%file%has(deck_group)
       allocate (archive%bundles(0))
@@ -190,6 +201,11 @@ contains
          call archive%add_bundle(bundle)
       end do
       good = good .and. size(archive%bundles) > 0
+      if (good) then
+         allocate (starts(size(archive%bundles)))
+         call self%file%read_reals(run_group//"/starts", starts, good)
+         archive%bundles%start = starts
+      end if
       if (good) good = size(archive%bundles(1)%documents) > 0
    end subroutine read_decks
 
@@ -209,24 +225,39 @@ contains
    end subroutine read_document
 
    !> Read the state and close the file; all ranks must come here
-   subroutine read_state(self, parts, with_conditions, state, error)
+   subroutine read_state(self, parts, changes, state, error)
       class(dump_input_type), intent(inout) :: self
       !> Which places of the arrays this rank reads
       type(state_layout_type), intent(in) :: parts
-      !> Whether supports and loads are those of the file; if not, they are left alone
-      logical, intent(in) :: with_conditions
+      !> Supports, loads and bodies that are not those of the file are left alone
+      type(changes_type), intent(in) :: changes
       !> The state, with the arrays of the model allocated; those that are not take any length
       type(state_type), intent(inout) :: state
       !> The file is damaged or not for this model; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       self%parts = parts
-      self%with_conditions = with_conditions
+      self%changes = changes
       call exchange_state(self, state)
       call self%file%close()
       if (allocated(self%error)) call move_alloc(self%error, error)
       call parts%comm%broadcast_error(error)
    end subroutine read_state
+
+   !> Whether an array is not the file's: it belongs to supports, loads or bodies of the deck of the
+   !> restart. Contacts begin anew where any body does
+   logical function is_new(self, name)
+      class(dump_input_type), intent(in) :: self
+      !> Name of the array
+      character(*), intent(in) :: name
+
+      is_new = self%changes%conditions .and. any(conditions == name)
+      if (is_new .or. .not. self%changes%bodies) return
+      is_new = index(name, "contact_") == 1
+      if (index(name, "impactor_") == 1 .or. index(name, "fixture_") == 1) then
+         is_new = .not. self%file%has(state_group//"/"//name)
+      end if
+   end function is_new
 
    !> Read an array, unless something went wrong before
    subroutine read_reals(self, name, values)
@@ -236,7 +267,7 @@ contains
 
       logical :: good
 
-      if (.not. self%with_conditions .and. any(conditions == name)) return
+      if (is_new(self, name)) return
       if (self%parts%is_divided(name)) then
          call read_part(self, name, values)
          return
@@ -280,6 +311,7 @@ contains
       logical :: good
 
       if (allocated(self%error)) return
+      if (is_new(self, name)) return
       if (.not. allocated(values)) then
          allocate (values(max(0, self%file%extent(state_group//"/"//name))))
       end if

@@ -40,11 +40,11 @@ module plydyn_io_checkpoint_state_layout
 contains
 
    !> Prepare for a domain. All ranks must come here
-   function new_state_layout(domain, share) result(self)
+   function new_state_layout(domain, subdomain) result(self)
       !> The domain of this rank
       type(domain_type), intent(in) :: domain
       !> What this rank has of the whole model
-      type(subdomain_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: subdomain
       type(state_layout_type) :: self
 
       integer :: held, i, moving
@@ -54,11 +54,11 @@ contains
       self%comm = domain%comm
       if (self%comm%ranks == 1) return
       self%parts(motion) = new_part(self%comm, alignment_offset &
-         & + domain%columns%height*share%columns, &
-         & column_pieces(domain%columns%height, share%column), share%own)
-      self%parts(history) = new_part(self%comm, share%histories, share%history, &
-         & spread(.true., 1, size(share%history, 2)))
-      call number_supports(domain, share, number, own, held)
+         & + domain%columns%height*subdomain%columns, &
+         & column_segments(domain%columns%height, subdomain%column), subdomain%own)
+      self%parts(history) = new_part(self%comm, subdomain%histories, subdomain%history, &
+         & spread(.true., 1, size(subdomain%history, 2)))
+      call number_supports(domain, subdomain, number, own, held)
       moving = sum(domain%supports%motions%all)
       allocate (support(3, size(number)))
       support(1, :) = [(i, i=1, size(number))]
@@ -72,20 +72,21 @@ contains
       end associate
    end function new_state_layout
 
-   !> The pieces of one array
-   function new_part(comm, whole, piece, own) result(self)
+   !> The segments of one array
+   function new_part(comm, whole, segment, own) result(self)
       type(comm_type), intent(in) :: comm
       !> Length of the array
       integer, intent(in) :: whole
       !> As for `new_distributed_array`, and whether this rank counts each of them
-      integer, intent(in) :: piece(:, :)
+      integer, intent(in) :: segment(:, :)
       logical, intent(in) :: own(:)
       type(part_type) :: self
 
       integer :: i
 
-      self%had = new_distributed_array(comm, whole, piece)
-      self%counted = new_distributed_array(comm, whole, piece(:, pack([(i, i=1, size(own))], own)))
+      self%had = new_distributed_array(comm, whole, segment)
+      self%counted = new_distributed_array(comm, whole, &
+         & segment(:, pack([(i, i=1, size(own))], own)))
    end function new_part
 
    !> What kind of array has a name
@@ -134,9 +135,9 @@ contains
 
    !> Places of supports in the list of the whole model: held points column by column, then those of
    !> each motion
-   subroutine number_supports(domain, share, number, own, held)
+   subroutine number_supports(domain, subdomain, number, own, held)
       type(domain_type), intent(in) :: domain
-      type(subdomain_type), intent(in) :: share
+      type(subdomain_type), intent(in) :: subdomain
       !> Place of each
       integer, allocatable, intent(out) :: number(:)
       !> Whether it is counted here
@@ -144,13 +145,13 @@ contains
       !> Held points of the whole model
       integer, intent(out) :: held
 
-      integer :: before(share%columns + 1), c, column(size(domain%supports%held)), i, m
-      real(wp) :: points(share%columns)
+      integer :: before(subdomain%columns + 1), c, column(size(domain%supports%held)), i, m
+      real(wp) :: points(subdomain%columns)
 
       column(:) = domain%columns%column_of(domain%supports%held)
       points(:) = 0.0_wp
       do i = 1, size(column)
-         associate (there => share%column(column(i)))
+         associate (there => subdomain%column(column(i)))
             points(there) = points(there) + 1.0_wp
          end associate
       end do
@@ -162,12 +163,12 @@ contains
       held = before(size(before))
       allocate (number(size(column)))
       do i = 1, size(column)
-         associate (next => before(share%column(column(i))))
+         associate (next => before(subdomain%column(column(i))))
             next = next + 1
             number(i) = next
          end associate
       end do
-      own = share%own(column)
+      own = subdomain%own(column)
       i = held
       do m = 1, size(domain%supports%motions)
          number = [number, i + domain%supports%motions(m)%number]
@@ -176,16 +177,16 @@ contains
       end do
    end subroutine number_supports
 
-   !> Pieces of the arrays of motion, a column each
-   pure function column_pieces(height, column) result(piece)
+   !> Segments of the arrays of motion, a column each
+   pure function column_segments(height, column) result(segment)
       integer, intent(in) :: height, column(:)
-      integer :: piece(3, size(column))
+      integer :: segment(3, size(column))
       integer :: i
 
       do i = 1, size(column)
-         piece(:, i) = [alignment_offset + height*(i - 1) + 1, alignment_offset &
+         segment(:, i) = [alignment_offset + height*(i - 1) + 1, alignment_offset &
             & + height*(column(i) - 1) + 1, height]
       end do
-   end function column_pieces
+   end function column_segments
 
 end module plydyn_io_checkpoint_state_layout

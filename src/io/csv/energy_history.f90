@@ -4,13 +4,10 @@ module plydyn_io_csv_energy_history
    use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
    use plydyn_domain_dissipation, only : dissipated_energies, hourglass_energy
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_law_law, only : mechanism_names, mechanisms
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_model_model, only : model_type
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -31,45 +28,40 @@ module plydyn_io_csv_energy_history
 contains
 
    !> Create the file, or go on with it
-   subroutine open_energies(self, job, model, domain, error)
+   subroutine open_energies(self, job, simulation, error)
       class(energy_history_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(20) :: columns(size(names), 2)
+      character(20) :: units(size(names))
 
-      associate (u => model%control%units)
-         columns(:, 1) = names
-         columns(:, 2) = u%energy
-         columns(1:3, 2) = [character(20) :: "-", u%time, u%time]
-         columns(size(names) - 4, 2) = "-"
-         columns(size(names) - 3:size(names) - 1, 2) = trim(u%force)//" "//u%time
-         columns(size(names), 2) = "-"
+      associate (u => simulation%model%control%units)
+         units(:) = u%energy
+         units(1:3) = [character(20) :: "-", u%time, u%time]
+         units(size(names) - 4) = "-"
+         units(size(names) - 3:size(names) - 1) = trim(u%force)//" "//u%time
+         units(size(names)) = "-"
       end associate
-      call self%open_file(job, domain%comm, job%path//".energy.csv", columns, &
-         & model%request%energy_interval, error)
+      call self%open_file(job, simulation, ".energy.csv", names, units, &
+         & simulation%model%request%energy_interval, error)
    end subroutine open_energies
 
    !> Add a line
-   subroutine record_energies(self, domain, contacts, state, error)
+   subroutine record_energies(self, simulation, error)
       class(energy_history_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: dissipated(mechanisms), hourglass
       type(delamination_type), allocatable :: lost(:)
 
       allocate (lost(0))
-      if (can_fail(domain)) lost = delamination(domain, state%history)
-      dissipated(:) = dissipated_energies(domain, state%history, lost)
-      hourglass = hourglass_energy(domain, state%displacement, state%history)
-      associate (e => state%energies)
+      associate (domain => simulation%domain, state => simulation%state, &
+         & e => simulation%state%energies)
+         if (can_fail(domain)) lost = delamination(domain, state%history)
+         dissipated(:) = dissipated_energies(domain, state%history, lost)
+         hourglass = hourglass_energy(domain, state%displacement, state%history)
          call self%write_line([real(state%cycle, wp), state%time, state%step_before, e%kinetic, &
             & e%internal, sum(dissipated), e%impactor, e%damping, e%external, e%contact, &
             & e%friction, dissipated, hourglass, e%half_step_correction - e%step_change - e%added, &

@@ -6,8 +6,7 @@ module plydyn_io_csv_fixture_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_model_model, only : model_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -40,43 +39,37 @@ contains
    end function new_fixture_history
 
    !> Create the file, or go on with it
-   subroutine open_fixture(self, job, model, domain, error)
+   subroutine open_fixture(self, job, simulation, error)
       class(fixture_history_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(20) :: columns(size(names), 2)
+      character(20) :: units(size(names))
 
-      associate (u => model%control%units)
-         columns(:, 1) = names
-         columns(1, 2) = u%time
-         columns(2:4, 2) = u%force
-         columns(5:7, 2) = trim(u%force)//" "//u%time
-         columns(8:, 2) = [character(20) :: trim(u%length)//"2", "-", u%length, u%length, u%energy]
+      associate (u => simulation%model%control%units)
+         units(1) = u%time
+         units(2:4) = u%force
+         units(5:7) = trim(u%force)//" "//u%time
+         units(8:) = [character(20) :: trim(u%length)//"2", "-", u%length, u%length, u%energy]
       end associate
-      call self%open_file(job, domain%comm, job%path//".fixture_" &
-         & //text(model%fixtures(self%fixture)%id)//".csv", columns, &
-         & model%request%fixture_interval, error)
+      call self%open_file(job, simulation, ".fixture_" &
+         & //text(simulation%model%fixtures(self%fixture)%id)//".csv", names, units, &
+         & simulation%model%request%fixture_interval, error)
    end subroutine open_fixture
 
    !> Add a line. All ranks come here
-   subroutine record_fixture(self, domain, contacts, state, error)
+   subroutine record_fixture(self, simulation, error)
       class(fixture_history_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: highest(1)
 
-      highest(:) = uplift(domain, self%fixture, state)
-      call domain%comm%max(highest)
-      associate (own => state%fixtures(self%fixture))
-         call self%write_line([state%time, own%force, own%impulse, own%area, &
+      highest(:) = uplift(simulation%domain, self%fixture, simulation%state)
+      call self%comm%max(highest)
+      associate (own => simulation%state%fixtures(self%fixture))
+         call self%write_line([simulation%state%time, own%force, own%impulse, own%area, &
             & real(own%contacts, wp), own%slip, highest, own%friction], error)
       end associate
    end subroutine record_fixture

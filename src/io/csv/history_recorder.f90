@@ -2,16 +2,14 @@
 module plydyn_io_csv_history_recorder
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_file, only : history_file_type
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
    use plydyn_io_schedule, only : schedule_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_method_observer, only : requests_type
+   use plydyn_method_observer, only : instant_of, instant_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_file_positions, only : file_positions_type
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -39,14 +37,12 @@ module plydyn_io_csv_history_recorder
 
    abstract interface
       !> Write the lines of this time. All ranks come here
-      subroutine record_lines(self, domain, contacts, state, error)
-         import :: contacts_type, domain_type, error_type, history_recorder_type, state_type
+      subroutine record_lines(self, simulation, error)
+         import :: error_type, history_recorder_type, simulation_type
          implicit none
          class(history_recorder_type), intent(inout) :: self
-         !> The domain of this rank, its contacts and its state
-         type(domain_type), intent(in) :: domain
-         type(contacts_type), intent(in) :: contacts
-         type(state_type), intent(in) :: state
+         !> The simulation at the end of a step
+         class(simulation_type), intent(in) :: simulation
          !> Why they could not be written; the same on all ranks
          type(error_type), allocatable, intent(out) :: error
       end subroutine record_lines
@@ -55,42 +51,33 @@ module plydyn_io_csv_history_recorder
 contains
 
    !> Whether a line is due at the end of a step
-   pure logical function due(self, time, cycle, is_last)
+   pure logical function due(self, instant)
       class(history_recorder_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      type(instant_type), intent(in) :: instant
 
       due = self%is_active
-      if (due) due = is_last .or. self%schedule%due(time)
+      if (due) due = instant%is_last .or. self%schedule%due(instant%time)
    end function due
 
    !> Write the lines, if they are due
-   subroutine record_due(self, domain, contacts, state, error)
+   subroutine record_due(self, simulation, error)
       class(history_recorder_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%due(state%time, state%cycle, state%is_finished())) return
-      call self%record(domain, contacts, state, error)
-      call self%schedule%advance(state%time)
+      if (.not. self%due(instant_of(simulation%state))) return
+      call self%record(simulation, error)
+      call self%schedule%advance(simulation%state%time)
    end subroutine record_due
 
    !> The lines of a step
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(history_recorder_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      call self%record_due(domain, contacts, state, error)
+      call self%record_due(simulation, error)
    end subroutine notify
 
    !> Put all lines on the disk, and add how far the file has been written
@@ -107,11 +94,9 @@ contains
    end subroutine mark_file
 
    !> Close the file
-   subroutine close_recorder(self, domain, state, outcome, error)
+   subroutine close_recorder(self, simulation, outcome, error)
       class(history_recorder_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(in) :: outcome
       !> Why it could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
@@ -122,31 +107,30 @@ contains
    end subroutine close_recorder
 
    !> Let the root create the file, or go on with it. All ranks come here
-   subroutine open_file(self, job, comm, path, columns, interval, error)
+   subroutine open_file(self, job, simulation, ending, names, units, interval, error)
       class(history_recorder_type), intent(inout) :: self
-      !> The job
       type(job_type), intent(in) :: job
-      !> The ranks
-      type(comm_type), intent(in) :: comm
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Name and unit of each column, (columns, 2)
-      character(*), intent(in) :: columns(:, :)
+      !> The simulation, which has the ranks
+      class(simulation_type), intent(in) :: simulation
+      !> What the path of the file has behind that of the results
+      character(*), intent(in) :: ending
+      !> Name and unit of each column
+      character(*), intent(in) :: names(:), units(:)
       !> Time between two lines; 0 for every step
       real(wp), intent(in) :: interval
       !> Why it could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      self%comm = comm
+      self%comm = simulation%domain%comm
       self%is_active = .true.
       self%schedule = schedule_type(interval)
-      associate (position => job%places%at(path))
-         if (position%amount >= 0) call self%schedule%resume(position)
+      associate (path => job%path//ending)
+         associate (position => job%places%at(path))
+            if (position%amount >= 0) call self%schedule%resume(position)
+         end associate
+         if (self%comm%is_root()) call self%file%open(path, names, units, job%places, error)
       end associate
-      if (comm%is_root()) then
-         call self%file%open(path, columns(:, 1), columns(:, 2), job%places, error)
-      end if
-      call comm%broadcast(error)
+      call self%comm%broadcast(error)
    end subroutine open_file
 
    !> Let the root write a line. All ranks come here

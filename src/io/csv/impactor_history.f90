@@ -3,12 +3,9 @@ module plydyn_io_csv_impactor_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_model_model, only : model_type
-   use plydyn_state_state, only : state_type
+   use plydyn_method_simulation, only : simulation_type
    implicit none
    private
 
@@ -16,7 +13,10 @@ module plydyn_io_csv_impactor_history
 
    !> Columns
    character(20), parameter :: names(*) = [character(20) :: "time", "force", "displacement", &
-      & "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", "penetration"]
+      & "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", "penetration", &
+      & "displacement x", "displacement y", "velocity x", "velocity y", "angular velocity x", &
+      & "angular velocity y", "angular velocity z", "impulse x", "impulse y", "impulse z", &
+      & "friction"]
 
    !> The history
    type, public, extends(history_recorder_type) :: impactor_history_type
@@ -40,44 +40,43 @@ contains
    end function new_impactor_history
 
    !> Create the file, or go on with it
-   subroutine open_impactor(self, job, model, domain, error)
+   subroutine open_impactor(self, job, simulation, error)
       class(impactor_history_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(20) :: columns(size(names), 2)
+      character(20) :: units(size(names)), velocity
+      integer :: c
 
-      associate (u => model%control%units)
-         columns(:, 1) = names
-         columns(:, 2) = [character(20) :: u%time, u%force, u%length, &
-            & trim(u%length)//"/"//u%time, u%energy, u%energy, u%force, u%force, "-", u%length]
+      associate (u => simulation%model%control%units)
+         velocity = trim(u%length)//"/"//u%time
+         units(:) = [character(20) :: u%time, u%force, u%length, velocity, u%energy, &
+            & u%energy, u%force, u%force, "-", u%length, u%length, u%length, velocity, velocity, &
+            & ("1/"//u%time, c=1, 3), (trim(u%force)//" "//u%time, c=1, 3), u%energy]
       end associate
-      call self%open_file(job, domain%comm, job%path//".impactor_" &
-         & //text(model%impactors(self%impactor)%id)//".csv", columns, &
-         & model%request%impactor_interval, error)
+      call self%open_file(job, simulation, ".impactor_" &
+         & //text(simulation%model%impactors(self%impactor)%id)//".csv", names, units, &
+         & simulation%model%request%impactor_interval, error)
    end subroutine open_impactor
 
    !> Add a line, from numbers that all ranks have alike
-   subroutine record_impactor(self, domain, contacts, state, error)
+   subroutine record_impactor(self, simulation, error)
       class(impactor_history_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: kinetic, start
 
-      associate (own => state%impactors(self%impactor), &
-         & impactor => domain%contact%impactors(self%impactor))
+      associate (own => simulation%state%impactors(self%impactor), &
+         & impactor => simulation%domain%contact%impactors(self%impactor))
          kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
+         if (impactor%rotates) kinetic = kinetic + 0.5_wp*impactor%inertia*sum(own%spin**2)
          start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
-         call self%write_line([state%time, own%force(3), own%displacement(3), own%velocity(3), &
-            & kinetic, start - kinetic, own%force(1:2), real(own%contacts, wp), own%penetration], &
-            & error)
+         call self%write_line([simulation%state%time, own%force(3), own%displacement(3), &
+            & own%velocity(3), kinetic, start + own%work - kinetic, own%force(1:2), &
+            & real(own%contacts, wp), own%penetration, own%displacement(:2), own%velocity(:2), &
+            & own%spin, own%impulse, own%friction], error)
       end associate
    end subroutine record_impactor
 

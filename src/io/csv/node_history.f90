@@ -10,8 +10,7 @@ module plydyn_io_csv_node_history
    use plydyn_io_owned_columns, only : counted_columns
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_state_state, only : state_type
+   use plydyn_method_simulation, only : simulation_type
    implicit none
    private
 
@@ -34,35 +33,35 @@ module plydyn_io_csv_node_history
 contains
 
    !> Find the nodes, and create the file, if the deck asks for any
-   subroutine open_nodes(self, job, model, domain, error)
+   subroutine open_nodes(self, job, simulation, error)
       class(node_history_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(header_length) :: table(1 + 12*size(model%request%nodes), 2)
+      character(header_length), allocatable :: names(:), units(:)
       integer :: columns, face, faces, i
 
-      if (size(model%request%nodes) == 0) return
-      allocate (self%freedom(0))
-      ! the node of an element in space is one point
-      faces = merge(2, 1, any(domain%layers%order > 0))
-      do i = 1, size(model%request%nodes)
-         do face = 1, faces
-            self%freedom = [self%freedom, places_of(domain, &
-               & model%mesh%node_id(model%request%nodes(i)), &
-               & face_point(domain%layers, merge(bottom_face, top_face, face == 1)))]
+      associate (domain => simulation%domain, model => simulation%model)
+         if (size(model%request%nodes) == 0) return
+         allocate (self%freedom(0))
+         ! the node of an element in space is one point
+         faces = merge(2, 1, any(domain%layers%order > 0))
+         do i = 1, size(model%request%nodes)
+            do face = 1, faces
+               self%freedom = [self%freedom, places_of(domain, &
+                  & model%mesh%node_id(model%request%nodes(i)), &
+                  & face_point(domain%layers, merge(bottom_face, top_face, face == 1)))]
+            end do
          end do
-      end do
-      columns = 1 + 2*size(self%freedom)
-      allocate (self%row(columns), self%is_known(columns))
-      self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
-         & i=1, size(self%freedom), 3)]]
-      call name_columns(model, faces, table(:columns, 1), table(:columns, 2))
-      call self%open_file(job, domain%comm, job%path//".nodes.csv", table(:columns, :), &
-         & model%request%node_interval, error)
+         columns = 1 + 2*size(self%freedom)
+         allocate (self%row(columns), self%is_known(columns), names(columns), units(columns))
+         self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
+            & i=1, size(self%freedom), 3)]]
+         call name_columns(model, faces, names, units)
+         call self%open_file(job, simulation, ".nodes.csv", names, units, &
+            & model%request%node_interval, error)
+      end associate
    end subroutine open_nodes
 
    !> Time, then for each node and face displacement and velocity, such as `n17 top uz`
@@ -115,12 +114,9 @@ contains
    end function places_of
 
    !> Add a line; the velocity is that of the full step
-   subroutine record_nodes(self, domain, contacts, state, error)
+   subroutine record_nodes(self, simulation, error)
       class(node_history_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       integer :: first, i
@@ -129,14 +125,14 @@ contains
       do i = 1, size(self%freedom)/3
          first = 1 + 6*(i - 1)
          if (.not. self%is_known(first + 1)) cycle
-         associate (freedom => self%freedom(3*i - 2:3*i))
+         associate (freedom => self%freedom(3*i - 2:3*i), state => simulation%state)
             self%row(first + 1:first + 3) = state%displacement(freedom)
             self%row(first + 4:first + 6) = state%velocity(freedom) &
                & + 0.5_wp*state%step_before*state%acceleration(freedom)
          end associate
       end do
       call self%comm%merge(self%is_known, self%row)
-      self%row(1) = state%time
+      self%row(1) = simulation%state%time
       call self%write_line(self%row, error)
    end subroutine record_nodes
 

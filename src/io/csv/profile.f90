@@ -15,9 +15,8 @@ module plydyn_io_csv_profile
    use plydyn_fem_expansion, only : lagrange
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : profile_type, total_lagrangian
-   use plydyn_model_model, only : model_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -93,28 +92,25 @@ contains
    end function new_profile_file
 
    !> Find the place, and create the file
-   subroutine open_profile(self, job, model, domain, error)
+   subroutine open_profile(self, job, simulation, error)
       class(profile_file_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(8) :: table(columns, 2)
+      character(8) :: units(columns)
 
-      associate (profile => model%request%profiles(self%profile), units => model%control%units)
+      associate (profile => simulation%model%request%profiles(self%profile), &
+         & u => simulation%model%control%units)
          self%points = profile%points
-         call find_quads(self, domain, profile%position)
-         call number_quads(self, domain)
-         table(:, 1) = names
-         table(1:6, 2) = [units%time, units%length, "-       ", units%length, units%length, &
-            & units%length]
-         table(7:12, 2) = units%stress
-         table(13:18, 2) = "-"
-         table(19:24, 2) = units%stress
-         call self%open_file(job, domain%comm, job%path//".profile_"//text(profile%id)//".csv", &
-            & table, profile%interval, error)
+         call find_quads(self, simulation%domain, profile%position)
+         call number_quads(self, simulation%domain)
+         units(1:6) = [u%time, u%length, "-       ", u%length, u%length, u%length]
+         units(7:12) = u%stress
+         units(13:18) = "-"
+         units(19:24) = u%stress
+         call self%open_file(job, simulation, ".profile_"//text(profile%id)//".csv", names, units, &
+            & profile%interval, error)
       end associate
    end subroutine open_profile
 
@@ -192,27 +188,27 @@ contains
    end subroutine find_local
 
    !> Write a block of rows
-   subroutine record(self, domain, contacts, state, error)
+   subroutine record(self, simulation, error)
       class(profile_file_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: part, values(quantities, self%all_quads, self%points, size(domain%layers%order))
+      real(wp) :: part
+      real(wp), allocatable :: values(:, :, :, :)
       integer :: i, k
 
-      call find_values(self, domain, state, values)
-      do k = 1, size(values, 4)
-         do i = 1, self%points
-            part = share_of(self, i)
-            call self%write_line([state%time, (1.0_wp - part)*domain%layers%bottom(k) &
-               & + part*domain%layers%top(k), real(domain%layers%ply(k), wp), &
-               & mean(values(:, :, i, k))], error)
-            if (allocated(error)) return
+      associate (layers => simulation%domain%layers)
+         allocate (values(quantities, self%all_quads, self%points, size(layers%order)))
+         call find_values(self, simulation%domain, simulation%state, values)
+         do k = 1, size(layers%order)
+            do i = 1, self%points
+               part = share_of(self, i)
+               call self%write_line([simulation%state%time, (1.0_wp - part)*layers%bottom(k) &
+                  & + part*layers%top(k), real(layers%ply(k), wp), mean(values(:, :, i, k))], error)
+               if (allocated(error)) return
+            end do
          end do
-      end do
+      end associate
    end subroutine record
 
    !> Height of a point in its layer, from 0 to 1

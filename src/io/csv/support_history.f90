@@ -5,20 +5,22 @@ module plydyn_io_csv_support_history
    use plydyn_base_error, only : error_type
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : name_length
    use plydyn_io_owned_columns, only : counted_columns
    use plydyn_io_csv_history_file, only : header_line
    use plydyn_io_job, only : job_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_csv_support_table, only : choose_table
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_state_file_positions, only : file_positions_type
-   use plydyn_parallel_comm, only : comm_type
-   use plydyn_state_state, only : state_type
+   use plydyn_io_csv_text_file, only : end_text, has_header
+   use plydyn_state_file_positions, only : file_position_type, file_positions_type, &
+      & new_file_positions
    implicit none
    private
+
+   public :: choose_table
 
    !> Components of a force
    character(2), parameter :: components(3) = ["fx", "fy", "fz"]
@@ -46,24 +48,24 @@ module plydyn_io_csv_support_history
 contains
 
    !> Find the terms of the sums, and create the file, if the deck asks for it
-   subroutine open_supports(self, job, model, domain, error)
+   subroutine open_supports(self, job, simulation, error)
       class(support_history_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       character(name_length), allocatable :: names(:)
       integer, allocatable :: number(:)
 
-      if (model%request%support_interval < 0.0_wp) return
-      self%reads_motion = .false.
-      call find_names(model, names, number)
-      self%sum = sums_of_supports(domain, number, size(model%holds))
-      self%sums = new_exact_sums(3 + 3*size(names))
-      allocate (self%row(4 + 3*size(names)))
-      call open_table(self, job, model, domain%comm, names, error)
+      associate (model => simulation%model)
+         if (model%request%support_interval < 0.0_wp) return
+         self%reads_motion = .false.
+         call find_names(model, names, number)
+         self%sum = sums_of_supports(simulation%domain, number, size(model%holds))
+         self%sums = new_exact_sums(3 + 3*size(names))
+         allocate (self%row(4 + 3*size(names)))
+         call open_table(self, job, simulation, names, error)
+      end associate
    end subroutine open_supports
 
    !> Names of all supports, each once, and the number of the name of each support and motion
@@ -89,36 +91,100 @@ contains
    end subroutine find_names
 
    !> Begin the table, or go on with it
-   subroutine open_table(self, job, model, comm, names, error)
+   subroutine open_table(self, job, simulation, names, error)
       class(support_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(comm_type), intent(in) :: comm
+      class(simulation_type), intent(in) :: simulation
       !> Names of the supports
       character(name_length), intent(in) :: names(:)
       type(error_type), allocatable, intent(out) :: error
 
-      character(header_length) :: columns(size(self%row), 2)
-      character(:), allocatable :: path
+      character(header_length) :: headers(size(self%row)), units(size(self%row))
+      character(:), allocatable :: ending
       integer :: c, i
 
-      columns(:4, 1) = [character(header_length) :: "time", components]
+      headers(:4) = [character(header_length) :: "time", components]
       do i = 1, size(names)
          do c = 1, 3
-            columns(1 + 3*i + c, 1) = trim(names(i))//" "//components(c)
+            headers(1 + 3*i + c) = trim(names(i))//" "//components(c)
          end do
       end do
-      columns(:, 2) = model%control%units%force
-      columns(1, 2) = model%control%units%time
-      ! the root alone looks at the files
-      path = ""
-      if (comm%is_root()) call choose_table(job, header_line(columns(:, 1), columns(:, 2)), &
-         & model%changes%conditions, path, self%ended, error)
-      call comm%broadcast(error)
-      if (allocated(error)) return
-      call comm%broadcast(path)
-      call self%open_file(job, comm, path, columns, model%request%support_interval, error)
+      associate (comm => simulation%domain%comm, model => simulation%model)
+         units(:) = model%control%units%force
+         units(1) = model%control%units%time
+         ! the root alone looks at the files
+         ending = ""
+         if (comm%is_root()) call choose_table(job, header_line(headers, units), &
+            & model%changes%conditions, ending, self%ended, error)
+         call comm%broadcast(error)
+         if (allocated(error)) return
+         call comm%broadcast(ending)
+         call self%open_file(job, simulation, ending, headers, units, &
+            & model%request%support_interval, error)
+      end associate
    end subroutine open_table
+
+   !> Find the table to begin or to go on with, and let those before it end where the restart file
+   !> was written. A restart may bring other supports: their forces have other columns and a table
+   !> of their own, beside the table that ends there
+   subroutine choose_table(job, header, is_changed, ending, ended, error)
+      type(job_type), intent(in) :: job
+      !> Heads of the columns
+      character(*), intent(in) :: header
+      !> Whether a deck of a restart may have brought other supports
+      logical, intent(in) :: is_changed
+      !> What the path of the table has behind that of the results
+      character(:), allocatable, intent(out) :: ending
+      !> Places of the tables before it
+      type(file_positions_type), intent(out) :: ended
+      !> A table before it is not as the run left it
+      type(error_type), allocatable, intent(out) :: error
+
+      type(file_position_type) :: place
+      integer :: number
+
+      ended = new_file_positions(job%path)
+      number = 1
+      do
+         ending = table_ending(number)
+         place = job%places%at(job%path//ending)
+         if (place%amount < 0) exit
+         number = number + 1
+         ! the last one goes on unless its columns are others
+         if (.not. is_known(job, number)) then
+            if (.not. is_changed) return
+            if (has_header(job%path//ending, header)) return
+         end if
+         call end_text(job%path//ending, place%amount, error)
+         if (allocated(error)) return
+         call ended%add(job%path//ending, place)
+      end do
+      if (number > 1) call job%note("other supports act from here on: their forces are in " &
+         & //job%path//ending)
+   end subroutine choose_table
+
+   !> Whether the restart file has a position in a table
+   pure logical function is_known(job, number)
+      type(job_type), intent(in) :: job
+      !> Number of the table
+      integer, intent(in) :: number
+
+      type(file_position_type) :: place
+
+      place = job%places%at(job%path//table_ending(number))
+      is_known = place%amount >= 0
+   end function is_known
+
+   !> What the path of a table has behind that of the results
+   pure function table_ending(number) result(ending)
+      !> Number of the table
+      integer, intent(in) :: number
+      character(:), allocatable :: ending
+
+      ending = ".supports"
+      if (number > 1) ending = ending//"_"//text(number)
+      ending = ending//".csv"
+   end function table_ending
 
    !> Which sum each held and prescribed freedom is a part of, 0 where this rank does not count it
    pure function sums_of_supports(domain, number, holds) result(sum)
@@ -166,24 +232,21 @@ contains
    end function directions_counted
 
    !> Add a line
-   subroutine record_supports(self, domain, contacts, state, error)
+   subroutine record_supports(self, simulation, error)
       class(support_history_type), intent(inout) :: self
-      !> As in `history_recorder_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
 
       call self%sums%clear()
       do i = 1, size(self%sum)
-         if (self%sum(i) > 0) call self%sums%add(self%sum(i), -state%supports%force(i))
+         if (self%sum(i) > 0) call self%sums%add(self%sum(i), -simulation%state%supports%force(i))
       end do
       call self%comm%sum(self%sums%limb)
       if (self%comm%is_root()) then
          call add_whole(self%sums%limb)
-         self%row(1) = state%time
+         self%row(1) = simulation%state%time
          do i = 2, size(self%row)
             self%row(i) = self%sums%value(i - 1)
          end do
@@ -207,7 +270,6 @@ contains
    !> Put all lines on the disk, and add how far the tables have been written
    subroutine mark_supports(self, positions, error)
       class(support_history_type), intent(inout) :: self
-      !> As in `observer_type`
       type(file_positions_type), intent(inout) :: positions
       type(error_type), allocatable, intent(out) :: error
 

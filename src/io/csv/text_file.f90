@@ -85,10 +85,8 @@ contains
 
    !> Go on with a text file behind some byte; later bytes are dropped
    subroutine continue_text(path, header, length, unit, error)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Its first line
-      character(*), intent(in) :: header
+      !> Path of the file, and its first line
+      character(*), intent(in) :: path, header
       !> Bytes that stay
       integer(int64), intent(in) :: length
       !> Unit to write lines to
@@ -136,10 +134,8 @@ contains
 
    !> Whether a text file is there and begins with some line
    logical function has_header(path, header)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> The line
-      character(*), intent(in) :: header
+      !> Path of the file, and the line
+      character(*), intent(in) :: path, header
 
       ! one character more than the header shows whether the line is longer
       character(len(header) + 1) :: found

@@ -141,10 +141,8 @@ contains
    subroutine write_text(self, place, name, value)
       !> The file
       class(hdf5_file_type), intent(inout) :: self
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
+      !> Path of the group or dataset that gets the attribute, and name of the attribute
+      character(*), intent(in) :: place, name
       !> Its value
       character(*), intent(in) :: value
 
@@ -211,7 +209,8 @@ contains
 
       good = .true.
       if (self%comm%is_root()) call secure_file(self%path, good)
-      if (.not. good) call fail(error, exit_output, "cannot bring "//self%path//" to its disk")
+      if (.not. good) call fail(error, exit_output, "cannot bring "//self%path//" to its " &
+         & //"disk, which must have room and be writable")
       call self%comm%broadcast(error)
    end subroutine secure
 
@@ -227,7 +226,8 @@ contains
 
       good = .true.
       if (self%comm%is_root()) call rename_file(self%path, path, good)
-      if (.not. good) call fail(error, exit_output, "cannot rename "//self%path//" to "//path)
+      if (.not. good) call fail(error, exit_output, "cannot rename "//self%path//" to "//path &
+         & //": their folder must be writable")
       call self%comm%broadcast(error)
       if (.not. allocated(error)) self%path = path
    end subroutine rename

@@ -192,10 +192,8 @@ contains
    !> Read an attribute of one integer
    subroutine read_number(self, place, name, value, good)
       class(hdf5_input_type), intent(in) :: self
-      !> Path of the group or dataset that has the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
+      !> Path of the group or dataset that has the attribute, and name of the attribute
+      character(*), intent(in) :: place, name
       !> Its value
       integer, intent(inout), target :: value
       !> True when there is such a number
@@ -221,10 +219,8 @@ contains
    !> Read an attribute of text
    subroutine read_text(self, place, name, value, good)
       class(hdf5_input_type), intent(in) :: self
-      !> Path of the group or dataset that has the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
+      !> Path of the group or dataset that has the attribute, and name of the attribute
+      character(*), intent(in) :: place, name
       !> Its value
       character(:), allocatable, intent(out) :: value
       !> True when there is such a text

@@ -42,7 +42,6 @@ contains
 
    !> Create a dataset
    subroutine create_dataset(file, name, storage, good)
-      !> The file
       type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
@@ -79,7 +78,6 @@ contains
 
    !> Open a dataset
    subroutine open_dataset(file, name, dataset, good)
-      !> The file
       type(handle_type), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
@@ -96,7 +94,6 @@ contains
 
    !> Close a dataset, and write what is held back of it
    subroutine close_dataset(dataset, good)
-      !> The dataset
       type(handle_type), intent(in) :: dataset
       !> True when all went well
       logical, intent(out) :: good

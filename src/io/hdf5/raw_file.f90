@@ -93,7 +93,6 @@ contains
 
    !> Write all that the library holds back: it outlives a kill of this process
    subroutine flush_file(file, good)
-      !> The file
       type(handle_type), intent(in) :: file
       !> True when all went well
       logical, intent(out) :: good
@@ -106,7 +105,6 @@ contains
 
    !> Close a file and all that is open in it
    subroutine close_file(file, good)
-      !> The file
       type(handle_type), intent(in) :: file
       !> True when all went well
       logical, intent(out) :: good
@@ -119,7 +117,6 @@ contains
 
    !> Create a group
    subroutine create_group(file, name, good)
-      !> The file
       type(handle_type), intent(in) :: file
       !> Path of the group in the file
       character(*), intent(in) :: name
@@ -139,12 +136,9 @@ contains
 
    !> Write an attribute of text, of exactly its length
    subroutine write_text_attribute(file, place, name, value, good)
-      !> The file
       type(handle_type), intent(in) :: file
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
+      !> Path of the group or dataset that gets the attribute, and name of the attribute
+      character(*), intent(in) :: place, name
       !> Its value, of at least one character
       character(*), intent(in), target :: value
       !> True when all went well
@@ -169,12 +163,9 @@ contains
 
    !> Write an attribute of long integers: in place when it is there, else create it
    subroutine write_attribute(file, place, name, values, good)
-      !> The file
       type(handle_type), intent(in) :: file
-      !> Path of the group or dataset that gets the attribute
-      character(*), intent(in) :: place
-      !> Name of the attribute
-      character(*), intent(in) :: name
+      !> Path of the group or dataset that gets the attribute, and name of the attribute
+      character(*), intent(in) :: place, name
       !> Its values; one of them is a number, not a list
       integer, intent(in), target, contiguous :: values(:)
       !> True when all went well

@@ -22,9 +22,7 @@ contains
    subroutine write_damage(unit, model, domain)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       integer :: i

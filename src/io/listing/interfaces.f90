@@ -5,13 +5,13 @@ module plydyn_io_listing_interfaces
    use plydyn_domain_delamination, only : delamination_type, failing_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
-      & normal, &
-      & shear
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
+   use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : final_over_onset
    use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, &
       & stiffness_ratio, &
       & strength_factor
+   use plydyn_law_scatter, only : scatter_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
    use plydyn_io_listing_table, only : table_type, write_section
@@ -32,7 +32,6 @@ contains
    subroutine write_interface_laws(unit, model)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The model
       type(model_type), intent(in) :: model
 
       type(process_zone_type) :: zone
@@ -46,6 +45,7 @@ contains
             call write_section(unit, "Interface material "//text(material%id)//" "//material%title)
             call write_options(unit, material%constants, material%nodal, material%fitted)
             call write_modes(unit, model%control%units, material%constants, zone)
+            call write_scatter(unit, model%control%units, material%scatter)
             call write_notes(unit, model%control%units, material%constants, zone)
          end associate
       end do
@@ -63,9 +63,14 @@ contains
       write (unit, "(2a)") "stiffness of closed faces     ", &
          & trim(merge("falls with damage", "stays whole      ", constants%falling_penalty))
       write (unit, "(2a)") "friction of failed faces      ", text(constants%friction, 3)
+      if (constants%by_work) write (unit, "(a)") "mix of modes                  " &
+         & //"of the work so far"
+      if (constants%pressure_gain > 0.0_wp) write (unit, "(2a)") &
+         & "shear strength over pressure  ", text(constants%pressure_gain, 3)
       if (constants%consistent) write (unit, "(a)") "shear stiffness               " &
          & //"fitted to the energy"
-      if (fitted) write (unit, "(a)") "strengths                     fitted to the mesh"
+      if (fitted) write (unit, "(a)") "strengths                     fitted to the mesh, quad by " &
+         & //"quad"
    end subroutine write_options
 
    !> A line for each mode
@@ -117,6 +122,18 @@ contains
       call table%write_heads()
    end subroutine start_table
 
+   !> The scatter of the strengths
+   subroutine write_scatter(unit, units, scatter)
+      integer, intent(in) :: unit
+      type(units_type), intent(in) :: units
+      type(scatter_type), intent(in) :: scatter
+
+      if (.not. scatter%modulus > 0.0_wp) return
+      write (unit, "(9a)") "scatter of the strengths: modulus of Weibull ", &
+         & text(scatter%modulus, 3), ", correlated over ", text(scatter%length, 3), &
+         & " "//trim(units%length)//", seed ", text(scatter%seed), "; the strengths above are means"
+   end subroutine write_scatter
+
    !> What the mesh or the stiffness cannot do
    subroutine write_notes(unit, units, constants, zone)
       integer, intent(in) :: unit
@@ -129,14 +146,21 @@ contains
       integer :: mode
 
       factor = strength_factor(zone%across, constants%toughness, zone%strength, zone%spacing)
+      if (any(zone%highest > zone%strength*(1.0_wp + rounded))) then
+         write (unit, "(10a)") "note: the strengths above are those of the coarsest quad; in the " &
+            & //"finest they are ", text(zone%highest(normal), 3), " and ", &
+            & text(zone%highest(shear), 3), " "//trim(units%stress)
+      end if
       remedy = "smaller quads help"
       if (factor < 1.0_wp - rounded) remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
       do mode = normal, shear
-         if (zone%length(mode) >= real(least_points, wp)*zone%spacing) cycle
-         write (unit, "(10a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
+         if (zone%coarse(mode) == 0) cycle
+         write (unit, "(20a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
             & text(zone%length(mode), 3), " "//trim(units%length)//", spans ", &
             & text(zone%length(mode)/zone%spacing, 2), " distances between nodes, fewer than ", &
-            & text(least_points), ": cracks may need too much force; ", remedy
+            & text(least_points), ", in the coarsest quad, and fewer than ", text(least_points), &
+            & " in ", text(zone%coarse(mode)), " of ", text(zone%quads), &
+            & " quads: cracks may need too much force there; ", remedy
       end do
       ratio = stiffness_ratio(constants%stiffness(normal), zone%across, zone%thickness)
       if (ratio < least_stiffness_ratio) then
@@ -150,9 +174,7 @@ contains
    subroutine write_interface_losses(unit, model, domain, lost)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> What each interface has lost in the whole model
       type(delamination_type), intent(in) :: lost(:)
@@ -168,6 +190,7 @@ contains
          call table%start(unit)
          call table%add_column("interface", 9, "i0")
          call table%add_column("damaged ["//trim(u%length)//"2]", 14, "g12.5")
+         call table%add_column("delaminated ["//trim(u%length)//"2]", 18, "g12.5")
          call table%add_column("failed ["//trim(u%length)//"2]", 13, "g12.5")
          call table%add_column("fracture ["//trim(u%energy)//"]", 14, "g12.5")
          call table%add_column("penalty ["//trim(u%energy)//"]", 13, "g12.5")
@@ -178,6 +201,7 @@ contains
          call table%put(interfaces(i))
          associate (here => lost(interfaces(i)))
             call table%put(here%begun)
+            call table%put(here%delaminated)
             call table%put(here%failed)
             call table%put(here%fracture)
             call table%put(here%closing)

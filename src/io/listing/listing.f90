@@ -2,19 +2,21 @@
 module plydyn_io_listing_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
-   use plydyn_domain_delamination, only : delamination_type, present_interfaces
+   use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes
    use plydyn_law_ply_laminate, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face
    use plydyn_io_listing_damage, only : write_damage
-   use plydyn_io_vtkhdf_field_size, only : fields_bytes, interfaces_bytes
+   use plydyn_io_listing_effort, only : write_effort
    use plydyn_io_job, only : job_type, no_unit
+   use plydyn_io_listing_impactors, only : write_impactors
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_io_listing_progress_line, only : duration_text
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_io_listing_time_step, only : write_step
    use plydyn_io_listing_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
@@ -23,52 +25,48 @@ module plydyn_io_listing_listing
 
    public :: write_end, write_listing, write_restart
 
-   !> Bytes in a megabyte
-   real(wp), parameter :: megabyte = 1.0e6_wp
-
 contains
 
    !> Everything that is known before the first step
-   subroutine write_listing(unit, build, deck, messages, model, domain, seconds_per_step)
+   subroutine write_listing(unit, build, deck, messages, simulation, seconds_per_step)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> Version and compiler; path of the deck; warnings of the readers
       character(*), intent(in) :: build, deck, messages
-      !> The model
-      type(model_type), intent(in) :: model
-      !> The domain, of any rank
-      type(domain_type), intent(in) :: domain
-      !> Measured time of one evaluation of the forces
+      !> Model, domain of any rank, and contacts
+      class(simulation_type), intent(in) :: simulation
+      !> Processor time of a thread in a step without output
       real(wp), intent(in) :: seconds_per_step
 
       integer :: p
 
-      write (unit, "(a)") build
-      write (unit, "(/,2a)") "deck   ", deck
-      write (unit, "(2a)") "title  ", model%title
-      if (len(messages) > 0) then
-         call write_section(unit, "Messages")
-         write (unit, "(a)") messages
-      end if
-      call write_units(unit, model)
-      do p = 1, size(model%parts)
-         if (model%parts(p)%brick%points == 0) then
-            call write_part(unit, model, model%parts(p))
-         else
-            call write_brick_part(unit, model, p)
+      associate (model => simulation%model, domain => simulation%domain)
+         write (unit, "(a)") build
+         write (unit, "(/,2a)") "deck   ", deck
+         write (unit, "(2a)") "title  ", model%title
+         if (len(messages) > 0) then
+            call write_section(unit, "Messages")
+            write (unit, "(a)") messages
          end if
-      end do
-      call write_damage(unit, model, domain)
-      call write_interface_laws(unit, model)
-      call write_masses(unit, model, domain)
-      call write_step(unit, model, domain)
-      call write_effort(unit, model, domain, seconds_per_step)
+         call write_units(unit, model)
+         do p = 1, size(model%parts)
+            if (model%parts(p)%brick%points == 0) then
+               call write_part(unit, model, model%parts(p))
+            else
+               call write_brick_part(unit, model, p)
+            end if
+         end do
+         call write_damage(unit, model, domain)
+         call write_interface_laws(unit, model)
+         call write_masses(unit, model, domain, simulation%contacts)
+         call write_step(unit, model, domain)
+         call write_effort(unit, model, domain, seconds_per_step)
+      end associate
       flush (unit)
    end subroutine write_listing
 
    !> Where a run goes on, and what is different from there on
    subroutine write_restart(job, build, path, written_by, deck, messages, state)
-      !> The job
       type(job_type), intent(in) :: job
       !> Version and compiler
       character(*), intent(in) :: build
@@ -76,7 +74,6 @@ contains
       character(*), intent(in) :: path, written_by
       !> Path of the deck that changes the run, empty for none; warnings of the readers
       character(*), intent(in) :: deck, messages
-      !> The state
       type(state_type), intent(in) :: state
 
       character(:), allocatable :: words
@@ -216,10 +213,11 @@ contains
    end function joint_name
 
    !> Sizes and masses
-   subroutine write_masses(unit, model, domain)
+   subroutine write_masses(unit, model, domain, contacts)
       integer, intent(in) :: unit
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(in) :: contacts
       integer :: i
 
       call write_section(unit, "Size and mass")
@@ -232,12 +230,7 @@ contains
       end if
       write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%inertia%total_mass, &
          & trim(model%control%units%mass)
-      do i = 1, size(model%impactors)
-         write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", model%impactors(i)%id, &
-            & model%impactors(i)%mass, trim(model%control%units%mass)//", energy ", &
-            & 0.5_wp*model%impactors(i)%mass*sum(model%impactors(i)%velocity**2), &
-            & trim(model%control%units%energy)
-      end do
+      call write_impactors(unit, model, contacts)
       do i = 1, size(domain%contact%fixtures)
          associate (fixture => domain%contact%fixtures(i))
             write (unit, "(a,i0,t31,a,es14.7,1x,a)") "fixture ", fixture%id, &
@@ -273,92 +266,17 @@ contains
 
    !> Freedoms without the second points of tied faces
    pure integer function independent_freedoms(model, domain) result(freedoms)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) &
          & - size(domain%inertia%ties))
    end function independent_freedoms
 
-   !> Memory, sizes of files and time to come
-   subroutine write_effort(unit, model, domain, seconds_per_step)
-      integer, intent(in) :: unit
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: seconds_per_step
-
-      real(wp) :: steps
-
-      call write_section(unit, "Effort")
-      steps = domain%control%end_time/domain%step
-      if (domain%control%end_cycle > 0) steps = min(steps, real(domain%control%end_cycle, wp))
-      write (unit, "(2a)") "steps                         ", fixed_text(steps, 0)
-      write (unit, "(a,i0)") "threads                       ", domain%control%threads
-      ! what several ranks have is in their table
-      if (domain%comm%ranks == 1) write (unit, "(3a)") "memory of mesh and motion     ", &
-         & fixed_text(mesh_bytes(domain)/megabyte, 1), " MB"
-      if (domain%comm%ranks == 1 .and. any_history(domain)) then
-         write (unit, "(3a)") "memory of histories           ", &
-            & fixed_text(history_bytes(domain)/megabyte, 1), " MB"
-      end if
-      write (unit, "(3a)") "file of fields                ", &
-         & fixed_text(fields_bytes(model, domain)/megabyte, 3), " MB"
-      if (size(present_interfaces(domain)) > 0) then
-         write (unit, "(3a)") "file of interfaces            ", &
-            & fixed_text(interfaces_bytes(model, domain)/megabyte, 3), " MB"
-      end if
-      write (unit, "(3a)") "tables, about                 ", &
-         & fixed_text(tables_bytes(model, domain, steps)/megabyte, 3), " MB"
-      write (unit, "(2a)") "time to come, measured        ", duration_text(steps*seconds_per_step)
-   end subroutine write_effort
-
-   !> Bytes of all histories and profiles
-   real(wp) function tables_bytes(model, domain, steps) result(bytes)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      !> Steps of the run
-      real(wp), intent(in) :: steps
-
-      !> Bytes of a number, columns of the energies, of an impactor, of each face of a node, of each
-      !> support and motion, and of a profile
-      real(wp), parameter :: number_bytes = 17.0_wp
-      integer, parameter :: energy = 18, impactor = 11, node = 6, support = 3, profile = 27
-      integer :: i
-
-      associate (request => model%request)
-         bytes = energy*lines(request%energy_interval) &
-            & + size(model%impactors)*impactor*lines(request%impactor_interval) &
-            & + size(request%nodes)*node*2*lines(request%node_interval)
-         if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
-            & *support*(1 + size(model%holds) + size(model%motions))
-         do i = 1, size(request%profiles)
-            bytes = bytes + lines(request%profiles(i)%interval)*profile &
-               & *request%profiles(i)%points*real(size(domain%layers%order), wp)
-         end do
-      end associate
-      bytes = number_bytes*bytes
-
-   contains
-
-      !> Lines of a table
-      real(wp) function lines(interval)
-         !> Time between two of them; 0 for every step
-         real(wp), intent(in) :: interval
-
-         lines = steps
-         if (interval > 0.0_wp) lines = min(steps, domain%control%end_time/interval)
-         lines = lines + 1.0_wp
-      end function lines
-
-   end function tables_bytes
-
    !> How the run ended
    subroutine write_end(unit, model, domain, state, dissipated, lost, seconds, words)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain, of any rank
       type(domain_type), intent(in) :: domain

@@ -92,10 +92,8 @@ contains
 
    !> Headers of the columns
    pure function progress_headers(time_unit, force_unit) result(line)
-      !> Name of the unit of time
-      character(*), intent(in) :: time_unit
-      !> Name of the unit of force
-      character(*), intent(in) :: force_unit
+      !> Name of the unit of time, and name of the unit of force
+      character(*), intent(in) :: time_unit, force_unit
       character(:), allocatable :: line
 
       line = right("cycle", cycle_width)//gap &

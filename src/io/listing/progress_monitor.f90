@@ -8,9 +8,8 @@ module plydyn_io_listing_progress_monitor
    use plydyn_io_listing_progress_line, only : progress_headers, progress_line, progress_type, &
       & progress_timer_type
    use plydyn_io_output, only : output_type
-   use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_observer, only : requests_type
-   use plydyn_model_model, only : model_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -31,7 +30,6 @@ module plydyn_io_listing_progress_monitor
       logical :: has_curve = .false.
    contains
       procedure :: open => open_monitor
-      procedure :: due
       procedure :: notify
    end type progress_monitor_type
 
@@ -47,34 +45,21 @@ contains
    end function new_progress_monitor
 
    !> Start the clock, and write the headers
-   subroutine open_monitor(self, job, model, domain, error)
+   subroutine open_monitor(self, job, simulation, error)
       class(progress_monitor_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       self%screen = job%screen
       self%progress%start_time = job%start_time
-      call find_cause(self, domain)
+      call find_cause(self, simulation%domain)
       call self%timer%start()
       if (self%screen == no_unit) return
-      associate (units => model%control%units)
+      associate (units => simulation%model%control%units)
          write (self%screen, "(a)") progress_headers(units%time, units%force)
       end associate
    end subroutine open_monitor
-
-   !> A clock decides, not the step
-   pure logical function due(self, time, cycle, is_last)
-      class(progress_monitor_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
-
-      due = .false.
-   end function due
 
    !> Find the cause of the step
    subroutine find_cause(self, domain)
@@ -97,21 +82,18 @@ contains
    end subroutine find_cause
 
    !> Write the line when its time has come, at the end, and on request
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(progress_monitor_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       if (self%screen == no_unit) return
-      if (.not. (state%is_finished() .or. requests%progress)) then
-         if (mod(state%cycle, steps_per_look) /= 0) return
+      if (.not. (simulation%state%is_finished() .or. requests%progress)) then
+         if (mod(simulation%state%cycle, steps_per_look) /= 0) return
          if (.not. self%timer%due(self%timer%elapsed())) return
       end if
-      call write_line(self, state)
+      call write_line(self, simulation%state)
    end subroutine notify
 
    !> Write the line

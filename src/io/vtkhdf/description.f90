@@ -12,11 +12,9 @@ contains
 
    !> Attributes and tables of the group /plydyn
    subroutine describe_file(file, deck, version, model)
-      !> The file
       type(vtkhdf_type), intent(inout) :: file
       !> Path of the deck, version of the program
       character(*), intent(in) :: deck, version
-      !> The model
       type(model_type), intent(in) :: model
 
       character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
@@ -46,7 +44,7 @@ contains
          call file%describe(trim(names(i)), value)
       end do
       call file%add_table("plies", ply_columns, ply_table(model))
-      table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%radius, &
+      table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%body%radius, &
          & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
          & [6, size(model%impactors)])
       if (size(table) > 0) call file%add_table("impactors", impactor_columns, table)

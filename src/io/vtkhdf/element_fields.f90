@@ -20,7 +20,7 @@ module plydyn_io_vtkhdf_element_fields
       type(grid_type) :: grid
       !> Weight of each element in the mean at each of its nodes, (nodes, elements)
       real(wp), allocatable :: weight(:, :)
-      !> Node of each slot of the grid
+      !> Node of each accumulator of the grid
       integer, allocatable :: node(:)
       !> Whether strain or stress is asked for; they take longer than the scalars of laws
       logical :: has_tensors = .false.
@@ -52,7 +52,7 @@ contains
       call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
 
-   !> Nodes of the slots, and weights of the elements at them
+   !> Nodes of the accumulators, and weights of the elements at them
    subroutine look_at_nodes(self, domain)
       type(element_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
@@ -60,12 +60,12 @@ contains
       integer :: i
       integer, allocatable :: node(:)
 
-      allocate (self%weight(size(self%grid%slots%slot, 1), size(self%grid%place, 2)))
-      allocate (self%node(self%grid%slots%count))
+      allocate (self%weight(size(self%grid%accumulators%place, 1), size(self%grid%place, 2)))
+      allocate (self%node(self%grid%accumulators%count))
       do i = 1, size(self%grid%place, 2)
          associate (group => domain%groups(self%grid%place(1, i))%item, e => self%grid%place(2, i))
             node = group%element_nodes(e)
-            self%node(self%grid%slots%slot(:, i)) = node
+            self%node(self%grid%accumulators%place(:, i)) = node
             self%weight(:, i) = group%node_weights(e, domain%position(:, node))
          end associate
       end do
@@ -113,19 +113,19 @@ contains
       real(wp), intent(in) :: motion(:)
       real(wp), allocatable :: values(:, :)
 
-      real(wp) :: at_slot(3, self%grid%slots%levels, self%grid%slots%count)
+      real(wp) :: at_node(3, self%grid%accumulators%levels, self%grid%accumulators%count)
       integer :: k
 
       associate (group => domain%groups(self%grid%group)%item)
          do k = 1, size(self%grid%levels)
             associate (first => self%grid%below(k) + 1, &
                & last => self%grid%below(k) + self%grid%levels(k))
-               at_slot(:, first:last, :) = group%sheet_motion(domain%columns, k, self%node, motion)
+               at_node(:, first:last, :) = group%sheet_motion(domain%columns, k, self%node, motion)
             end associate
          end do
       end associate
-      allocate (values(3, self%grid%slots%own_points()))
-      call self%grid%slots%hand_over(at_slot, values)
+      allocate (values(3, self%grid%accumulators%own_points()))
+      call self%grid%accumulators%take(at_node, values)
    end function motion_values
 
    !> Scalars, and strain and stress if asked for, at the points of this rank: the weighted mean of
@@ -139,9 +139,9 @@ contains
       real(wp), allocatable :: sums(:, :, :)
       integer :: i, k
 
-      allocate (values(recovered, self%grid%slots%own_points()))
+      allocate (values(recovered, self%grid%accumulators%own_points()))
       do k = 1, size(self%grid%levels)
-         allocate (sums(recovered + 1, self%grid%levels(k), self%grid%slots%count))
+         allocate (sums(recovered + 1, self%grid%levels(k), self%grid%accumulators%count))
          sums(:, :, :) = 0.0_wp
          do i = 1, size(self%grid%place, 2)
             associate (g => self%grid%place(1, i), e => self%grid%place(2, i))
@@ -149,15 +149,15 @@ contains
                   & self%has_tensors, state%displacement, state%history), sums)
             end associate
          end do
-         associate (first => self%grid%slots%delivery%count*self%grid%below(k), &
-            & length => self%grid%slots%delivery%count*self%grid%levels(k))
-            call self%grid%slots%mean(sums, values(:, first + 1:first + length))
+         associate (first => self%grid%accumulators%reduction%count*self%grid%below(k), &
+            & length => self%grid%accumulators%reduction%count*self%grid%levels(k))
+            call self%grid%accumulators%mean(sums, values(:, first + 1:first + length))
          end associate
          deallocate (sums)
       end do
    end function recovered_values
 
-   !> Add the values of one sheet of one element to its slots by weight, and the weights
+   !> Add the values of one sheet of one element to its accumulators by weight, and the weights
    subroutine add_element(self, i, values, sums)
       type(element_fields_type), intent(in) :: self
       !> The element of this rank
@@ -169,7 +169,8 @@ contains
 
       do n = 1, size(values, 3)
          do t = 1, size(values, 2)
-            associate (total => sums(:, t, self%grid%slots%slot(n, i)), w => self%weight(n, i))
+            associate (total => sums(:, t, self%grid%accumulators%place(n, i)), &
+               & w => self%weight(n, i))
                total(:recovered) = total(:recovered) + w*values(:, t, n)
                total(recovered + 1) = total(recovered + 1) + w
             end associate

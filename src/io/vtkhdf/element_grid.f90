@@ -1,8 +1,8 @@
 !> The elements of one family as cells for pictures: every sheet of every part with points of its
 !> own, so that values jump between layers and between parts, and are continuous within them.
 !>
-!> Points lie level by level, in each the sites of the nodes. Cells lie sheet by sheet from the
-!> bottom up, in each the elements of the deck. A rank writes a band of sites and a band of cells,
+!> Points lie level by level, in each the output nodes. Cells lie sheet by sheet from the bottom up,
+!> in each the elements of the deck. A rank writes a band of output nodes and a band of cells,
 !> whichever elements it has.
 module plydyn_io_vtkhdf_element_grid
    use plydyn_base_precision, only : wp
@@ -11,7 +11,7 @@ module plydyn_io_vtkhdf_element_grid
    use plydyn_element_output_group, only : cell_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
-   use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, new_accumulators, number_sites
+   use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, new_accumulators, number_nodes
    use plydyn_io_vtkhdf_vtkhdf, only : hyperslab_type, piece_type
    use plydyn_parallel_owner_reduction, only : band_start
    implicit none
@@ -28,8 +28,8 @@ module plydyn_io_vtkhdf_element_grid
       !> Part of each element of the family in the mesh
       integer, allocatable :: part(:)
       !> Sites of the elements of this rank, nodes in the order of the group
-      type(accumulators_type) :: slots
-      !> Group and number in it of each of these, (2, elements), as the slots have them
+      type(accumulators_type) :: accumulators
+      !> Group and number in it of each of these, (2, elements), as the accumulators have them
       integer, allocatable :: place(:, :)
       !> Sheet, and element of the mesh, of each cell that it writes
       integer, allocatable :: sheet(:), element(:)
@@ -51,7 +51,7 @@ contains
       type(piece_type), intent(out) :: piece
 
       type(cell_type) :: cell
-      integer, allocatable :: element_node(:, :), node(:), site(:, :)
+      integer, allocatable :: element_node(:, :), node(:), output_node(:, :)
       integer :: k
 
       self%group = field_group(domain)
@@ -62,20 +62,20 @@ contains
          call group%list_elements(mesh, self%part, element_node)
       end associate
       self%below = [(sum(self%levels(:k - 1)), k=1, size(self%levels))]
-      call number_sites(self%part, element_node, size(mesh%node_id), site, node)
+      call number_nodes(self%part, element_node, size(mesh%node_id), output_node, node)
       self%place = elements_of_kind(domain, self%group)
-      self%slots = new_accumulators(domain%comm, site, [(domain%groups(self%place(1, k))%item &
+      self%accumulators = new_accumulators(domain%comm, output_node, &
+         & [(domain%groups(self%place(1, k))%item &
          & %element(self%place(2, k)), k=1, size(self%place, 2))], sum(self%levels))
-      self%slots%slot(:, :) = self%slots%slot(cell%node_order, :)
-      piece%points = self%slots%points()
+      self%accumulators%place(:, :) = self%accumulators%place(cell%node_order, :)
+      piece%points = self%accumulators%points()
       call place_points(domain%layers, mesh%position(:, node(piece%points%first + 1: &
          & piece%points%first + piece%points%count)), self, piece)
-      call make_cells(domain, cell, site, self, piece)
+      call make_cells(domain, cell, output_node, self, piece)
    end subroutine new_grid
 
    !> First group that has cells, 0 for none
    pure integer function field_group(domain) result(group)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       do group = 1, size(domain%groups)
@@ -86,7 +86,6 @@ contains
 
    !> Group and number in it of all elements of one kind, in the order of the mesh, (2, elements)
    pure function elements_of_kind(domain, first) result(place)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> First group of the kind: others with cells alike follow
       integer, intent(in) :: first
@@ -140,7 +139,7 @@ contains
    !> Positions of the points that this rank writes
    pure subroutine place_points(layers, position, self, piece)
       type(layers_type), intent(in) :: layers
-      !> Positions of the nodes of its sites, (3, sites)
+      !> Positions of its output nodes, (3, output nodes)
       real(wp), intent(in) :: position(:, :)
       type(grid_type), intent(in) :: self
       type(piece_type), intent(inout) :: piece
@@ -148,29 +147,29 @@ contains
       integer :: i, k, t
       real(wp) :: part
 
-      allocate (piece%position(3, self%slots%own_points()))
+      allocate (piece%position(3, self%accumulators%own_points()))
       i = 0
-      associate (sites => size(position, 2))
+      associate (nodes => size(position, 2))
          do k = 1, size(self%levels)
             do t = 1, self%levels(k)
-               piece%position(:, i + 1:i + sites) = position
+               piece%position(:, i + 1:i + nodes) = position
                if (self%levels(k) > 1) then
                   part = real(t - 1, wp)/real(self%levels(k) - 1, wp)
-                  piece%position(3, i + 1:i + sites) = position(3, :) &
+                  piece%position(3, i + 1:i + nodes) = position(3, :) &
                      & + (1.0_wp - part)*layers%bottom(k) + part*layers%top(k)
                end if
-               i = i + sites
+               i = i + nodes
             end do
          end do
       end associate
    end subroutine place_points
 
    !> The cells that this rank writes
-   pure subroutine make_cells(domain, cell, site, self, piece)
+   pure subroutine make_cells(domain, cell, output_node, self, piece)
       type(domain_type), intent(in) :: domain
       type(cell_type), intent(in) :: cell
       !> Sites of all elements
-      integer, intent(in) :: site(:, :)
+      integer, intent(in) :: output_node(:, :)
       type(grid_type), intent(inout) :: self
       type(piece_type), intent(inout) :: piece
 
@@ -182,7 +181,7 @@ contains
       sheet = [(spread(k, 1, cells_of_sheet(self%levels(k), cell%span)), k=1, size(self%levels))]
       level = [([(self%below(k) + cell%span*(i - 1), &
          & i=1, cells_of_sheet(self%levels(k), cell%span))], k=1, size(self%levels))]
-      piece%cells = band_of_rows(domain, size(sheet)*size(site, 2))
+      piece%cells = band_of_rows(domain, size(sheet)*size(output_node, 2))
       associate (cells => piece%cells)
          piece%before = corners*cells%first
          piece%all_ends = corners*cells%whole
@@ -192,12 +191,13 @@ contains
          allocate (piece%connectivity(corners*cells%count), self%sheet(cells%count), &
             & self%element(cells%count))
          do i = 1, cells%count
-            k = (cells%first + i - 1)/size(site, 2) + 1
+            k = (cells%first + i - 1)/size(output_node, 2) + 1
             self%sheet(i) = sheet(k)
-            self%element(i) = cells%first + i - size(site, 2)*(k - 1)
+            self%element(i) = cells%first + i - size(output_node, 2)*(k - 1)
             do n = 1, corners
-               piece%connectivity(corners*(i - 1) + n) = site(cell%corner(1, n), self%element(i)) &
-                  & + self%slots%sites*(level(k) + cell%corner(2, n)) - 1
+               piece%connectivity(corners*(i - 1) + n) = &
+                  & output_node(cell%corner(1, n), self%element(i)) &
+                  & + self%accumulators%nodes*(level(k) + cell%corner(2, n)) - 1
             end do
          end do
       end associate

@@ -34,9 +34,7 @@ module plydyn_io_vtkhdf_field_file
          class(field_file_type), intent(inout) :: self
          !> Path of the file
          character(*), intent(in) :: path
-         !> The model
          type(model_type), intent(in) :: model
-         !> The domain
          type(domain_type), intent(in) :: domain
          !> Why it could not be created
          type(error_type), allocatable, intent(out) :: error
@@ -47,9 +45,7 @@ module plydyn_io_vtkhdf_field_file
          import :: domain_type, field_file_type, model_type
          implicit none
          class(field_file_type), intent(inout) :: self
-         !> The model
          type(model_type), intent(in) :: model
-         !> The domain
          type(domain_type), intent(in) :: domain
       end subroutine add_cell_fields
 
@@ -58,9 +54,7 @@ module plydyn_io_vtkhdf_field_file
          import :: domain_type, error_type, field_file_type, state_type
          implicit none
          class(field_file_type), intent(inout) :: self
-         !> The domain
          type(domain_type), intent(in) :: domain
-         !> The state
          type(state_type), intent(in) :: state
          !> Why it could not be written
          type(error_type), allocatable, intent(out) :: error
@@ -76,9 +70,7 @@ contains
       character(*), intent(in) :: path
       !> Path of the deck, version of the program
       character(*), intent(in) :: deck, version
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Where to go on with files of an earlier run
       type(file_positions_type), intent(in) :: places

@@ -1,19 +1,16 @@
 !> Fields: an observer that writes states of the whole model to VTKHDF files.
 module plydyn_io_vtkhdf_field_output
-   use, intrinsic :: iso_fortran_env, only : int64
+   use, intrinsic :: iso_fortran_env, only : int64, real32
    use plydyn_base_error, only : error_type, exit_run
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : domain_type
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
    use plydyn_io_schedule, only : schedule_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
-   use plydyn_method_contact_step, only : contacts_type
-   use plydyn_method_observer, only : requests_type
-   use plydyn_model_model, only : model_type
+   use plydyn_method_observer, only : instant_of, instant_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type
-   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -44,80 +41,89 @@ module plydyn_io_vtkhdf_field_output
 contains
 
    !> Create all files, or go on with those of an earlier run
-   subroutine open_files(self, job, model, domain, error)
+   subroutine open_files(self, job, simulation, error)
       class(field_output_type), intent(inout) :: self
-      !> As in `output_type`
       type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
       self%instants = job%path//schedule_ending
-      self%schedule%interval = model%request%field_interval
+      self%schedule%interval = simulation%model%request%field_interval
       call self%schedule%resume(job%places%at(self%instants))
-      call self%fields%open(job%path//fields_ending, job%deck, job%version, model, domain, &
-         & job%places, error)
+      call self%fields%open(job%path//fields_ending, job%deck, job%version, &
+         & simulation%model, simulation%domain, job%places, error)
       if (allocated(error)) return
-      call self%interfaces%open(job%path//interfaces_ending, job%deck, job%version, model, domain, &
-         & job%places, error)
+      call self%interfaces%open(job%path//interfaces_ending, job%deck, job%version, &
+         & simulation%model, simulation%domain, job%places, error)
    end subroutine open_files
 
    !> Whether a state is due at the end of a step
-   pure logical function due(self, time, cycle, is_last)
+   pure logical function due(self, instant)
       class(field_output_type), intent(in) :: self
-      !> As in `observer_type`
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
+      type(instant_type), intent(in) :: instant
 
-      due = is_last .or. self%schedule%due(time)
+      due = instant%is_last .or. self%schedule%due(instant%time)
    end function due
 
    !> Add the state to the files, if it is due
-   subroutine begin(self, domain, contacts, state, error)
+   subroutine begin(self, simulation, error)
       class(field_output_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%due(state%time, state%cycle, state%is_finished())) return
-      call self%schedule%advance(state%time)
-      call write_state(self, domain, state, error)
+      if (.not. self%due(instant_of(simulation%state))) return
+      call self%schedule%advance(simulation%state%time)
+      call write_state(self, simulation, error)
    end subroutine begin
 
    !> Add the state to the files, if it is due or requested
-   subroutine notify(self, domain, contacts, state, requests, error)
+   subroutine notify(self, simulation, requests, error)
       class(field_output_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(contacts_type), intent(in) :: contacts
-      type(state_type), intent(inout) :: state
+      class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      call self%begin(domain, contacts, state, error)
+      call self%begin(simulation, error)
       if (allocated(error)) return
-      if (requests%fields .and. state%time > self%time) call write_state(self, domain, state, error)
+      if (requests%fields .and. simulation%state%time > self%time) then
+         call write_state(self, simulation, error)
+      end if
    end subroutine notify
 
-   !> Add the state to the files
-   subroutine write_state(self, domain, state, error)
+   !> Add the state to the files, unless its numbers are too large for them
+   subroutine write_state(self, simulation, error)
       type(field_output_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      self%time = state%time
-      call self%fields%write(domain, state, error)
-      if (.not. allocated(error)) call self%interfaces%write(domain, state, error)
+      if (.not. can_be_written(simulation)) return
+      self%time = simulation%state%time
+      call self%fields%write(simulation%domain, simulation%state, error)
+      if (allocated(error)) return
+      call self%interfaces%write(simulation%domain, simulation%state, error)
    end subroutine write_state
+
+   !> Whether a motion can be written in single precision, the stresses of its strains too, which
+   !> grow with the square of the displacement; the same on all ranks
+   logical function can_be_written(simulation)
+      class(simulation_type), intent(in) :: simulation
+
+      real(wp), parameter :: largest = huge(1.0_real32)
+      integer :: n
+
+      associate (state => simulation%state)
+         n = simulation%domain%columns%freedoms
+         ! numbers that are not finite are not below the bounds either
+         can_be_written = all(abs(state%displacement(:n)) < largest**(1.0_wp/3.0_wp)) &
+            & .and. all(abs(state%velocity(:n)) < largest) &
+            & .and. all(abs(state%acceleration(:n)) < largest)
+      end associate
+      call simulation%domain%comm%all_true(can_be_written)
+   end function can_be_written
 
    !> Bring all files to the disk, and add how far each of them has been written
    subroutine mark(self, positions, error)
       class(field_output_type), intent(inout) :: self
-      !> As in `observer_type`
       type(file_positions_type), intent(inout) :: positions
       type(error_type), allocatable, intent(out) :: error
 
@@ -128,19 +134,17 @@ contains
 
    !> Close all files. A run that the method ended leaves its last state in them, if this can be
    !> written: the reason for the end is more important than a failure here
-   subroutine close_files(self, domain, state, outcome, error)
+   subroutine close_files(self, simulation, outcome, error)
       class(field_output_type), intent(inout) :: self
-      !> As in `observer_type`
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(in) :: outcome
       type(error_type), allocatable, intent(out) :: error
 
       type(error_type), allocatable :: each
 
       if (allocated(outcome)) then
-         if (outcome%code == exit_run .and. state%time > self%time) then
-            call write_state(self, domain, state, each)
+         if (outcome%code == exit_run .and. simulation%state%time > self%time) then
+            call write_state(self, simulation, each)
          end if
       end if
       call self%fields%close(error)

@@ -14,17 +14,17 @@ module plydyn_io_vtkhdf_interface_fields
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_field_file, only : field_file_type
    use plydyn_io_vtkhdf_element_grid, only : band_of_rows, elements_of_kind, field_group
-   use plydyn_io_vtkhdf_interface_values, only : at_damage, at_dissipated, at_mixity, &
-      & damage_values, &
-      & interface_values
-   use plydyn_io_vtkhdf_output_nodes, only : new_accumulators, number_sites, accumulators_type
+   use plydyn_io_vtkhdf_interface_values, only : at_damage, at_dissipated, at_mixity, at_share, &
+      & damage_values, interface_values
+   use plydyn_io_vtkhdf_output_nodes, only : new_accumulators, number_nodes, accumulators_type
    use plydyn_io_vtkhdf_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> Components of the fields: displacement, opening, damage, mix of modes, energy; and all of them
-   integer, parameter :: components(5) = [3, 3, 1, 1, 1]
+   !> Components of the fields: displacement, opening, damage, mix of modes, energy, its share of
+   !> the toughness; and all of them
+   integer, parameter :: components(6) = [3, 3, 1, 1, 1, 1]
    integer, parameter, public :: interface_numbers = sum(components)
    !> VTK's cells: quads of 4 and of 9 nodes
    integer, parameter :: linear_cell = 9, quadratic_cell = 28
@@ -37,7 +37,7 @@ module plydyn_io_vtkhdf_interface_fields
       !> Group and lane of each interface over each element set, 0 for none, (2, interfaces, sets)
       integer, allocatable :: batch(:, :, :)
       !> Sites of the quads of this rank, nodes in tensor order
-      type(accumulators_type) :: slots
+      type(accumulators_type) :: accumulators
       !> Group and number in it of each of these, (2, quads)
       integer, allocatable :: place(:, :)
       !> Interface, and quad of the mesh, of each cell that this rank writes
@@ -58,27 +58,28 @@ contains
       type(domain_type), intent(in) :: domain
       type(error_type), allocatable, intent(out) :: error
 
-      integer, allocatable :: node(:), site(:, :)
+      integer, allocatable :: node(:), output_node(:, :)
       integer :: i
       type(cell_type) :: cell
       type(piece_type) :: piece
 
       if (size(present_interfaces(domain)) == 0) return
       self%names = [character(16) :: "displacement", "opening", "damage", "mode_mixity", &
-         & "dissipated"]
+         & "dissipated", "energy_share"]
       self%components = components
       call arrange(self, domain)
       associate (mesh => model%mesh)
-         call number_sites(mesh%quad_part, mesh%quad_node, size(mesh%node_id), site, node)
+         call number_nodes(mesh%quad_part, mesh%quad_node, size(mesh%node_id), output_node, node)
          self%place = elements_of_kind(domain, field_group(domain))
-         self%slots = new_accumulators(domain%comm, site, [(domain%groups(self%place(1, i))%item &
+         self%accumulators = new_accumulators(domain%comm, output_node, &
+            & [(domain%groups(self%place(1, i))%item &
             & %element(self%place(2, i)), i=1, size(self%place, 2))], size(self%layer))
          cell = domain%groups(field_group(domain))%item%find_cell()
-         self%slots%slot(:, :) = self%slots%slot(cell%node_order, :)
-         piece%points = self%slots%points()
+         self%accumulators%place(:, :) = self%accumulators%place(cell%node_order, :)
+         piece%points = self%accumulators%points()
          call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
             & piece%points%first + piece%points%count)), self, piece)
-         call make_cells(domain, mesh, site, self, piece)
+         call make_cells(domain, mesh, output_node, self, piece)
       end associate
       call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
@@ -111,41 +112,41 @@ contains
    !> Positions of the points that this rank writes
    pure subroutine place_points(domain, position, self, piece)
       type(domain_type), intent(in) :: domain
-      !> Positions of the nodes of its sites, (3, sites)
+      !> Positions of its output nodes, (3, output nodes)
       real(wp), intent(in) :: position(:, :)
       type(interface_fields_type), intent(in) :: self
       type(piece_type), intent(inout) :: piece
 
-      integer :: k, sites
+      integer :: k, nodes
 
-      sites = size(position, 2)
-      allocate (piece%position(3, sites*size(self%layer)))
+      nodes = size(position, 2)
+      allocate (piece%position(3, nodes*size(self%layer)))
       do k = 1, size(self%layer)
-         piece%position(:, (k - 1)*sites + 1:k*sites) = position
-         piece%position(3, (k - 1)*sites + 1:k*sites) = position(3, :) &
+         piece%position(:, (k - 1)*nodes + 1:k*nodes) = position
+         piece%position(3, (k - 1)*nodes + 1:k*nodes) = position(3, :) &
             & + domain%layers%top(self%layer(k))
       end do
    end subroutine place_points
 
    !> The cells that this rank writes
-   pure subroutine make_cells(domain, mesh, site, self, piece)
+   pure subroutine make_cells(domain, mesh, output_node, self, piece)
       type(domain_type), intent(in) :: domain
       type(mesh_type), intent(in) :: mesh
       !> Sites of all quads
-      integer, intent(in) :: site(:, :)
+      integer, intent(in) :: output_node(:, :)
       type(interface_fields_type), intent(inout) :: self
       type(piece_type), intent(inout) :: piece
 
       integer, allocatable :: own(:)
       integer :: before, corners, first, i, k, last
 
-      corners = size(site, 1)
+      corners = size(output_node, 1)
       piece%cells = band_of_rows(domain, sum([(count(self%batch(1, k, mesh%quad_part) > 0), &
          & k=1, size(self%layer))]))
       allocate (self%cell(0), self%quad(0))
       before = 0
       do k = 1, size(self%layer)
-         own = pack([(i, i=1, size(site, 2))], self%batch(1, k, mesh%quad_part) > 0)
+         own = pack([(i, i=1, size(output_node, 2))], self%batch(1, k, mesh%quad_part) > 0)
          first = max(1, piece%cells%first - before + 1)
          last = min(size(own), piece%cells%first + piece%cells%count - before)
          self%cell = [self%cell, (k, i=first, last)]
@@ -158,7 +159,8 @@ contains
          piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
             & - merge(0, 1, cells%first + cells%count == cells%whole))]
          piece%kind = spread(merge(linear_cell, quadratic_cell, corners == 4), 1, cells%count)
-         piece%connectivity = [(site(:, self%quad(i)) - 1 + self%slots%sites*(self%cell(i) - 1), &
+         piece%connectivity = [(output_node(:, self%quad(i)) - 1 &
+            & + self%accumulators%nodes*(self%cell(i) - 1), &
             & i=1, cells%count)]
       end associate
    end subroutine make_cells
@@ -193,9 +195,7 @@ contains
    !> Write the present state; it is whole in the file when this returns
    subroutine write_state(self, domain, state, error)
       class(interface_fields_type), intent(inout) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(in) :: state
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
@@ -210,6 +210,7 @@ contains
       call self%file%write_point_data("damage", values(at_damage, :))
       call self%file%write_point_data("mode_mixity", values(at_mixity, :))
       call self%file%write_point_data("dissipated", values(at_dissipated, :))
+      call self%file%write_point_data("energy_share", values(at_share, :))
       call self%file%end_step(state%time, error)
    end subroutine write_state
 
@@ -220,40 +221,41 @@ contains
       type(state_type), intent(in) :: state
       real(wp), allocatable :: motion(:, :)
 
-      real(wp) :: at_slot(6, size(self%layer), self%slots%count)
+      real(wp) :: at_node(6, size(self%layer), self%accumulators%count)
       integer :: c, i, k
       integer, allocatable :: node(:)
 
       do i = 1, size(self%place, 2)
          node = domain%groups(self%place(1, i))%item%element_nodes(self%place(2, i))
-         associate (slot => self%slots%slot(:, i), columns => domain%columns, &
+         associate (place => self%accumulators%place(:, i), columns => domain%columns, &
             & u => state%displacement)
             do k = 1, size(self%layer)
                do c = 1, 3
                   associate (below => u(columns%freedom(self%layer(k), &
                      & columns%levels(self%layer(k)), c, node)), &
                      & above => u(columns%freedom(self%layer(k) + 1, 1, c, node)))
-                     at_slot(c, k, slot) = 0.5_wp*(above + below)
-                     at_slot(c + 3, k, slot) = above - below
+                     at_node(c, k, place) = 0.5_wp*(above + below)
+                     at_node(c + 3, k, place) = above - below
                   end associate
                end do
             end do
          end associate
       end do
-      allocate (motion(6, self%slots%own_points()))
-      call self%slots%hand_over(at_slot, motion)
+      allocate (motion(6, self%accumulators%own_points()))
+      call self%accumulators%take(at_node, motion)
    end function face_motion
 
-   !> Damage, mix of modes and energy at the points of this rank: of the nearest point of each quad,
-   !> averaged by area over the quads of its part that meet there, (values, points)
+   !> Damage, mix of modes and energies at the points of this rank: of the nearest point of each
+   !> quad, averaged by area over the quads of its part that meet there, (values, points)
    function point_values(self, domain, state) result(values)
       type(interface_fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
-      real(wp) :: area(size(self%slots%slot, 1)), here(damage_values, size(self%slots%slot, 1))
-      real(wp) :: sums(damage_values + 1, size(self%layer), self%slots%count)
+      real(wp) :: area(size(self%accumulators%place, 1))
+      real(wp) :: here(damage_values, size(self%accumulators%place, 1))
+      real(wp) :: sums(damage_values + 1, size(self%layer), self%accumulators%count)
       integer :: i, k, q
 
       sums(:, :, :) = 0.0_wp
@@ -264,7 +266,7 @@ contains
                if (self%batch(1, k, group%set) == 0) cycle
                here(:, :) = interface_values(domain, state, [self%batch(:, k, group%set), e])
                do q = 1, size(area)
-                  associate (total => sums(:, k, self%slots%slot(q, i)))
+                  associate (total => sums(:, k, self%accumulators%place(q, i)))
                      total(:damage_values) = total(:damage_values) + area(q)*here(:, q)
                      total(damage_values + 1) = total(damage_values + 1) + area(q)
                   end associate
@@ -272,12 +274,13 @@ contains
             end do
          end associate
       end do
-      allocate (values(damage_values, self%slots%own_points()))
-      call self%slots%mean(sums, values)
+      allocate (values(damage_values, self%accumulators%own_points()))
+      call self%accumulators%mean(sums, values)
       ! round-off of the shares
       values(:, :) = max(values, 0.0_wp)
       values(at_damage, :) = min(values(at_damage, :), 1.0_wp)
       values(at_mixity, :) = min(values(at_mixity, :), 1.0_wp)
+      values(at_share, :) = min(values(at_share, :), 1.0_wp)
    end function point_values
 
 end module plydyn_io_vtkhdf_interface_fields

@@ -6,8 +6,8 @@ module plydyn_io_vtkhdf_interface_values
    use plydyn_element_interface_group, only : interface_group_type
    use plydyn_element_interface_axes, only : find_axes, turn_in
    use plydyn_element_quad, only : quad_node_metric
-   use plydyn_law_cohesive_bilinear, only : closing_at, damage_at, fracture_at, friction_at, &
-      & normal, shear
+   use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
+      & normal, share_at, shear
    use plydyn_model_control, only : total_lagrangian
    use plydyn_state_state, only : state_type
    implicit none
@@ -16,19 +16,17 @@ module plydyn_io_vtkhdf_interface_values
    public :: interface_values
 
    !> The values, in this order: damage, share of shear in the elastic energy of the opening of this
-   !> time, energy lost per area
-   integer, parameter, public :: at_damage = 1, at_mixity = 2, at_dissipated = 3
+   !> time, energy lost per area, share of the toughness that is spent
+   integer, parameter, public :: at_damage = 1, at_mixity = 2, at_dissipated = 3, at_share = 4
    !> How many they are
-   integer, parameter, public :: damage_values = 3
+   integer, parameter, public :: damage_values = 4
 
 contains
 
    !> Values at the points of a quad in tensor order, the mix of modes at the nodes,
    !> (values, side**2)
    function interface_values(domain, state, place) result(values)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(in) :: state
       !> Group, lane and quad
       integer, intent(in) :: place(3)
@@ -58,6 +56,7 @@ contains
       associate (h => history(place(2), :, place(3), :))
          values(at_damage, :) = h(:, damage_at)
          values(at_dissipated, :) = h(:, fracture_at)
+         values(at_share, :) = h(:, share_at)
          if (size(h, 2) < closing_at) return
          values(at_dissipated, :) = values(at_dissipated, :) + h(:, closing_at)
          if (size(h, 2) < friction_at) return

@@ -71,7 +71,6 @@ contains
 
    !> Write the grid, as one piece of the file
    subroutine write_grid(file, piece)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
       !> What this rank writes
       type(piece_type), intent(in) :: piece
@@ -92,7 +91,6 @@ contains
 
    !> Make the lists of states, all empty
    subroutine make_steps(file)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
 
       integer :: i
@@ -106,7 +104,6 @@ contains
 
    !> Make a list with one number per state
    subroutine make_list(file, name, width)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
       !> Name of the list in the group of the states
       character(*), intent(in) :: name
@@ -118,7 +115,6 @@ contains
 
    !> Add a state whose data are written: its place and its time
    subroutine add_state(file, time, moving, start, fixed)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
       !> Time of the state
       real(wp), intent(in) :: time
@@ -145,7 +141,6 @@ contains
 
    !> Copy what was said of the first states of another file
    subroutine copy_states(file, states, lists, other, is_there)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
       !> How many
       integer, intent(in) :: states
@@ -171,7 +166,6 @@ contains
 
    !> Count the states that are complete
    subroutine count_states(file, states)
-      !> The file
       class(hdf5_output_type), intent(inout) :: file
       !> How many there are
       integer, intent(in) :: states

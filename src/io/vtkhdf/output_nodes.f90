@@ -9,47 +9,47 @@ module plydyn_io_vtkhdf_output_nodes
    implicit none
    private
 
-   public :: new_accumulators, number_sites
+   public :: new_accumulators, number_nodes
 
-   !> The sites at which the elements of a rank have nodes. What elements add to a site is summed
-   !> in rising order of their numbers: here where this rank has all of them, else by the rank that
-   !> writes the site
+   !> Accumulators of what the elements of a rank add to output nodes. It is summed in rising order
+   !> of the numbers of the elements: here where this rank has all elements of the node, else by the
+   !> rank that writes the node
    type, public :: accumulators_type
-      !> Where each node of each element adds to, (nodes, elements)
-      integer, allocatable :: slot(:, :)
-      !> How many slots there are
+      !> Accumulator that each node of each element adds to, (nodes, elements)
+      integer, allocatable :: place(:, :)
+      !> How many accumulators there are
       integer :: count = 0
-      !> Levels of points above a site
+      !> Levels of points above an output node
       integer :: levels = 1
-      !> Sites of the whole model
-      integer :: sites = 0
-      !> How what is in the slots gets to the rank that writes it
-      type(owner_reduction_type) :: delivery
+      !> Output nodes of the whole model
+      integer :: nodes = 0
+      !> How what is in the accumulators gets to the rank that writes it
+      type(owner_reduction_type) :: reduction
    contains
       procedure :: points
       procedure :: own_points
       procedure :: mean
-      procedure :: hand_over
+      procedure :: take
    end type accumulators_type
 
 contains
 
    !> Number the nodes of each part in their order, one part after the other
-   pure subroutine number_sites(part, element_node, nodes, site, node)
+   pure subroutine number_nodes(part, element_node, nodes, output_node, node)
       !> Part of each element, from 1
       integer, intent(in) :: part(:)
       !> Nodes of the elements, (nodes of an element, elements), and how many nodes there are
       integer, intent(in) :: element_node(:, :), nodes
       !> Site of each node of each element
-      integer, allocatable, intent(out) :: site(:, :)
-      !> Node of each site
+      integer, allocatable, intent(out) :: output_node(:, :)
+      !> Node of each output node
       integer, allocatable, intent(out) :: node(:)
 
       integer :: e, first, i, last, n, number(nodes), order(size(part))
       integer, allocatable :: own(:)
 
       order(:) = sorted_order(part)
-      allocate (site(size(element_node, 1), size(part)), node(0))
+      allocate (output_node(size(element_node, 1), size(part)), node(0))
       first = 1
       do while (first <= size(order))
          last = first - 1 + count(part(order(first:)) == part(order(first)))
@@ -62,97 +62,98 @@ contains
          node = [node, own]
          do i = first, last
             e = order(i)
-            site(:, e) = number(element_node(:, e))
+            output_node(:, e) = number(element_node(:, e))
          end do
          first = last + 1
       end do
-   end subroutine number_sites
+   end subroutine number_nodes
 
    !> Prepare for the elements of a rank
-   function new_accumulators(comm, site, element, levels) result(self)
+   function new_accumulators(comm, output_node, element, levels) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> Sites of all elements of the model, (nodes of an element, elements)
-      integer, intent(in) :: site(:, :)
+      integer, intent(in) :: output_node(:, :)
       !> Elements of this rank, in rising order
       integer, intent(in) :: element(:)
-      !> Levels of points above a site
+      !> Levels of points above an output node
       integer, intent(in) :: levels
       type(accumulators_type) :: self
 
-      integer :: all_parts(maxval(site)), i, n, number(maxval(site)), own_parts(maxval(site))
-      integer :: key(size(site, 1)*size(element)), row(size(site, 1)*size(element))
+      integer, dimension(maxval(output_node)) :: all_parts, number, own_parts
+      integer :: i, n
+      integer :: key(size(output_node, 1)*size(element)), row(size(output_node, 1)*size(element))
 
-      self%sites = maxval(site)
+      self%nodes = maxval(output_node)
       self%levels = levels
-      call count_parts(site, [(i, i=1, size(site, 2))], all_parts)
-      call count_parts(site, element, own_parts)
-      allocate (self%slot(size(site, 1), size(element)))
+      call count_parts(output_node, [(i, i=1, size(output_node, 2))], all_parts)
+      call count_parts(output_node, element, own_parts)
+      allocate (self%place(size(output_node, 1), size(element)))
       number(:) = 0
       do i = 1, size(element)
-         do n = 1, size(site, 1)
-            associate (s => site(n, element(i)))
+         do n = 1, size(output_node, 1)
+            associate (s => output_node(n, element(i)))
                if (number(s) == 0 .or. own_parts(s) < all_parts(s)) then
                   self%count = self%count + 1
                   number(s) = self%count
                   row(self%count) = s
                   key(self%count) = element(i)
                end if
-               self%slot(n, i) = number(s)
+               self%place(n, i) = number(s)
             end associate
          end do
       end do
-      self%delivery = new_owner_reduction(comm, self%sites, row(:self%count), key(:self%count))
+      self%reduction = new_owner_reduction(comm, self%nodes, row(:self%count), key(:self%count))
    end function new_accumulators
 
-   !> How often elements have a node at each site
-   pure subroutine count_parts(site, element, parts)
-      integer, intent(in) :: site(:, :), element(:)
+   !> How often elements have a node at each output node
+   pure subroutine count_parts(output_node, element, parts)
+      integer, intent(in) :: output_node(:, :), element(:)
       integer, intent(out) :: parts(:)
 
       integer :: i, n
 
       parts(:) = 0
       do i = 1, size(element)
-         do n = 1, size(site, 1)
-            parts(site(n, element(i))) = parts(site(n, element(i))) + 1
+         do n = 1, size(output_node, 1)
+            parts(output_node(n, element(i))) = parts(output_node(n, element(i))) + 1
          end do
       end do
    end subroutine count_parts
 
-   !> Points that this rank writes, among those of all: level by level the sites
+   !> Points that this rank writes, among those of all: level by level the output nodes
    pure type(hyperslab_type) function points(self)
       class(accumulators_type), intent(in) :: self
 
-      points = hyperslab_type(whole=self%sites, levels=self%levels, first=self%delivery%first, &
-         & count=self%delivery%count)
+      points = hyperslab_type(whole=self%nodes, levels=self%levels, first=self%reduction%first, &
+         & count=self%reduction%count)
    end function points
 
    !> How many they are
    pure integer function own_points(self)
       class(accumulators_type), intent(in) :: self
 
-      own_points = self%levels*self%delivery%count
+      own_points = self%levels*self%reduction%count
    end function own_points
 
    !> Weighted mean at the points that this rank writes of some consecutive levels; 0 where there is
    !> no weight. All ranks must come here
    subroutine mean(self, values, means)
       class(accumulators_type), intent(in) :: self
-      !> Sums of weight times value and, last, of weights, (components + 1, levels, slots)
+      !> Sums of weight times value and, last, of weights, (components + 1, levels, accumulators)
       real(wp), intent(in) :: values(:, :, :)
-      !> The means, (components, sites of this rank times levels), level by level
+      !> The means, (components, output nodes of this rank times levels), level by level
       real(wp), intent(out) :: means(:, :)
 
       real(wp), allocatable :: sums(:, :)
       integer :: i, last, s, t
 
-      allocate (sums(size(values, 1)*size(values, 2), self%delivery%count))
-      call self%delivery%sum(reshape(values, [size(sums, 1), size(values, 3)]), sums)
+      allocate (sums(size(values, 1)*size(values, 2), self%reduction%count))
+      call self%reduction%sum(reshape(values, [size(sums, 1), size(values, 3)]), sums)
       do t = 1, size(values, 2)
          last = size(values, 1)*t
-         do s = 1, self%delivery%count
-            i = self%delivery%count*(t - 1) + s
+         do s = 1, self%reduction%count
+            i = self%reduction%count*(t - 1) + s
             means(:, i) = 0.0_wp
             if (sums(last, s) > 0.0_wp) means(:, i) = &
                & sums(last - size(means, 1):last - 1, s)/sums(last, s)
@@ -162,9 +163,9 @@ contains
 
    !> Values at the points that this rank writes, where all elements have them alike. All ranks must
    !> come here
-   subroutine hand_over(self, values, taken)
+   subroutine take(self, values, taken)
       class(accumulators_type), intent(in) :: self
-      !> Values, (components, levels, slots)
+      !> Values, (components, levels, accumulators)
       real(wp), intent(in) :: values(:, :, :)
       !> The same, (components, points), level by level
       real(wp), intent(out) :: taken(:, :)
@@ -172,14 +173,14 @@ contains
       real(wp), allocatable :: rows(:, :)
       integer :: s, t
 
-      allocate (rows(size(values, 1)*size(values, 2), self%delivery%count))
-      call self%delivery%take_one(reshape(values, [size(rows, 1), size(values, 3)]), rows)
+      allocate (rows(size(values, 1)*size(values, 2), self%reduction%count))
+      call self%reduction%take_one(reshape(values, [size(rows, 1), size(values, 3)]), rows)
       do t = 1, size(values, 2)
-         do s = 1, self%delivery%count
-            taken(:, self%delivery%count*(t - 1) + s) = &
+         do s = 1, self%reduction%count
+            taken(:, self%reduction%count*(t - 1) + s) = &
                & rows(size(values, 1)*(t - 1) + 1:size(values, 1)*t, s)
          end do
       end do
-   end subroutine hand_over
+   end subroutine take
 
 end module plydyn_io_vtkhdf_output_nodes

@@ -25,7 +25,6 @@ module plydyn_io_vtkhdf_requested_fields
          import :: domain_type, point_fields_type, wp
          implicit none
          class(point_fields_type), intent(in) :: self
-         !> The domain
          type(domain_type), intent(in) :: domain
          !> Displacement or velocity of all freedoms
          real(wp), intent(in) :: motion(:)
@@ -38,9 +37,7 @@ module plydyn_io_vtkhdf_requested_fields
          import :: domain_type, point_fields_type, state_type, wp
          implicit none
          class(point_fields_type), intent(in) :: self
-         !> The domain
          type(domain_type), intent(in) :: domain
-         !> The state
          type(state_type), intent(in) :: state
          real(wp), allocatable :: values(:, :)
       end function recovered_values
@@ -51,9 +48,7 @@ contains
    !> Write the present state; it is whole in the file when this returns
    subroutine write_fields(self, domain, state, error)
       class(point_fields_type), intent(inout) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(in) :: state
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error

@@ -85,10 +85,8 @@ contains
    !> Say something about the file: an attribute of the group /plydyn, such as title or length
    subroutine describe(self, name, value)
       class(grid_file_type), intent(inout) :: self
-      !> Name of the attribute
-      character(*), intent(in) :: name
-      !> Its text
-      character(*), intent(in) :: value
+      !> Name of the attribute, and its text
+      character(*), intent(in) :: name, value
 
       call self%file%write_text(own_group, name, value)
    end subroutine describe

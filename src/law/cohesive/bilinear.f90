@@ -1,42 +1,19 @@
-!> Interface that softens as it opens and slides: the bilinear law of Camanho, Davila and de Moura
-!> (2003) for unequal stiffness of the modes, with penalty against closing and, on the failed share
-!> of the face, friction after Alfano and Sacco (2006).
-!>
-!> Everything follows from the elastic energies of the intact interface (twice, per area) of
-!> opening, K_n <d_n>**2, and of sliding, K_s d_s**2: their ratio is the mix of modes B, and the
-!> load f = sqrt((K_n <d_n>/N)**2 + (K_s d_s/S)**2) is 1 at the onset for every mix. The final
-!> opening of a straight path is r = 2 G_c(B) f**2/(K_n <d_n>**2 + K_s d_s**2) times that of the
-!> onset, the same at every point of the path, so the damage is d = r (f - 1)/(f (r - 1)), and it
-!> never falls. A straight path dissipates G_c(B) whatever the stiffnesses.
-!>
-!> Friction acts on the share d of the face. That share has one slip; what has just failed joins it
-!> free of friction, so that both energies only grow and their sum is the work that is lost.
+!> Interface that softens as it opens and slides, with penalty against closing and, on the failed
+!> share of the face, friction.
 module plydyn_law_cohesive_bilinear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, find_toughness, least_ratio
+   use plydyn_law_cohesive_closed_faces, only : add_friction, release_penalty
+   use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_only, most_points, &
+      & normal, shear, softening_type, with_closing, with_friction
+   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, least_ratio
+   use plydyn_law_cohesive_work_growth, only : detect_growth_by_work, grow_by_work
    implicit none
    private
 
    public :: new_cohesive, new_springs
 
-   !> Places of the two modes in pairs of constants
-   integer, parameter, public :: normal = 1, shear = 2
-
-   !> History of a point, zero for an intact one: damage from 0 to 1; energies per area lost in
-   !> fracture, released by a falling penalty, and lost in friction; slip of
-   !> the failed faces along x and y; elastic part of the sliding that friction resists. A law has
-   !> the first `histories` of them
-   integer, parameter, public :: damage_at = 1, fracture_at = 2, closing_at = 3, friction_at = 4, &
-      & slip_at = 5, stretch_at = 7
-
-   !> Histories without and with a falling penalty, and with friction
-   integer, parameter :: fracture_only = 2, with_closing = 3, with_friction = 7
-
    !> Share of the stiffness that a falling penalty keeps
    real(wp), parameter, public :: penalty_floor = 0.1_wp
-
-   !> Most points in a call: work space of fixed size can be aligned
-   integer, parameter :: most_points = 9
 
    !> Constants of an interface as an engineer gives them; pairs are normal, shear
    type, public :: cohesive_constants_type
@@ -57,29 +34,29 @@ module plydyn_law_cohesive_bilinear
       logical :: falling_penalty = .false.
       !> Coefficient of friction between failed faces
       real(wp) :: friction = 0.0_wp
+      !> Let damage grow by the work of both modes, not by the mode of the present opening
+      logical :: by_work = .false.
+      !> Growth of the shear strength with the pressure on the faces
+      real(wp) :: pressure_gain = 0.0_wp
    end type cohesive_constants_type
 
    !> The law, ready for use
-   type, public :: cohesive_type
+   type, public, extends(softening_type) :: cohesive_type
       !> History variables of a point; none in springs, which never fail
       integer :: histories = 0
       !> Traction per opening and per sliding
       real(wp) :: stiffness(2) = 0.0_wp
-      !> Square of the load per twice the elastic energy of each mode, K/N**2 and K/S**2
-      real(wp) :: onset(2) = 0.0_wp
-      !> As in the constants
-      real(wp) :: toughness(2) = 0.0_wp, exponent = 1.0_wp
-      integer :: criterion = benzeggagh_kenane
-      !> Part of the damage d by which the load at which it grows is at least 1/(1 - part*d)
-      real(wp) :: part = 0.0_wp
       !> Least share of the stiffness that closed faces keep
       real(wp) :: floor = 1.0_wp
       !> Coefficient of friction, and the stiffness of failed faces before they slide
       real(wp) :: friction = 0.0_wp, friction_stiffness = 0.0_wp
+      !> As in the constants
+      logical :: by_work = .false.
+      !> Growth of the shear strength with the pressure, over the strength
+      real(wp) :: pressure_gain = 0.0_wp
    contains
       procedure :: update
       procedure :: update_points
-      procedure :: toughness_of
    end type cohesive_type
 
 contains
@@ -106,6 +83,9 @@ contains
       end if
       self%friction_stiffness = self%floor*self%stiffness(shear)
       if (constants%friction > 0.0_wp) self%histories = with_friction
+      self%by_work = constants%by_work
+      if (self%by_work) self%histories = with_friction + 2
+      self%pressure_gain = constants%pressure_gain/constants%strength(shear)
    end function new_cohesive
 
    !> The law of springs, which have no history
@@ -142,7 +122,7 @@ contains
 
    !> The same for all points of an element at once: one test for all shows that all are intact and
    !> below the onset
-   pure subroutine update_points(self, points, pitch, opening, history, traction)
+   pure subroutine update_points(self, points, pitch, opening, history, traction, weakness)
       class(cohesive_type), intent(in) :: self
       !> Number of points; rows of the history from one of their variables to the next
       integer, intent(in) :: points, pitch
@@ -153,8 +133,11 @@ contains
       real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Tractions
       real(wp), intent(out) :: traction(lanes, 3, points)
+      !> Square of the strength of the law over that of each point, if they differ
+      real(wp), intent(in), optional :: weakness(lanes, points)
 
       real(wp) :: across, along, beyond(lanes), highest, load(lanes, most_points)
+      real(wp) :: weak(lanes, most_points)
       integer :: l, q
 
       beyond(:) = 0.0_wp
@@ -171,6 +154,12 @@ contains
          end do
       end do
       if (self%histories == 0) return
+      weak(:, :points) = 1.0_wp
+      if (present(weakness)) then
+         weak(:, :points) = weakness
+         load(:, :points) = load(:, :points)*weakness
+         beyond(:) = maxval(load(:, :points), 2) - 1.0_wp
+      end if
       do q = 1, points
          !$omp simd
          do l = 1, lanes
@@ -183,33 +172,44 @@ contains
          highest = max(highest, beyond(l))
       end do
       if (highest <= 0.0_wp) return
-      call update_damaged(self, points, pitch, opening, load, history, traction)
+      call update_damaged(self, points, pitch, opening, load, weak, history, traction)
    end subroutine update_points
 
    !> Damage, dissipated energies and degraded tractions
-   pure subroutine update_damaged(self, points, pitch, opening, load, history, traction)
+   pure subroutine update_damaged(self, points, pitch, opening, load, weak, history, traction)
       class(cohesive_type), intent(in) :: self
       !> As in `update_points`
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: opening(lanes, 3, points)
       !> Square of the load of the intact interface, 1 at the onset
-      real(wp), intent(in) :: load(lanes, most_points)
+      real(wp), intent(inout) :: load(lanes, most_points)
+      !> Square of the strength of the law over that of each point
+      real(wp), intent(in) :: weak(lanes, most_points)
       real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Tractions, of the intact interface in
       real(wp), intent(inout) :: traction(lanes, 3, points)
 
-      real(wp) :: before(lanes, most_points), h(lanes, with_friction)
+      real(wp) :: before(lanes, most_points), gain(lanes, most_points), h(lanes, with_friction)
       integer :: q
       logical :: grows(points)
 
-      call detect_growth(self%part, points, load, history(1, 1, damage_at), before, grows)
+      gain(:, :points) = 1.0_wp
+      if (self%pressure_gain > 0.0_wp) then
+         call resist_under_pressure(self, points, history(1, 1, damage_at), traction, weak, gain)
+         load(:, :points) = load(:, :points)/gain(:, :points)
+      end if
+      if (self%by_work) then
+         call detect_growth_by_work(points, pitch, load, history(1, 1, 1), before, grows)
+      else
+         call self%detect_growth(points, load, weak, history(1, 1, damage_at), before, grows)
+      end if
       do q = 1, points
          if (.not. grows(q)) cycle
-         call grow_damage(self, opening(:, :, q), traction(:, :, q), history(:, q, damage_at), &
-            & history(:, q, fracture_at))
+         call grow(self, opening(:, :, q), traction(:, :, q), load(:, q), weak(:, q), gain(:, q), &
+            & history(:, q, :self%histories))
          if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
-            call release_penalty(self, before(:, q), history(:, q, damage_at), opening(:, :, q), &
-               & history(:, q, closing_at))
+            call release_penalty(self%stiffness(normal), self%floor, before(:, q), &
+               & history(:, q, damage_at), opening(:, :, q), history(:, q, closing_at))
          end if
       end do
       do q = 1, points
@@ -218,92 +218,51 @@ contains
       if (.not. self%friction > 0.0_wp) return
       do q = 1, points
          h(:, :) = history(:, q, :with_friction)
-         call add_friction(self, before(:, q), opening(:, :, q), h, traction(:, :, q))
+         call add_friction(self%friction, self%friction_stiffness, before(:, q), &
+            & opening(:, :, q), h, traction(:, :, q))
          history(:, q, :with_friction) = h
       end do
    end subroutine update_damaged
 
-   !> Where damage can grow: it is below 1, and the load is past the least at which it would grow
-   !> with any mix of modes. That needs no power of the mix
-   pure subroutine detect_growth(part, points, load, damage, before, grows)
-      !> As in `cohesive_type`
-      real(wp), intent(in) :: part
-      integer, intent(in) :: points
-      !> As in `update_damaged`
-      real(wp), intent(in) :: load(lanes, most_points)
-      !> Damage, and the same again
-      real(wp), intent(in) :: damage(lanes, points)
-      real(wp), intent(out) :: before(lanes, most_points)
-      !> Whether it can grow in some lane
-      logical, intent(out) :: grows(points)
+   !> Let damage grow at a point, by the mode of its opening or by the work of both modes
+   pure subroutine grow(self, opening, traction, load, weak, gain, history)
+      class(cohesive_type), intent(in) :: self
+      !> As in `grow_damage`
+      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), load(lanes), weak(lanes), &
+         & gain(lanes)
+      !> History of the point
+      real(wp), intent(inout) :: history(lanes, self%histories)
 
-      real(wp) :: ahead(lanes), highest
+      if (self%by_work) then
+         call grow_by_work(self, opening, traction, load, weak, gain, history(:, :fracture_only), &
+            & history(:, self%histories - 1:))
+      else
+         call self%grow_damage(opening, traction, load, weak, gain, history(:, :fracture_only))
+      end if
+   end subroutine grow
+
+   !> Square of the shear strength of pressed points over that without pressure
+   pure subroutine resist_under_pressure(self, points, damage, traction, weak, gain)
+      class(cohesive_type), intent(in) :: self
+      !> Number of points
+      integer, intent(in) :: points
+      !> Damage, tractions of the intact interface, and weakness
+      real(wp), intent(in) :: damage(lanes, points), traction(lanes, 3, points)
+      real(wp), intent(in) :: weak(lanes, most_points)
+      !> The square, 1 where the faces are apart
+      real(wp), intent(inout) :: gain(lanes, most_points)
+
+      real(wp) :: pressure
       integer :: l, q
 
       do q = 1, points
-         !$omp simd
+         !$omp simd private(pressure)
          do l = 1, lanes
-            before(l, q) = damage(l, q)
-            ahead(l) = min(load(l, q)*(1.0_wp - part*damage(l, q))**2 - 1.0_wp, &
-               & 1.0_wp - damage(l, q))
+            pressure = max(1.0_wp - damage(l, q), self%floor)*max(-traction(l, 3, q), 0.0_wp)
+            gain(l, q) = (1.0_wp + self%pressure_gain*pressure*sqrt(weak(l, q)))**2
          end do
-         highest = 0.0_wp
-         !$omp simd reduction(max: highest)
-         do l = 1, lanes
-            highest = max(highest, ahead(l))
-         end do
-         grows(q) = highest > 0.0_wp
       end do
-   end subroutine detect_growth
-
-   !> New damage and the energy that it took
-   pure subroutine grow_damage(self, opening, traction, damage, fracture)
-      class(cohesive_type), intent(in) :: self
-      !> Opening, and traction of the intact interface
-      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
-      !> Damage, and energy lost in fracture
-      real(wp), intent(inout) :: damage(lanes), fracture(lanes)
-
-      real(wp) :: across, after, along, before, f(lanes), left, mix(lanes), r, toughness(lanes)
-      integer :: l
-
-      !$omp simd private(across, along)
-      do l = 1, lanes
-         ! twice the elastic energies of both modes of the intact interface
-         across = traction(l, 3)*max(opening(l, 3), 0.0_wp)
-         along = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
-         mix(l) = along/(across + along + tiny(1.0_wp))
-         ! the load, 1 at the onset
-         f(l) = max(sqrt(self%onset(normal)*across + self%onset(shear)*along), 1.0_wp)
-      end do
-      call find_toughness(self%criterion, self%exponent, self%toughness, mix, toughness)
-      !$omp simd private(after, before, left, r)
-      do l = 1, lanes
-         ! final over onset opening of a straight path with this mix
-         r = 2.0_wp*toughness(l)*(self%onset(normal)*(1.0_wp - mix(l)) &
-            & + self%onset(shear)*mix(l))
-         before = damage(l)
-         ! r over the load at which the damage so far would grow
-         left = r - before*(r - 1.0_wp)
-         after = min(max(before, r*(f(l) - 1.0_wp)/(f(l)*(r - 1.0_wp))), 1.0_wp)
-         damage(l) = after
-         fracture(l) = fracture(l) &
-            & + toughness(l)*(after - before)*min(f(l), r)/left
-      end do
-   end subroutine grow_damage
-
-   !> Energy per crack area at a mix of modes
-   pure real(wp) function toughness_of(self, mix)
-      class(cohesive_type), intent(in) :: self
-      !> Share of the energy that is of shear, from 0 to 1
-      real(wp), intent(in) :: mix
-
-      real(wp) :: toughness(lanes)
-
-      call find_toughness(self%criterion, self%exponent, self%toughness, &
-         & spread(mix, 1, lanes), toughness)
-      toughness_of = toughness(1)
-   end function toughness_of
+   end subroutine resist_under_pressure
 
    !> Tractions of the damaged interface from those of the intact one
    pure subroutine degrade_traction(damage, floor, traction)
@@ -325,65 +284,5 @@ contains
          traction(l, 3) = merge(whole, max(whole, floor), traction(l, 3) > 0.0_wp)*traction(l, 3)
       end do
    end subroutine degrade_traction
-
-   !> Energy that closed faces lose when their penalty falls
-   pure subroutine release_penalty(self, before, damage, opening, closing)
-      class(cohesive_type), intent(in) :: self
-      !> Damage before and after this step
-      real(wp), intent(in) :: before(lanes), damage(lanes)
-      !> Opening
-      real(wp), intent(in) :: opening(lanes, 3)
-      !> Energy lost so
-      real(wp), intent(inout) :: closing(lanes)
-
-      real(wp) :: lost
-      integer :: l
-
-      !$omp simd private(lost)
-      do l = 1, lanes
-         lost = max(1.0_wp - before(l), self%floor) &
-            & - max(1.0_wp - damage(l), self%floor)
-         closing(l) = closing(l) &
-            & + 0.5_wp*self%stiffness(normal)*lost*min(opening(l, 3), 0.0_wp)**2
-      end do
-   end subroutine release_penalty
-
-   !> Add the friction of the failed share of the face. Sliding first stretches it; it slips where
-   !> that would take more than Coulomb's traction. The energy is the mean traction times the slip
-   pure subroutine add_friction(self, before, opening, history, traction)
-      class(cohesive_type), intent(in) :: self
-      !> Damage before this step
-      real(wp), intent(in) :: before(lanes)
-      !> Opening
-      real(wp), intent(in) :: opening(lanes, 3)
-      !> Damage, slip, stretch and energy
-      real(wp), intent(inout) :: history(lanes, with_friction)
-      !> Traction, without friction in
-      real(wp), intent(inout) :: traction(lanes, 3)
-
-      real(wp) :: carried, damage, full, part, share, x, y
-      integer :: l
-
-      !$omp simd private(carried, damage, full, part, share, x, y)
-      do l = 1, lanes
-         damage = history(l, damage_at)
-         ! the share of the failed face that had failed before
-         share = before(l)/max(damage, tiny(1.0_wp))
-         x = opening(l, 1) - history(l, slip_at)
-         y = opening(l, 2) - history(l, slip_at + 1)
-         full = sqrt(x*x + y*y)
-         carried = min(share*full, self%friction*max(-traction(l, 3), 0.0_wp) &
-            & /self%friction_stiffness)
-         part = carried/max(full, tiny(1.0_wp))
-         traction(l, 1) = traction(l, 1) + damage*self%friction_stiffness*part*x
-         traction(l, 2) = traction(l, 2) + damage*self%friction_stiffness*part*y
-         history(l, slip_at) = opening(l, 1) - part*x
-         history(l, slip_at + 1) = opening(l, 2) - part*y
-         history(l, friction_at) = history(l, friction_at) + 0.5_wp*damage*self%friction_stiffness &
-            & *((share*full - carried)*(carried + history(l, stretch_at)) &
-            & + (1.0_wp - share)*full*carried)
-         history(l, stretch_at) = carried
-      end do
-   end subroutine add_friction
 
 end module plydyn_law_cohesive_bilinear

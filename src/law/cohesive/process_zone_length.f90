@@ -1,7 +1,7 @@
 !> Lengths of the process zone of an interface, and constants that a mesh can resolve.
 module plydyn_law_cohesive_process_zone_length
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_bilinear, only : normal, shear
+   use plydyn_law_cohesive_softening, only : normal, shear
    implicit none
    private
 
@@ -55,12 +55,8 @@ contains
    pure function zone_lengths(across, along, thickness, toughness, strength) result(length)
       !> Modulus across the interface, and along the layers
       real(wp), intent(in) :: across, along
-      !> Thickness of the thinner layer
-      real(wp), intent(in) :: thickness
-      !> Energies per crack area, normal and shear
-      real(wp), intent(in) :: toughness(2)
-      !> Strengths
-      real(wp), intent(in) :: strength(2)
+      !> Thickness of the thinner layer; energies per crack area and strengths, normal and shear
+      real(wp), intent(in) :: thickness, toughness(2), strength(2)
       real(wp) :: length(2)
 
       length(:) = min(zone_length(across, toughness, strength), &

@@ -65,12 +65,9 @@ contains
    !> Give a lane to this law
    pure subroutine set_lane(self, lane, young, poisson, yield, tangent, beta)
       class(plastic_kinematic_type), intent(inout) :: self
-      !> Place in the batch
+      !> Place in the batch; Young's modulus and Poisson's ratio
       integer, intent(in) :: lane
-      !> Young's modulus
-      real(wp), intent(in) :: young
-      !> Poisson's ratio
-      real(wp), intent(in) :: poisson
+      real(wp), intent(in) :: young, poisson
       !> Yield stress, positive
       real(wp), intent(in) :: yield
       !> Slope of stress over total strain beyond yield in tension, below Young's modulus
@@ -127,11 +124,8 @@ contains
    !> Yield stress and its slopes
    pure subroutine yield_stress(self, strain, rate, yield, hardening, viscosity)
       class(plastic_kinematic_type), intent(in) :: self
-      real(wp), intent(in) :: strain(lanes)
-      real(wp), intent(in) :: rate(lanes)
-      real(wp), intent(out) :: yield(lanes)
-      real(wp), intent(out) :: hardening(lanes)
-      real(wp), intent(out) :: viscosity(lanes)
+      real(wp), intent(in) :: strain(lanes), rate(lanes)
+      real(wp), intent(out) :: yield(lanes), hardening(lanes), viscosity(lanes)
 
       yield(:) = self%yield + self%isotropic*strain
       hardening(:) = self%isotropic

@@ -85,12 +85,9 @@ contains
    !> Give a lane to this law
    pure subroutine set_lane(self, lane, young, poisson, curves, logarithmic)
       class(plastic_curve_type), intent(inout) :: self
-      !> Place in the batch
+      !> Place in the batch; Young's modulus and Poisson's ratio
       integer, intent(in) :: lane
-      !> Young's modulus
-      real(wp), intent(in) :: young
-      !> Poisson's ratio
-      real(wp), intent(in) :: poisson
+      real(wp), intent(in) :: young, poisson
       !> Curves that can be, by rising rate; one alone holds at all rates
       type(yield_curve_type), intent(in) :: curves(:)
       !> Whether the logarithm of the rate counts between curves; all rates are positive then
@@ -190,11 +187,8 @@ contains
    !> Yield stress and its slopes
    pure subroutine yield_stress(self, strain, rate, yield, hardening, viscosity)
       class(plastic_curve_type), intent(in) :: self
-      real(wp), intent(in) :: strain(lanes)
-      real(wp), intent(in) :: rate(lanes)
-      real(wp), intent(out) :: yield(lanes)
-      real(wp), intent(out) :: hardening(lanes)
-      real(wp), intent(out) :: viscosity(lanes)
+      real(wp), intent(in) :: strain(lanes), rate(lanes)
+      real(wp), intent(out) :: yield(lanes), hardening(lanes), viscosity(lanes)
 
       call look_up(size(self%slope, 2), self%start, self%offset(:, :, 1), self%slope(:, :, 1), &
          & strain, yield, hardening)

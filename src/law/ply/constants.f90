@@ -74,7 +74,6 @@ module plydyn_law_ply_constants
       module subroutine new_batch(self, law)
          implicit none
          class(ply_constants_type), intent(in) :: self
-         !> The law
          class(law_type), allocatable, intent(out) :: law
       end subroutine new_batch
 
@@ -82,9 +81,7 @@ module plydyn_law_ply_constants
       pure module subroutine set_lane(self, lane, law)
          implicit none
          class(ply_constants_type), intent(in) :: self
-         !> Lane, which the law owns from then on
          integer, intent(in) :: lane
-         !> The law
          class(law_type), intent(inout) :: law
       end subroutine set_lane
    end interface

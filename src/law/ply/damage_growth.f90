@@ -98,13 +98,12 @@ contains
             damage = mode(l, of_damage, k)
             onset = abs(mode(l, of_onset, k))
             last = mode(l, of_finish, k)
-            fall = last - onset
             floor = merge(plateau(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
-            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
-
+            fall = last - onset
             call find_reached(damage, onset, last, floor, part, rise)
             share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
 
+            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
             now = max(strain(l, k), onset, small)
             left = max(last - now, floor*fall)
             left = merge(0.0_wp, left, left < cut*fall)

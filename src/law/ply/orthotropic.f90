@@ -58,12 +58,8 @@ contains
       class(orthotropic_type), intent(inout) :: self
       !> Lane that has this law from now on
       integer, intent(in) :: lane
-      !> E1, E2, E3
-      real(wp), intent(in) :: young(3)
-      !> nu12, nu13, nu23
-      real(wp), intent(in) :: poisson(3)
-      !> G12, G13, G23
-      real(wp), intent(in) :: shear(3)
+      !> As in `ply_stiffness`
+      real(wp), intent(in) :: young(3), poisson(3), shear(3)
 
       real(wp) :: c(6, 6)
 

@@ -36,12 +36,8 @@ contains
       class(secant_type), intent(inout) :: self
       !> Lane
       integer, intent(in) :: lane
-      !> E1, E2, E3
-      real(wp), intent(in) :: young(3)
-      !> nu12, nu13, nu23: strain in the second direction from stress along the first
-      real(wp), intent(in) :: poisson(3)
-      !> G12, G13, G23
-      real(wp), intent(in) :: shear(3)
+      !> As in `ply_stiffness`
+      real(wp), intent(in) :: young(3), poisson(3), shear(3)
 
       real(wp) :: c(6, 6), nu21, nu31, nu32
 

@@ -118,9 +118,8 @@ contains
    !> Let averages over neighbours drive the damage of a lane that has its ply
    pure subroutine set_average(self, lane, radius)
       class(strain_damage_type), intent(inout) :: self
-      !> Lane
+      !> Lane, and radii of the ellipse along and across the fibres
       integer, intent(in) :: lane
-      !> Radii of the ellipse along and across the fibres
       real(wp), intent(in) :: radius(2)
 
       self%averages = .true.

@@ -31,7 +31,7 @@ contains
       !> Sums over all points
       type(motion_sums_type), intent(inout) :: sums
 
-      real(wp) :: free(3, size(self%response, 2))
+      real(wp) :: free(3, size(self%response, 2)), new(lanes, 3, maxval(self%rows)/lanes)
       integer :: d, f, first, place, starts(size(self%rows))
 
       free(:, :) = 0.0_wp
@@ -45,8 +45,9 @@ contains
       end do
       do f = 1, size(starts)
          first = starts(f) + self%before(f) + 1
-         call respond(self, f, node, half_step, free, mass(columns%mass_start(f, node):), &
-            & velocity(first:), acceleration(first:), sums)
+         call respond(self, f, self%kind(:, node), free, new)
+         call replace_rows(self%rows(f), half_step, mass(columns%mass_start(f, node):), &
+            & velocity(first:), new, acceleration(first:), sums)
          call add_stretches(self, f, node, half_step, &
             & self%rows(f)/(columns%order_groups(f)%order + 1), &
             & velocity(first:), acceleration(first:), sums)
@@ -54,25 +55,39 @@ contains
    end subroutine couple_column
 
    !> Response of the rows of an order group, eight at a time
-   pure subroutine respond(self, f, node, half_step, free, mass, v, a, sums)
+   pure subroutine respond(self, f, kind, free, new)
       type(column_inertia_type), intent(in) :: self
-      integer, intent(in) :: f, node
-      real(wp), intent(in) :: half_step, free(:, :)
-      real(wp), intent(in) :: mass(self%rows(f)), v(self%rows(f), 3)
-      real(wp), intent(inout) :: a(self%rows(f), 3)
+      integer, intent(in) :: f
+      !> Kinds of the column along x, y, z
+      integer, intent(in) :: kind(3)
+      real(wp), intent(in) :: free(:, :)
+      !> Accelerations, (lanes, direction, eight rows)
+      real(wp), intent(out) :: new(lanes, 3, self%rows(f)/lanes)
+
+      integer :: k, r
+
+      do r = 1, self%rows(f)/lanes
+         k = self%before(f)/lanes + r
+         call multiply(size(free, 2), self%response(:, :, k, kind(1)), &
+            & self%response(:, :, k, kind(2)), self%response(:, :, k, kind(3)), free, new(:, :, r))
+      end do
+   end subroutine respond
+
+   !> Put new accelerations in the place of those of free points, with their part in the sums
+   pure subroutine replace_rows(rows, half_step, mass, v, new, a, sums)
+      integer, intent(in) :: rows
+      real(wp), intent(in) :: half_step, mass(rows), v(rows, 3), new(lanes, 3, *)
+      real(wp), intent(inout) :: a(rows, 3)
       type(motion_sums_type), intent(inout) :: sums
 
-      real(wp) :: changes(lanes, 3, 3), new(lanes, 3)
-      integer :: c, k, r
+      real(wp) :: changes(lanes, 3, 3)
+      integer :: c, r
 
       changes(:, :, :) = 0.0_wp
-      do r = 1, self%rows(f), lanes
-         k = (self%before(f) + r - 1)/lanes + 1
-         call multiply(size(free, 2), self%response(:, :, k, self%kind(1, node)), &
-            & self%response(:, :, k, self%kind(2, node)), &
-            & self%response(:, :, k, self%kind(3, node)), free, new)
+      do r = 1, rows, lanes
          do c = 1, 3
-            call replace(half_step, mass(r), v(r, c), new(:, c), a(r, c), changes(:, :, c))
+            call replace(half_step, mass(r), v(r, c), new(:, c, 1 + r/lanes), a(r, c), &
+               & changes(:, :, c))
          end do
       end do
       do c = 1, 3
@@ -80,7 +95,7 @@ contains
       end do
       sums%twice_kinetic = sums%twice_kinetic + half_step*sum(changes(:, 2, :))
       sums%acceleration_square = sums%acceleration_square + sum(changes(:, 3, :))
-   end subroutine respond
+   end subroutine replace_rows
 
    !> Products of eight rows of a response with accelerations along x, y, z; sums that do not wait
    !> for each other
@@ -109,7 +124,7 @@ contains
       new(:, 3) = z
    end subroutine multiply
 
-   !> Put new accelerations in the place of those of free points
+   !> The same of eight rows along one direction
    pure subroutine replace(half_step, mass, v, new, a, changes)
       real(wp), intent(in) :: half_step, mass(lanes), v(lanes), new(lanes)
       real(wp), intent(inout) :: a(lanes)

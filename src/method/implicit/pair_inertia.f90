@@ -14,27 +14,24 @@ contains
    !> Couple the pairs above a node, and bring the sums over all points up to date, in which the
    !> points alone are already
    pure subroutine couple_pairs(pairs, columns, node, half_step, velocity, acceleration, sums)
-      !> The pairs
+      !> The pairs; where the points lie
       type(pair_inertia_type), intent(in) :: pairs
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The node
+      !> The node; half of the step just made
       integer, intent(in) :: node
-      !> Half of the step just made
       real(wp), intent(in) :: half_step
       !> Velocity of all points, half a step before
       real(wp), intent(in), contiguous :: velocity(:)
       !> Force over mass of all points in, their acceleration out
       real(wp), intent(inout), contiguous :: acceleration(:)
-      !> Sums over all points
       type(motion_sums_type), intent(inout) :: sums
 
       integer :: f, first
 
       do f = 1, size(columns%order_groups)
          first = columns%start(f, node)
-         call couple_family(pairs, f, node, half_step, columns%order_groups(f)%order + 1, &
-            & size(pairs%tables(f)%inertia, 1), velocity(first:), acceleration(first:), sums)
+         call couple_order_group(pairs, f, node, half_step, columns%order_groups(f)%order + 1, &
+            & velocity(first:), acceleration(first:), sums)
       end do
       if (size(pairs%far_inertia) > 0) then
          call couple_far(pairs, node, half_step, velocity, acceleration, sums)
@@ -42,17 +39,18 @@ contains
    end subroutine couple_pairs
 
    !> Pairs between lanes side by side, eight at a time: the upper points are one place further on
-   pure subroutine couple_family(pairs, f, node, half_step, levels, width, v, a, sums)
+   pure subroutine couple_order_group(pairs, f, node, half_step, levels, v, a, sums)
       type(pair_inertia_type), intent(in) :: pairs
-      integer, intent(in) :: f, node, levels, width
-      real(wp), intent(in) :: half_step, v(width*levels, 3)
-      real(wp), intent(inout) :: a(width*levels, 3)
+      integer, intent(in) :: f, node, levels
+      real(wp), intent(in) :: half_step, v(size(pairs%tables(f)%inertia, 1)*levels, 3)
+      real(wp), intent(inout) :: a(size(pairs%tables(f)%inertia, 1)*levels, 3)
       type(motion_sums_type), intent(inout) :: sums
 
       real(wp), dimension(lanes) :: added, product, square
       real(wp) :: gap, high, left, low, speed
-      integer :: c, k, l, top
+      integer :: c, k, l, top, width
 
+      width = size(pairs%tables(f)%inertia, 1)
       added(:) = 0.0_wp
       product(:) = 0.0_wp
       square(:) = 0.0_wp
@@ -81,7 +79,7 @@ contains
       sums%acceleration_square = sums%acceleration_square - pairs%area(node)*sum(product)
       sums%twice_kinetic = sums%twice_kinetic - pairs%area(node)*half_step*sum(square)
       sums%twice_added = sums%twice_added + pairs%area(node)*sum(added)
-   end subroutine couple_family
+   end subroutine couple_order_group
 
    !> Pairs whose points lie anywhere
    pure subroutine couple_far(pairs, node, half_step, v, a, sums)
@@ -113,13 +111,10 @@ contains
 
    !> Kinetic energy of the pairs above a node whose accelerations are coupled already
    pure subroutine add_pair_energy(pairs, columns, node, half_step, velocity, acceleration, sums)
-      !> The pairs
+      !> As in `couple_pairs`
       type(pair_inertia_type), intent(in) :: pairs
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The node
       integer, intent(in) :: node
-      !> Half of the step just made
       real(wp), intent(in) :: half_step
       !> Velocity of all points, half a step before; their acceleration
       real(wp), intent(in), contiguous :: velocity(:), acceleration(:)
@@ -132,7 +127,7 @@ contains
       twice = 0.0_wp
       do f = 1, size(columns%order_groups)
          first = columns%start(f, node)
-         call add_family(pairs%tables(f)%inertia, columns%order_groups(f)%order + 1, &
+         call add_order_group(pairs%tables(f)%inertia, columns%order_groups(f)%order + 1, &
             & size(pairs%tables(f)%inertia, 1), half_step, velocity(first:), &
             & acceleration(first:), twice)
       end do
@@ -146,7 +141,7 @@ contains
    end subroutine add_pair_energy
 
    !> The share of pairs side by side
-   pure subroutine add_family(inertia, levels, width, half_step, v, a, twice)
+   pure subroutine add_order_group(inertia, levels, width, half_step, v, a, twice)
       integer, intent(in) :: levels, width
       real(wp), intent(in) :: inertia(width, 3), half_step, v(width*levels, 3), a(width*levels, 3)
       real(wp), intent(inout) :: twice
@@ -161,6 +156,6 @@ contains
                & + half_step*(a(l + 1, c) - a(top + l, c)))**2
          end do
       end do
-   end subroutine add_family
+   end subroutine add_order_group
 
 end module plydyn_method_implicit_pair_inertia

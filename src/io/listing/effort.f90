@@ -1,0 +1,260 @@
+!> What a run will take: steps, memory, sizes of all files, and time.
+module plydyn_io_listing_effort
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text, text
+   use plydyn_domain_delamination, only : failing_interfaces, present_interfaces
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes, motion_bytes
+   use plydyn_element_output_group, only : cell_type
+   use plydyn_io_listing_progress_line, only : duration_text
+   use plydyn_io_listing_table, only : write_section
+   use plydyn_io_vtkhdf_components, only : field_components
+   use plydyn_io_vtkhdf_element_grid, only : cells_of_sheet, field_group
+   use plydyn_io_vtkhdf_interface_fields, only : interface_numbers
+   use plydyn_io_vtkhdf_output_nodes, only : number_nodes
+   use plydyn_law_law, only : mechanisms
+   use plydyn_model_control, only : request_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: write_effort
+
+   !> Bytes in a megabyte
+   real(wp), parameter :: megabyte = 1.0e6_wp
+   !> Seconds that a byte takes: of a table, of fields, which are brought to nodes, and of a restart
+   !> file, at the speed of a plain disk
+   real(wp), parameter :: table_time = 6.0e-8_wp, field_time = 5.0e-8_wp, restart_time = 1.0e-8_wp
+   !> Bytes in the file: of a field's value or a cell's number, of a point's position, of a corner
+   !> or the offset of a cell, and of its kind
+   real(wp), parameter :: value_bytes = 4.0_wp, position_bytes = 24.0_wp, index_bytes = 8.0_wp, &
+      & kind_bytes = 1.0_wp
+   !> Numbers of a cell that do not change: of a layer, of another element and of an
+   !> interface
+   real(wp), parameter :: layer_numbers = 8.0_wp, cell_numbers = 6.0_wp, bond_numbers = 6.0_wp
+
+   !> What the lines have in common
+   type :: effort_type
+      !> Unit of the listing
+      integer :: unit = 0
+      !> Steps of the run, and seconds that it takes with all files
+      real(wp) :: steps = 0.0_wp, seconds = 0.0_wp
+   end type effort_type
+
+contains
+
+   !> Memory, sizes of files and time to come
+   subroutine write_effort(unit, model, domain, seconds_per_step)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      !> Processor time of a thread in a step without output
+      real(wp), intent(in) :: seconds_per_step
+
+      type(effort_type) :: self
+
+      self%unit = unit
+      self%steps = domain%control%end_time/domain%step
+      if (domain%control%end_cycle > 0) then
+         self%steps = min(self%steps, real(domain%control%end_cycle, wp))
+      end if
+      self%seconds = self%steps*seconds_per_step
+      call write_section(unit, "Effort")
+      write (unit, "(2a)") "steps                         ", fixed_text(self%steps, 0)
+      write (unit, "(a,i0)") "threads                       ", domain%control%threads
+      ! what several ranks have is in their table
+      if (domain%comm%ranks == 1) then
+         call write_size(self, "memory of mesh and motion     ", mesh_bytes(domain), 1)
+         if (any_history(domain)) call write_size(self, "memory of histories           ", &
+            & history_bytes(domain), 1)
+         call write_restart_files(self, model%request, motion_bytes(domain) + history_bytes(domain))
+      end if
+      call write_file(self, "file of fields                ", fields_bytes(model, domain), &
+         & field_time)
+      if (size(present_interfaces(domain)) > 0) then
+         call write_file(self, "file of interfaces            ", interfaces_bytes(model, domain), &
+            & field_time)
+      end if
+      call write_file(self, "tables, about                 ", &
+         & tables_bytes(model, domain, self%steps), table_time)
+      write (unit, "(3a)") "a step, measured              ", &
+         & fixed_text(1.0e3_wp*seconds_per_step, 3), " ms"
+      write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
+         & fixed_text(self%seconds, 1), " s)"
+   end subroutine write_effort
+
+   !> A line with a size
+   subroutine write_size(self, label, bytes, digits)
+      type(effort_type), intent(in) :: self
+      character(*), intent(in) :: label
+      real(wp), intent(in) :: bytes
+      !> Digits behind the point
+      integer, intent(in) :: digits
+
+      write (self%unit, "(3a)") label, fixed_text(bytes/megabyte, digits), " MB"
+   end subroutine write_size
+
+   !> A line with the size of what is written, and the time that it takes
+   subroutine write_file(self, label, bytes, byte_time)
+      type(effort_type), intent(inout) :: self
+      character(*), intent(in) :: label
+      real(wp), intent(in) :: bytes
+      !> Seconds that a byte takes
+      real(wp), intent(in) :: byte_time
+
+      call write_size(self, label, bytes, 3)
+      self%seconds = self%seconds + byte_time*bytes
+   end subroutine write_file
+
+   !> Restart files that are kept, and those that replace each other, the one at the end included
+   subroutine write_restart_files(self, request, bytes)
+      type(effort_type), intent(inout) :: self
+      type(request_type), intent(in) :: request
+      !> Bytes of one
+      real(wp), intent(in) :: bytes
+
+      real(wp) :: files
+
+      if (request%kept_cycles > 0) then
+         files = aint(self%steps/request%kept_cycles) + 1.0_wp
+         call write_file(self, "restart files kept, "//text(nint(min(1.0_wp*huge(1), files))) &
+            & //"     ", bytes*files, restart_time)
+      end if
+      if (request%running_cycles == 0) return
+      files = aint(self%steps/request%running_cycles) + 1.0_wp
+      call write_size(self, "restart files replaced, "//text(request%running_files)//"     ", &
+         & bytes*request%running_files, 3)
+      self%seconds = self%seconds + restart_time*bytes*files
+   end subroutine write_restart_files
+
+   !> Bytes of the file of fields
+   real(wp) function fields_bytes(model, domain) result(bytes)
+      type(model_type), intent(in) :: model
+      !> The domain; its layers and step are known
+      type(domain_type), intent(in) :: domain
+
+      type(cell_type) :: cell
+      integer, allocatable :: levels(:), node(:, :), part(:)
+      integer :: k
+
+      bytes = 0.0_wp
+      if (field_group(domain) == 0) return
+      associate (group => domain%groups(field_group(domain))%item)
+         cell = group%find_cell()
+         levels = [(group%sheet_levels(k), k=1, group%sheets())]
+         call group%list_elements(model%mesh, part, node)
+      end associate
+      bytes = file_bytes(sum(levels)*output_nodes_of(part, node, size(model%mesh%node_id)), &
+         & sum(field_components(model%request%fields))*states(model, domain), &
+         & real(size(part), wp)*sum(cells_of_sheet(levels, cell%span)), size(cell%corner, 2), &
+         & merge(layer_numbers, cell_numbers, all(levels > 1)))
+   end function fields_bytes
+
+   !> Bytes of the file of interfaces, 0 if there is none
+   real(wp) function interfaces_bytes(model, domain) result(bytes)
+      type(model_type), intent(in) :: model
+      !> The domain; its layers, interfaces and step are known
+      type(domain_type), intent(in) :: domain
+
+      real(wp) :: interfaces
+
+      interfaces = real(size(present_interfaces(domain)), wp)
+      bytes = 0.0_wp
+      if (interfaces <= 0.0_wp) return
+      associate (mesh => model%mesh)
+         bytes = file_bytes(interfaces*output_nodes_of(mesh%quad_part, mesh%quad_node, &
+            & size(mesh%node_id)), interface_numbers*states(model, domain), &
+            & interfaces*size(mesh%quad_id), size(mesh%quad_node, 1), bond_numbers)
+      end associate
+   end function interfaces_bytes
+
+   !> States of a run: at time zero, at the first step after each interval, and the last
+   pure real(wp) function states(model, domain)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      !> Round-off of a number of steps or intervals
+      real(wp), parameter :: slack = 1.0e-6_wp
+      real(wp) :: before
+
+      ! steps before the last
+      before = aint(domain%control%end_time/domain%step - slack)
+      if (domain%control%end_cycle > 0) before = min(before, domain%control%end_cycle - 1.0_wp)
+      states = 2.0_wp + min(before, aint(before*domain%step/model%request%field_interval + slack))
+   end function states
+
+   !> Points of the plane, or of bricks: each part has its own
+   real(wp) function output_nodes_of(part, element_node, nodes) result(count)
+      !> As in `number_nodes`
+      integer, intent(in) :: part(:), element_node(:, :), nodes
+
+      integer, allocatable :: node(:), output_node(:, :)
+
+      call number_nodes(part, element_node, nodes, output_node, node)
+      count = real(size(node), wp)
+   end function output_nodes_of
+
+   !> Bytes of a file
+   pure real(wp) function file_bytes(points, values, cells, corners, numbers) result(bytes)
+      !> Points, and values of all states at each
+      real(wp), intent(in) :: points, values
+      !> Cells, the corners and the numbers of each
+      real(wp), intent(in) :: cells, numbers
+      integer, intent(in) :: corners
+
+      bytes = points*(position_bytes + value_bytes*values) &
+         & + cells*(index_bytes*(corners + 1) + kind_bytes + value_bytes*numbers)
+   end function file_bytes
+
+   !> Bytes of all histories and profiles
+   real(wp) function tables_bytes(model, domain, steps) result(bytes)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Steps of the run
+      real(wp), intent(in) :: steps
+
+      !> Bytes of a number; columns of the energies, of an impactor and its contact, of a fixture,
+      !> of each face of a node, of each support and motion, of an interface, and of a profile
+      real(wp), parameter :: number_bytes = 17.0_wp
+      integer, parameter :: energy = 19 + mechanisms, impactor = 21 + 6, fixture = 12, node = 6, &
+         & support = 3, interface = 2, profile = 24
+      integer :: faces, i
+
+      faces = merge(2, 1, any(domain%layers%order > 0))
+      associate (request => model%request)
+         bytes = energy*lines(request%energy_interval) &
+            & + size(model%impactors)*impactor*lines(request%impactor_interval) &
+            & + size(model%fixtures)*fixture*lines(request%fixture_interval) &
+            & + size(request%nodes)*node*faces*lines(request%node_interval)
+         if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
+            & *support*(1 + size(model%holds) + size(model%motions))
+         if (size(failing_interfaces(domain)) > 0) bytes = bytes &
+            & + lines(request%delamination_interval) &
+            & *(3 + interface*size(failing_interfaces(domain)))
+         do i = 1, size(request%profiles)
+            bytes = bytes + lines(request%profiles(i)%interval)*profile &
+               & *request%profiles(i)%points*real(size(domain%layers%order), wp)
+         end do
+      end associate
+      bytes = number_bytes*bytes
+
+   contains
+
+      !> Lines of a table
+      real(wp) function lines(interval)
+         !> Time between two of them; 0 for every step
+         real(wp), intent(in) :: interval
+
+         lines = steps
+         if (interval > 0.0_wp) lines = min(steps, domain%control%end_time/interval)
+         lines = lines + 1.0_wp
+      end function lines
+
+   end function tables_bytes
+
+end module plydyn_io_listing_effort

@@ -1,0 +1,203 @@
+!> Sets up the contacts of impactors, and refuses what they would not see.
+module plydyn_method_contact_setup
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_contact_contact, only : contact_setup_type, new_contact
+   use plydyn_domain_chunks, only : list_chunks
+   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_fem_shape, only : bilinear_nodes
+   use plydyn_method_contact_step, only : contacts_type, find_positions
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
+   use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: new_contacts
+
+   !> Penetration at time zero that is round-off, as a share of the radius
+   real(wp), parameter :: touching = 1.0e-9_wp
+   !> Largest depth to which an impactor sinks in between points over that of its centre
+   real(wp), parameter :: deepest_sinking = 0.75_wp
+   !> Distance from the axis, over the radius, of facets that lie below an impactor
+   real(wp), parameter :: relative_zone = 0.5_wp
+   !> Largest move in a step over the depth within which contact is seen
+   real(wp), parameter :: largest_move = 0.5_wp
+
+contains
+
+   !> Build the contacts where plate and impactors are now; refuse what contact would not see.
+   !> All ranks must come here
+   subroutine new_contacts(domain, state, self, error)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Displacement of the plate, and the impactors
+      type(state_type), intent(in) :: state
+      !> The contacts
+      type(contacts_type), intent(out) :: self
+      !> An impactor that begins inside the plate, is too fast, or slips in between its points
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: gap
+      integer :: i
+
+      allocate (self%pairs(size(domain%contact%contacts)))
+      allocate (self%reached(size(domain%chunks%list)), source=.false.)
+      allocate (self%velocity_before(3, size(domain%contact%impactors)), source=0.0_wp)
+      do i = 1, size(domain%contact%contacts)
+         associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
+            & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
+            & pair => self%pairs(i), centre => state%impactors(domain%contact%contacts(i)%impactor &
+            & )%centre)
+            pair%position = surface%position
+            if (contact%friction%static > 0.0_wp) then
+               pair%sent_each = 6
+               allocate (pair%motion)
+               allocate (pair%motion%point, pair%motion%point_force, mold=surface%position)
+            end if
+            associate (each => pair%sent_each)
+               allocate (pair%sent(each*count(surface%own)))
+               allocate (pair%received(each*size(surface%position, 2)))
+            end associate
+            call find_positions(domain, surface, surface%of_ranks, surface%counts, state, pair)
+            call refuse_passage(contact, surface, impactor, centre, error)
+            if (.not. allocated(error)) call refuse_speed(domain, contact, impactor, error)
+            if (allocated(error)) return
+            call new_contact(pair%pair, contact_setup_type(body=impactor%body, &
+               & mass=impactor%mass, guided=impactor%guided, prescribed=impactor%motion > 0, &
+               & inertia=merge(impactor%inertia, 0.0_wp, impactor%rotates), &
+               & friction=contact%friction, side=contact%face, &
+               & exact_body=contact%method == points_on_plate, spacing=contact%spacing), &
+               & surface%facet, pair%position, centre, error)
+            if (allocated(error)) then
+               error%message = place_of(contact, "SPACING")//error%message
+               return
+            end if
+            call list_chunks(domain, surface, pair%last_chunk, pair%chunk)
+            pair%inverse_mass = surface%inverse_mass
+            gap = pair%pair%initial_gap(pair%position, centre)
+            ! one that moved before this restart presses already
+            if (any(abs(state%impactors(contact%impactor)%displacement) > 0.0_wp)) cycle
+            if (gap >= -touching*impactor%body%radius) cycle
+            call fail(error, exit_input, place_of(contact, "FACE")//"impactor " &
+               & //text(impactor%id)//" begins "//text(-gap)//" inside the plate: move its " &
+               & //"centre by that much, or choose the other face")
+            return
+         end associate
+      end do
+   end subroutine new_contacts
+
+   !> Location of a contact in the deck: file, line and field
+   pure function place_of(contact, field) result(words)
+      type(contact_type), intent(in) :: contact
+      character(*), intent(in) :: field
+      character(:), allocatable :: words
+
+      words = "error: "//contact%place//": *CONTACT_IMPACTOR "//trim(field)//": "
+   end function place_of
+
+   !> Refuse an impactor that sinks in between points of the plate before it meets one
+   subroutine refuse_passage(contact, surface, impactor, centre, error)
+      type(contact_type), intent(in) :: contact
+      type(surface_type), intent(in) :: surface
+      type(impactor_type), intent(in) :: impactor
+      !> Its centre, length
+      real(wp), intent(in) :: centre(3)
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: apart, depth, lowest
+
+      if (contact%method /= points_on_plate) return
+      apart = widest_distance(surface, impactor, centre)
+      associate (body => impactor%body, side => contact%face)
+         lowest = body%lowest_height(side)
+         ! how deep it lies where points touch it, along x and y
+         depth = max(body%vertical_gap([0.5_wp*apart, 0.0_wp, 0.0_wp], side), &
+            & body%vertical_gap([0.0_wp, 0.5_wp*apart, 0.0_wp], side)) - lowest
+         if (depth <= -deepest_sinking*lowest) return
+         call fail(error, exit_input, place_of(contact, "METHOD")//"an impactor of radius " &
+            & //text(body%radius)//" passes or sinks in between points of the plate that are " &
+            & //text(apart)//" apart: make the mesh finer there, or use METHOD 1")
+      end associate
+   end subroutine refuse_passage
+
+   !> Largest distance across four neighbouring points below an impactor, length
+   pure real(wp) function widest_distance(surface, impactor, centre) result(widest)
+      type(surface_type), intent(in) :: surface
+      type(impactor_type), intent(in) :: impactor
+      real(wp), intent(in) :: centre(3)
+
+      real(wp) :: away(size(surface%facet, 2))
+      integer :: f, s
+
+      associate (facet => surface%facet, x => surface%position)
+         do f = 1, size(away)
+            away(f) = norm2(x(:2, facet(size(facet, 1), f)) - centre(:2))
+         end do
+         widest = 0.0_wp
+         do f = 1, size(away)
+            if (away(f) > max(relative_zone*impactor%body%radius, minval(away))) cycle
+            do s = 1, 2
+               widest = max(widest, norm2(x(:, facet(s, f)) - x(:, facet(s + 2, f))))
+            end do
+         end do
+         if (size(facet, 1) > bilinear_nodes) widest = 0.5_wp*widest
+      end associate
+   end function widest_distance
+
+   !> Refuse an impactor that could come through the face in a step before contact sees it
+   subroutine refuse_speed(domain, contact, impactor, error)
+      type(domain_type), intent(in) :: domain
+      type(contact_type), intent(in) :: contact
+      type(impactor_type), intent(in) :: impactor
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: longest, move, thickness
+
+      longest = domain%control%end_time
+      associate (cycles => domain%control%end_cycle)
+         if (cycles > 0) longest = min(longest, cycles*domain%step)
+      end associate
+      move = largest_speed(impactor, domain%curves, longest)*domain%step
+      thickness = -impactor%body%lowest_height(contact%face)
+      ! bricks have no layers
+      if (domain%layers%order(1) > 0) thickness = min(thickness, maxval(domain%layers%top) &
+         & - minval(domain%layers%bottom))
+      if (move <= largest_move*thickness) return
+      call fail(error, exit_input, place_of(contact, "IID")//"impactor "//text(impactor%id) &
+         & //" moves up to "//text(move)//" in a step, more than half of the depth " &
+         & //text(thickness)//" within which contact sees it: make it slower, or the step " &
+         & //"smaller by DTMAX of *CONTROL_LAYERWISE or TSSFAC of *CONTROL_TIMESTEP")
+   end subroutine refuse_speed
+
+   !> Bound on the speed of an impactor that nothing but its weight and its curves drive
+   pure real(wp) function largest_speed(impactor, curves, end_time) result(speed)
+      type(impactor_type), intent(in) :: impactor
+      !> All curves
+      type(curve_type), intent(in) :: curves(:)
+      !> Time that it has at most
+      real(wp), intent(in) :: end_time
+
+      real(wp) :: along(3)
+      integer :: c, k
+
+      along(:) = abs(impactor%velocity) + end_time*abs(impactor%gravity)
+      do c = 1, 3
+         if (impactor%motion(c) == 0) cycle
+         associate (x => curves(impactor%motion(c))%x, y => curves(impactor%motion(c))%y)
+            if (impactor%quantity == prescribes_displacement) then
+               along(c) = maxval([0.0_wp, (abs((y(k + 1) - y(k))/(x(k + 1) - x(k))), &
+                  & k=1, size(x) - 1)])
+            else if (impactor%quantity == prescribes_acceleration) then
+               along(c) = along(c) + end_time*maxval(abs(y))
+            else
+               along(c) = maxval(abs(y))
+            end if
+         end associate
+      end do
+      speed = norm2(along)
+   end function largest_speed
+
+end module plydyn_method_contact_setup

@@ -1,0 +1,84 @@
+"""What each fast path of the ply-damage law earns of a whole step of 192 Q9/LE2.
+
+    .venv/bin/python tests/bench/paths.py [--print]
+
+Takes a minute; needs build/release. Puts a table into manual/performance.md between its marks:
+the time of a point of eight plies by a path and by the one that would take its place, and their
+difference at all points as a share of the step that takes longer. No test: nothing is compared.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+from run import BUILD, PAGE, machine, publish, table  # noqa: E402
+
+MARKS = ("<!-- paths -->", "<!-- /paths -->")
+# quads, and points of a quad of nine nodes and order 2
+POINTS = 192 * 27
+NANO, MICRO = 1.0e-9, 1.0e-6
+# a path, the state of the points, and what would take its place
+PATHS = [("elastic path", "intact", "no-growth path"), ("no-growth path", "damaged", "whole law")]
+STEP = ("forces", "accelerate", "advance")
+TURNS = 5
+
+
+def measure() -> dict[str, float]:
+    """Values of the bench by their names, the least of some turns."""
+    best: dict[str, float] = {}
+    for _ in range(TURNS):
+        told = subprocess.run(
+            [BUILD / "tests/bench/bench", "damage law"], capture_output=True, text=True, check=True
+        ).stdout
+        for name, value in (line.split(",") for line in told.splitlines()):
+            best[name] = min(float(value), best.get(name, float(value)))
+    return best
+
+
+def share(fast: float, slow: float, step: float) -> float:
+    """Share of a step that would be longer by what a path saves at all points.
+
+    ``step`` is that of intact points, on the elastic path; times of points in ns, of steps in us.
+    """
+    saved = POINTS * NANO * (slow - fast)
+    return saved / (MICRO * step + saved)
+
+
+def rows(times: dict[str, float]) -> list[list[str]]:
+    """A row for each path."""
+    intact = sum(times[f"step damage law {part}"] for part in STEP)
+    elastic = times["intact damage law elastic path"]
+    out = []
+    for path, state, other in PATHS:
+        fast, slow = (times[f"{state} damage law {name}"] for name in (path, other))
+        step = intact + POINTS * NANO / MICRO * (fast - elastic)
+        out.append(
+            [
+                path,
+                state,
+                f"{fast:.1f}",
+                other,
+                f"{slow:.1f}",
+                f"{100 * share(fast, slow, step):.0f} %",
+            ]
+        )
+    return out
+
+
+def main() -> None:
+    """Measure, and print or write."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--print", action="store_true", help="leave the page alone")
+    heads = ["path", "points", "ns per point", "else", "ns per point", "saves of a step"]
+    text = f"{machine()}\n\n{table(heads, rows(measure()))}"
+    publish(text, None if parser.parse_args().print else PAGE, MARKS)
+
+
+if __name__ == "__main__":
+    main()
