@@ -76,6 +76,12 @@ def test_a_bond_that_fails_says_all_that_it_is(
     assert cards["INTERFACE_COHESIVE"][0].split() == ["1", "0", "0", "2", "1", "1", "0.3", "2"]
     assert cards["DATABASE_DELAM"][0].split() == ["1e-06"]
     assert cards["DATABASE_BINARY_RUNRSF"][0].split() == ["2000"]
+    law = replace(
+        bond, mode_mix="work", pressure_gain=0.74, scatter=12.0, scatter_length=1.5, seed=4
+    )
+    cards = cards_of(text_of(damaged(study, ply, law)))
+    assert cards["INTERFACE_LAW"][0].split() == ["2", "1", "0.74"]
+    assert cards["INTERFACE_SCATTER"][0].split() == ["2", "4", "12.0", "1.5"]
     other = replace(bond, mixing="power", exponent=1.0)
     cards = cards_of(text_of(damaged(study, ply, other)))
     assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"

@@ -64,8 +64,9 @@ def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
         ("materials.carbon.nu12=5.0", "materials.carbon.nu12: 5 must be less than sqrt(E1/E2)"),
         ("materials.carbon.nu23=0.999", "materials.carbon.nu23: the three Poisson's ratios"),
         ("impactor={radius=1, mass=1, velocity=[1, 0, -1], guided=true}", "impactor.velocity: a g"),
-        # a cap as large as half the sphere: 2 pi 8 8 / 1e6 = 0.0201 ** 2
-        ("contact.spacing=0.01", "contact.spacing: 0.01 gives too many contact nodes; 0.0203 or"),
+        # a cap as high as an eighth of the radius: 2 pi 8 1 / 1e6 = 0.00709 ** 2
+        ("contact.spacing=0.005", "contact.spacing: 0.005 gives too many contact nodes; 0.00716 o"),
+        ("mesh.core=0.02", ", that of the mesh, gives too many contact nodes; 0.00716 or more"),
         ("outputs.profiles=[{at=[48, 130]}]", "outputs.profiles[1].at: [48.0, 130.0] is not on"),
         (
             "loads=[{kind='motion', set='left', direction='x', quantity='velocity', value=1}]",

@@ -182,7 +182,7 @@ def test_all_that_the_example_shows_in_comments_can_be_switched_on(
         ),
         ("[control]", "[contact]\n[control]", "impactor", "missing; a contact needs one"),
         ("[control]", "[outputs]\nnode_interval = 1\n[control]", "outputs.nodes", "missing"),
-        ("[control]", "[sets.a]\n[control]", "sets.a", "either box"),
+        ("[control]", "[sets.a]\n[control]", "sets.a", "needs one of box"),
         (
             "[control]",
             "[[loads]]\nkind = 'pressure'\nvalue = 1\ncurve = 'up'\n[control]",

@@ -19,6 +19,7 @@ from plydyn_pre.errors import LayupError, MeshError, PreError, RecipeError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import Entry, LibraryCard, find_card, library, sources
 from plydyn_pre.mesh import (
+    Coupon,
     GmshFile,
     Mesh,
     OgridDisc,
@@ -30,7 +31,9 @@ from plydyn_pre.mesh import (
 )
 from plydyn_pre.recipe import example_recipe, load_recipe
 from plydyn_pre.study import (
+    Bar,
     Bricks,
+    Clamp,
     Cluster,
     Cohesive,
     Contact,
@@ -46,12 +49,16 @@ from plydyn_pre.study import (
     Motion,
     NodeSet,
     Outputs,
+    Plane,
     PlasticKinematic,
     PlyCodam2,
     PlyElastic,
     PlyRange,
     Pressure,
+    ProcessZone,
     Profile,
+    Punch,
+    Ring,
     Springs,
     Strengths,
     Study,
@@ -59,6 +66,7 @@ from plydyn_pre.study import (
     Units,
     clusters,
     in_situ,
+    process_zone,
     strengths_of,
     unused,
 )
@@ -67,12 +75,15 @@ from plydyn_pre.version import VERSION
 __version__ = VERSION
 
 __all__ = [
+    "Bar",
     "Bricks",
+    "Clamp",
     "Cluster",
     "Cohesive",
     "Contact",
     "Control",
     "Counts",
+    "Coupon",
     "Curve",
     "Elastic",
     "Entry",
@@ -92,6 +103,7 @@ __all__ = [
     "OgridDisc",
     "OgridSquare",
     "Outputs",
+    "Plane",
     "PlasticKinematic",
     "Ply",
     "PlyCodam2",
@@ -99,10 +111,13 @@ __all__ = [
     "PlyRange",
     "PreError",
     "Pressure",
+    "ProcessZone",
     "Profile",
+    "Punch",
     "Quality",
     "RecipeError",
     "Rectangle",
+    "Ring",
     "Springs",
     "Strengths",
     "Study",
@@ -120,6 +135,7 @@ __all__ = [
     "load_recipe",
     "make_mesh",
     "parse",
+    "process_zone",
     "quality",
     "sources",
     "strengths_of",

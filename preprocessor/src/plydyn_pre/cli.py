@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -17,16 +18,18 @@ from rich.table import Table
 from rich.text import Text
 
 from plydyn_pre.counts import count
-from plydyn_pre.deck import deck_text, write_deck
+from plydyn_pre.deck import deck_text, stage_text, write_deck
+from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.overrides import title_with
-from plydyn_pre.recipe import blaming, example_recipe, load_recipe
+from plydyn_pre.recipe import blaming, example_recipe, load_recipe, templates
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, strengths_of, unused
+from plydyn_pre.study_text import told
 from plydyn_pre.translate import translate
 from plydyn_pre.version import VERSION
 
@@ -92,9 +95,30 @@ def deck(
     path = _deck_path(recipe, output)
     with blaming(recipe):
         write_deck(_with_progress(deck_text(study, mesh), mesh), path)
+        stages = _write_stages(study, mesh, path)
         _tell_counts(study, mesh)
     _note_folded(recipe, quality(mesh))
     _tell("deck", path)
+    for stage in stages:
+        _tell("stage", stage)
+
+
+@app.command()
+def ensemble(
+    recipe: Recipe,
+    count: Annotated[int, typer.Option("-n", "--count", min=2, help="How many decks.")] = 5,
+    seed: Annotated[int, typer.Option(min=0, help="Seed of the first one.")] = 1,
+    output: Annotated[str | None, typer.Option("-o", "--output", help="Folder, with a /.")] = None,
+    overrides: Overrides = None,
+) -> None:
+    """Make decks of a recipe with several realisations of its scattered strengths."""
+    study, grid = _study_and_mesh(recipe, overrides)
+    first = _deck_path(recipe, output)
+    with blaming(recipe):
+        for number, one in realisations(study, count, seed):
+            path = first.with_name(f"{first.stem}_{number}.k")
+            write_deck(_with_progress(deck_text(one, grid), grid), path)
+            _tell("deck", path)
 
 
 @app.command()
@@ -184,16 +208,30 @@ def translate_deck(
 @app.command()
 def new(
     path: Annotated[Path, typer.Argument(help="The recipe to write.")] = Path("recipe.toml"),
+    template: Annotated[
+        str, typer.Option(help=f"What to begin with: {', '.join(templates())}.")
+    ] = "impact",
 ) -> None:
-    """Write a recipe that explains itself."""
+    """Write a recipe that explains itself: every key, or a test of a standard."""
+    text = example_recipe(template)
     try:
         with path.open("x", encoding="utf-8") as stream:
-            stream.write(example_recipe())
+            stream.write(text)
     except FileExistsError:
         raise PreError(f"{path} is there already; give another name") from None
     except OSError as error:
         raise PreError(f"{path} cannot be written: {error.strerror}") from error
     _tell("recipe", path)
+
+
+def _write_stages(study: Study, mesh: Mesh, deck: Path) -> list[Path]:
+    """Write the decks of the stages beside the first one, whose sum they know it by."""
+    paths = [deck.with_name(f"{deck.stem}_{stage.name}.k") for stage in study.stages]
+    if paths:
+        deck_sum = sha256(deck.read_bytes()).hexdigest()
+    for number, path in enumerate(paths, start=1):
+        write_deck(stage_text(study, mesh, number, deck_sum), path)
+    return paths
 
 
 def _deck_path(recipe: Path, output: str | None) -> Path:
@@ -254,6 +292,8 @@ def _tell_counts(study: Study, mesh: Mesh) -> None:
     _tell("nodes", f"{counts.nodes}")
     _tell("thickness levels", f"{counts.levels}")
     _tell("DOF", f"{counts.freedoms:,}")
+    for what, words in told(study):
+        _tell(what, words)
 
 
 def _note_folded(recipe: Path, measures: Quality) -> None:

@@ -13,12 +13,10 @@ from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.notation import BETWEEN_UNLIKE
 from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table
+from plydyn_pre.units import unit_factor
 
 #: What joins plies of a material of the library has its name with this behind it
 JOINT = " interface"
-_LENGTHS = {"m": 1e3, "cm": 10.0, "mm": 1.0, "um": 1e-3}
-_TIMES = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
-_MASSES = {"t": 1.0, "kg": 1e-3, "g": 1e-6, "mg": 1e-9}
 _STRESS, _ENERGY = (-1, -2, 1), (0, -2, 1)
 #: Powers of length, time and mass of the keys that have some
 _STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield"
@@ -58,7 +56,7 @@ class LibraryCard:
 
     def curve_tables(self, units: Mapping[str, str]) -> Table:
         """The curves of stress over strain that it needs, in these units."""
-        factor = _factor(_STRESS, units)
+        factor = unit_factor(_STRESS, units)
         return {
             name: {"time": curve["time"], "value": [factor * value for value in curve["value"]]}
             for name, curve in self.curves.items()
@@ -217,21 +215,8 @@ def _converted(key: str, value: Any, units: Mapping[str, str], power: Any) -> An
     if isinstance(value, str):
         return value
     if key == "shear_coefficient":
-        return value * _factor(_STRESS, units) ** -power
-    return value * _factor(_DIMENSIONS.get(key, (0, 0, 0)), units)
-
-
-def _factor(powers: tuple[int, int, int], units: Mapping[str, str]) -> float:
-    """What a number in mm, s and t is multiplied by."""
-    scales = (
-        _LENGTHS.get(units.get("length", "mm"), 1.0),
-        _TIMES.get(units.get("time", "s"), 1.0),
-        _MASSES.get(units.get("mass", "t"), 1.0),
-    )
-    factor = 1.0
-    for scale, power in zip(scales, powers, strict=True):
-        factor *= scale**-power
-    return factor
+        return value * unit_factor(_STRESS, units) ** -power
+    return value * unit_factor(_DIMENSIONS.get(key, (0, 0, 0)), units)
 
 
 @cache

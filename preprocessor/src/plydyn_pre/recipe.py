@@ -8,14 +8,17 @@ from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
 
-from plydyn_pre.errors import RecipeError
+from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_file
 from plydyn_pre.library import with_library
 from plydyn_pre.overrides import with_overrides
 from plydyn_pre.study import Study
+from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table, merged
 from plydyn_pre.typed import build
 
+#: What the first line of a template begins with that goes on from another one
+_AFTER = "# after "
 #: Bytes of a recipe
 _LARGEST = 16 << 20
 
@@ -37,9 +40,28 @@ def blaming(path: Path) -> Iterator[None]:
         raise RecipeError(place, error.message) from error
 
 
-def example_recipe() -> str:
+def templates() -> list[str]:
+    """Names of the recipes to begin with."""
+    names = (each.name for each in files("plydyn_pre").joinpath("templates").iterdir())
+    return sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml"))
+
+
+def example_recipe(template: str = "impact") -> str:
     """A recipe that explains itself."""
-    return files("plydyn_pre").joinpath("example.toml").read_text(encoding="utf-8")
+    known = {name.casefold(): name for name in templates()}
+    if template.casefold() not in known:
+        hint = suggestion(template, known.values())
+        raise PreError(f"{template!r} is not a template; {hint}")
+    return _template(known[template.casefold()])
+
+
+def _template(name: str) -> str:
+    """The text of a template; one that is a chain begins with the text of its first stage."""
+    text = files("plydyn_pre").joinpath("templates", f"{name}.toml").read_text(encoding="utf-8")
+    first, _, rest = text.partition("\n")
+    if not first.startswith(_AFTER):
+        return text
+    return f"{_template(first.removeprefix(_AFTER))}\n{rest}"
 
 
 def _read(path: Path, above: tuple[Path, ...]) -> Table:

@@ -7,19 +7,21 @@ from itertools import chain
 from pathlib import Path
 
 from plydyn_pre.deck import bricks, conditions, control, grid, materials, plates
+from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
+from plydyn_pre.deck.stages import end_keyword, stage_text
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Mesh
-from plydyn_pre.study import Study, with_in_situ
+from plydyn_pre.study import Study, resolved
 from plydyn_pre.version import VERSION
 
-__all__ = ["deck_text", "write_deck"]
+__all__ = ["deck_text", "stage_text", "write_deck"]
 
 
 def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     """The deck in pieces, each of some lines without the last line's end."""
-    names = Names(with_in_situ(study), mesh)
+    names = Names(resolved(study), mesh)
     check_places(names)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
     if names.study.bricks is not None:
@@ -30,10 +32,12 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     yield from chain(
         control.control_keywords(names),
         control.output_keywords(names),
+        end_keyword(names.study),
         plates.part_keywords(names),
         materials.material_keywords(names),
         conditions.impactor_keywords(names),
         conditions.support_keywords(names),
+        fixture_keywords(names),
         conditions.load_keywords(names),
         conditions.curve_keywords(names),
         conditions.set_keywords(names),

@@ -10,6 +10,7 @@ import numpy as np
 
 from plydyn_pre.deck import conditions, control
 from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, titled
+from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.materials import material_keyword
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError
@@ -50,6 +51,7 @@ def brick_keywords(names: Names) -> Iterator[str]:
         _part_keywords(names, parts),
         _impactor(names, parts),
         _supports(names, sets),
+        fixture_keywords(names),
         _loads(names, sets),
         conditions.curve_keywords(names),
         _set_keywords(names, plate, sets),

@@ -26,15 +26,15 @@ QUANTITIES = {"velocity": 0, "acceleration": 1, "displacement": 2}
 _METHODS = {"nodes_on_impactor": 1, "points_on_plate": 2}
 
 
-def impactor_keywords(names: Names) -> Iterator[str]:
-    """The impactor and its contact."""
+def impactor_keywords(names: Names, number: int = 1) -> Iterator[str]:
+    """The impactor of a number and its contact."""
     if names.study.impactor is None:
         return
     part = names.part(names.study.touch.part, "contact.part")
-    yield from impactor_on(names, names.study.laminate_of(part), names.parts[part])
+    yield from impactor_on(names, names.study.laminate_of(part), names.parts[part], number)
 
 
-def impactor_on(names: Names, laminate: Laminate, pid: int) -> Iterator[str]:
+def impactor_on(names: Names, laminate: Laminate, pid: int, number: int = 1) -> Iterator[str]:
     """The impactor and its contact with a part."""
     impactor, contact = names.study.impactor, names.study.touch
     if impactor is None:
@@ -42,14 +42,23 @@ def impactor_on(names: Names, laminate: Laminate, pid: int) -> Iterator[str]:
     x, y = impactor.position or names.mesh.middle
     z = _height(impactor, contact, laminate) + names.mesh.height
     mass = impactor.mass * names.study.share
-    place = {"iid": 1, "radius": impactor.radius, "mass": mass, "xc": x, "yc": y, "zc": z}
+    place = {"iid": number, "radius": impactor.radius, "mass": mass, "xc": x, "yc": y, "zc": z}
     motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
     dof, shape = int(impactor.guided), int(impactor.hemisphere)
     freedom = {"dof": dof, "gravz": impactor.gravity, "shape": shape}
-    yield titled("IMPACTOR_SPHERE", impactor.title, place, motion | freedom)
+    cards: list[Card] = [place, motion | freedom]
+    if impactor.motion_z:
+        curves = {"lcx": 0, "lcy": 0, "lcz": names.curve(impactor.motion_z)}
+        kind = {"vad": QUANTITIES[impactor.motion]}
+        cards.append({"inertia": 0.0, "gravx": 0.0, "gravy": 0.0} | curves | kind)
+    yield titled("IMPACTOR_SPHERE", impactor.title, *cards)
     face, method = _FACES[contact.face], _METHODS[contact.method]
-    pair = {"cid": 1, "iid": 1, "pid": pid, "face": face, "method": method}
-    yield keyword("CONTACT_IMPACTOR", pair | {"spacing": contact.spacing})
+    pair = {"cid": number, "iid": number, "pid": pid, "face": face, "method": method}
+    cards = [pair | {"spacing": contact.spacing}]
+    if contact.friction > 0.0 or contact.dynamic_friction > 0.0:
+        rub = {"fs": contact.friction, "fd": contact.dynamic_friction, "dc": contact.decay}
+        cards.append(rub)
+    yield keyword("CONTACT_IMPACTOR", *cards)
 
 
 def support_keywords(names: Names) -> Iterator[str]:

@@ -16,6 +16,7 @@ _INTERVALS = {
     "node_interval": "DATABASE_NODOUT",
     "support_interval": "DATABASE_SPCFORC",
     "delamination_interval": "DATABASE_DELAM",
+    "fixture_interval": "DATABASE_FIXTURE",
     "field_interval": "DATABASE_BINARY_D3PLOT",
 }
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from plydyn_pre.deck.cards import Card, titled
+from plydyn_pre.deck.cards import Card, keyword, titled
 from plydyn_pre.deck.names import Names
 from plydyn_pre.study import (
     Cohesive,
@@ -51,7 +51,20 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             stiffness = {"et": material.shear, "en": material.normal, "fn_fail": 0.0}
             return titled("MAT_COHESIVE_ELASTIC", title, _joint_head(mid) | stiffness)
         case Cohesive():
-            return titled("MAT_COHESIVE_MIXED_MODE", title, *_cohesive_cards(material, mid))
+            cards = _cohesive_cards(material, mid)
+            return "\n".join(
+                [titled("MAT_COHESIVE_MIXED_MODE", title, *cards), *_laws(material, mid)]
+            )
+
+
+def _laws(material: Cohesive, mid: int) -> Iterator[str]:
+    """How a bond fails where modes change and under pressure, and the scatter of its strengths."""
+    if material.mode_mix == "work" or material.pressure_gain:
+        mix = int(material.mode_mix == "work")
+        yield keyword("INTERFACE_LAW", {"mid": mid, "mix": mix, "eta": material.pressure_gain})
+    if material.scatter:
+        size = {"m": material.scatter, "length": material.scatter_length}
+        yield keyword("INTERFACE_SCATTER", {"mid": mid, "seed": material.seed} | size)
 
 
 def _joint_head(mid: int) -> Card:

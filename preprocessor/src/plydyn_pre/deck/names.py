@@ -16,10 +16,11 @@ ALL = "all"
 
 @dataclass
 class Names:
-    """A study with its mesh, and the numbers given out so far; each kind counts from 1."""
+    """A study with its mesh, and the numbers given out so far; each kind counts from `first`."""
 
     study: Study
     mesh: Mesh
+    first: int = 1  # of sets and curves; a stage leaves those of the decks before alone
     node_sets: dict[str, int] = field(default_factory=dict)
     quad_sets: dict[str, int] = field(default_factory=dict)
     curves: dict[str, int] = field(default_factory=dict)
@@ -53,23 +54,23 @@ class Names:
 
     def curve(self, name: str) -> int:
         """Number of a curve, 0 for the constant 1."""
-        return _number(self.curves, name) if name else 0
+        return _number(self.curves, name, self.first) if name else 0
 
     def written_curve(self, name: str) -> int:
         """Number of a curve for keywords that know no constant."""
-        return _number(self.curves, name)
+        return _number(self.curves, name, self.first)
 
     def node_set(self, name: str, path: str) -> int:
         """Number of a node set; `path` holds the keys that name it."""
         self.nodes_of(name, path)
-        return _number(self.node_sets, name)
+        return _number(self.node_sets, name, self.first)
 
     def quad_set(self, name: str, path: str) -> int:
         """Number of a set of quads, 0 for all."""
         if name == ALL:
             return 0
         self.quads_of(name, path)
-        return _number(self.quad_sets, name)
+        return _number(self.quad_sets, name, self.first)
 
     def nodes_of(self, name: str, path: str) -> Integers:
         """Nodes of a set, as indices."""
@@ -85,9 +86,9 @@ class Names:
         return _member(known, name, path, "a part or another set of quads", ())
 
 
-def _number(numbers: dict[str, int], name: str) -> int:
+def _number(numbers: dict[str, int], name: str, first: int = 1) -> int:
     """The number of a name, the next one for a new name."""
-    return numbers.setdefault(name, len(numbers) + 1)
+    return numbers.setdefault(name, len(numbers) + first)
 
 
 def _member(
@@ -109,8 +110,23 @@ def _nodes_at(mesh: Mesh, rule: NodeSet, path: str) -> Integers:
         near = f"no node at {list(rule.at)}; the nearest is at [{x:.9g}, {y:.9g}]"
         require(distance <= slack, f"{path}.at", near)
         return np.array([node])
+    if rule.line is not None:
+        return _mesh_line(mesh, rule.line, path)
     low_x, high_x, low_y, high_y = rule.box or (0.0, 0.0, 0.0, 0.0)
     low, high = np.array([low_x, low_y]) - slack, np.array([high_x, high_y]) + slack
     found = np.flatnonzero(np.all((mesh.nodes >= low) & (mesh.nodes <= high), axis=1))
     require(len(found) > 0, f"{path}.box", "no node lies in it")
     return found
+
+
+def _mesh_line(mesh: Mesh, ends: tuple[float, float, float, float], path: str) -> Integers:
+    """Nodes of the mesh line next to a line along x or y, between its ends."""
+    slack = 1e-6 * mesh.size
+    x1, y1, x2, y2 = ends
+    along, across = (0, 1) if y1 == y2 else (1, 0)
+    place, (low, high) = (y1, sorted((x1, x2))) if along == 0 else (x1, sorted((y1, y2)))
+    between = (mesh.nodes[:, along] >= low - slack) & (mesh.nodes[:, along] <= high + slack)
+    require(bool(between.any()), f"{path}.line", "no node lies beside it")
+    off = np.where(between, np.abs(mesh.nodes[:, across] - place), np.inf)
+    nearest = mesh.nodes[np.argmin(off), across]
+    return np.flatnonzero(between & (np.abs(mesh.nodes[:, across] - nearest) <= slack))

@@ -9,13 +9,17 @@ import numpy as np
 
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
-from plydyn_pre.mesh.grid import Integers, Mesh
+from plydyn_pre.mesh.grid import Integers, Mesh, Reals
 from plydyn_pre.study import Motion
 
 #: Contact nodes of an impactor
 _MOST_CONTACT_NODES = 1_000_000
 # reach of contact nodes from the axis over that of the plate
 _TRAVEL = 2.0
+# height up to which they are made at the start, distance from the axis of the quads that set their
+# spacing, and the largest spacing, over the radius
+_FIRST_HEIGHT, _ZONE, _MOST_SPACING = 0.125, 0.5, 0.75
+_CORNERS = 4
 # share of a quad by which a place may lie beside its straight sides: sides of nine nodes are curved
 _BESIDE = 0.05
 _FACES = {"all": {"bottom", "inside", "top"}, "plane": {"inside"}}
@@ -33,14 +37,27 @@ def check_places(names: Names) -> None:
 def _check_spacing(names: Names) -> None:
     """Refuse more contact nodes than the solver takes; each has a square of the spacing."""
     impactor, contact = names.study.impactor, names.study.touch
-    if impactor is None or contact.spacing <= 0.0 or contact.method == "points_on_plate":
+    if impactor is None or contact.method == "points_on_plate":
         return
     centre = np.array(impactor.position or names.mesh.middle)
     reach = _TRAVEL * float(np.hypot(*(names.mesh.nodes - centre).T).max())
     cap = impactor.radius - sqrt(max(0.0, impactor.radius**2 - reach**2))
+    cap = min(cap, _FIRST_HEIGHT * impactor.radius)
     least = 1.01 * sqrt(2.0 * pi * impactor.radius * cap / _MOST_CONTACT_NODES)
-    rule = f"{contact.spacing:g} gives too many contact nodes; {least:.3g} or more is needed"
-    require(contact.spacing >= least, "contact.spacing", rule)
+    spacing, origin = contact.spacing, ""
+    if spacing <= 0.0:
+        spacing, origin = _usual_spacing(names.mesh, centre, impactor.radius), ", that of the mesh,"
+    rule = f"{spacing:.3g}{origin} gives too many contact nodes; {least:.3g} or more is needed"
+    require(spacing >= least, "contact.spacing", rule)
+
+
+def _usual_spacing(mesh: Mesh, centre: Reals, radius: float) -> float:
+    """Distance of contact nodes where none is given: half that of points below the impactor."""
+    away = np.hypot(*(mesh.nodes[mesh.quads[:, -1]] - centre).T)
+    corners = mesh.nodes[mesh.quads[away <= max(_ZONE * radius, away.min()), :4]]
+    sides = np.hypot(*(np.roll(corners, -1, axis=1) - corners).T)
+    points_on_side = 1 if mesh.quads.shape[1] == _CORNERS else 2
+    return min(_MOST_SPACING * radius, 0.5 * float(sides.min()) / points_on_side)
 
 
 def _is_on(mesh: Mesh, place: tuple[float, float]) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from plydyn_pre.mesh.coupon import Coupon, mesh_coupon
 from plydyn_pre.mesh.gmsh_file import GmshFile, mesh_gmsh_file
 from plydyn_pre.mesh.grid import Mesh, node_near
 from plydyn_pre.mesh.limits import refuse_slivers
@@ -10,16 +11,18 @@ from plydyn_pre.mesh.quality import Quality, quality
 from plydyn_pre.mesh.rectangle import Rectangle, mesh_rectangle
 
 #: What a study can say about its mesh
-Shape = Rectangle | OgridSquare | OgridDisc | GmshFile
+Shape = Rectangle | OgridSquare | OgridDisc | Coupon | GmshFile
 
 _MESHERS = {
     Rectangle: mesh_rectangle,
     OgridSquare: mesh_ogrid_square,
     OgridDisc: mesh_ogrid_disc,
+    Coupon: mesh_coupon,
     GmshFile: mesh_gmsh_file,
 }
 
 __all__ = [
+    "Coupon",
     "GmshFile",
     "Mesh",
     "OgridDisc",

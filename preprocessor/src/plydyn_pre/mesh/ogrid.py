@@ -79,7 +79,7 @@ class OgridDisc:
 
 def mesh_ogrid_square(shape: OgridSquare) -> Mesh:
     """Mesh a square; the nodes of the rings lie on straight lines from the core to the edges."""
-    mesh = _mesh_board(shape)
+    mesh = mesh_board(shape.n, shape.rings, shape.order)
     places = _places(mesh.nodes, shape, lambda unit: shape.side / 2 * unit)
     middle = np.array(shape.corner) + shape.side / 2
     return with_centre(renumbered(mesh, middle + places))
@@ -90,7 +90,7 @@ def mesh_ogrid_disc(shape: OgridDisc) -> Mesh:
 
     On the circle all nodes, mid-sides too, have the same distance from each other.
     """
-    mesh = _mesh_board(shape)
+    mesh = mesh_board(shape.n, shape.rings, shape.order)
     sets = {name: nodes for name, nodes in mesh.node_sets.items() if name not in _EDGES}
     places = _places_of_disc(mesh.nodes, shape)
     whole = renumbered(replace(mesh, node_sets=sets), np.array(shape.centre) + places)
@@ -114,12 +114,12 @@ def _bend(shape: OgridDisc) -> float:
 
 def _places_of_disc(board: Reals, shape: OgridDisc) -> Reals:
     """Places around the origin of nodes on the board of a disc, (nodes, 2)."""
-    return _places(board, shape, lambda unit: shape.diameter / 2 * _to_circle(unit))
+    return _places(board, shape, lambda unit: shape.diameter / 2 * to_circle(unit))
 
 
-def _mesh_board(shape: OgridSquare | OgridDisc) -> Mesh:
-    """The O-grid around the origin with core quads and rings of width one."""
-    core, edge = shape.n / 2, shape.n / 2 + shape.rings
+def mesh_board(n: int, rings: int, order: int) -> Mesh:
+    """The O-grid around the origin of a core of n x n quads and rings, all one wide."""
+    core, edge = n / 2, n / 2 + rings
     with session() as gmsh:
         blocks = Blocks(gmsh)
         inner = [blocks.add_point(x * core, y * core) for x, y in _CORNERS]
@@ -127,16 +127,16 @@ def _mesh_board(shape: OgridSquare | OgridDisc) -> Mesh:
         edges: dict[str, list[int]] = {}
         for i, name in enumerate(_EDGES):
             j = (i + 1) % 4
-            blocks.add_line(inner[i], inner[j], shape.n)
-            blocks.add_line(inner[i], outer[i], shape.rings)
-            edges[name] = [blocks.add_line(outer[i], outer[j], shape.n)]
+            blocks.add_line(inner[i], inner[j], n)
+            blocks.add_line(inner[i], outer[i], rings)
+            edges[name] = [blocks.add_line(outer[i], outer[j], n)]
         middle = blocks.add_block(inner)
         around = [
             blocks.add_block((outer[i], outer[j], inner[j], inner[i]))
             for i, j in ((0, 1), (1, 2), (2, 3), (3, 0))
         ]
         blocks.finish()
-        generate(gmsh, shape.order)
+        generate(gmsh, order)
         edges["boundary"] = [line for edge in tuple(edges.values()) for line in edge]
         mesh = collect(gmsh, {"plate": [middle, *around]}, {"core": [middle]}, edges, {})
     return with_set(mesh, "core", np.unique(mesh.quads[mesh.quad_sets["core"]]))
@@ -154,16 +154,16 @@ def _places(board: Reals, shape: OgridSquare | OgridDisc, outer: Callable[[Reals
     rings = graded_line(1.0, shape.rings, shape.grading)
     share = place_on(rings, to_halves(np.where(inside, 0.0, reach - half)))[:, None]
     # place on the edge of the square, from -1 to 1
-    unit = _to_steps(board / np.where(inside, half, reach)[:, None], shape.n)
+    unit = to_steps(board / np.where(inside, half, reach)[:, None], shape.n)
     return (1.0 - share) * shape.core / 2 * unit + share * outer(unit)
 
 
-def _to_steps(unit: Reals, n: int) -> Reals:
+def to_steps(unit: Reals, n: int) -> Reals:
     """Places between -1 and 1 at the nodes of n quads, without noise."""
     return (np.round((unit + 1.0) * n) - n) / n
 
 
-def _to_circle(unit: Reals) -> Reals:
+def to_circle(unit: Reals) -> Reals:
     """Places on the unit circle for those on the edge of a square: equal steps, equal angles."""
     x, y = unit.T
     flat = np.abs(y) >= np.abs(x)

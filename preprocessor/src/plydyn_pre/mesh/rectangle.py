@@ -39,7 +39,14 @@ class Rectangle:
 
 def mesh_rectangle(shape: Rectangle) -> Mesh:
     """Mesh a rectangle."""
-    n, m = shape.quads
+    mesh = mesh_board_of_rectangle(*shape.quads, shape.order)
+    board = to_halves(mesh.nodes)
+    places = [shape.corner[axis] + place_on(_line(shape, axis), board[:, axis]) for axis in (0, 1)]
+    return with_centre(renumbered(mesh, np.stack(places, axis=1)))
+
+
+def mesh_board_of_rectangle(n: int, m: int, order: int) -> Mesh:
+    """A board of n x m quads, one by one wide, from the origin."""
     with session() as gmsh:
         blocks = Blocks(gmsh)
         corners = [blocks.add_point(x, y) for x, y in ((0, 0), (n, 0), (n, m), (0, m))]
@@ -50,11 +57,8 @@ def mesh_rectangle(shape: Rectangle) -> Mesh:
         edges["boundary"] = [line for edge in tuple(edges.values()) for line in edge]
         surface = blocks.add_block(corners)
         blocks.finish()
-        generate(gmsh, shape.order)
-        mesh = collect(gmsh, {"plate": [surface]}, {}, edges, {})
-    board = to_halves(mesh.nodes)
-    places = [shape.corner[axis] + place_on(_line(shape, axis), board[:, axis]) for axis in (0, 1)]
-    return with_centre(renumbered(mesh, np.stack(places, axis=1)))
+        generate(gmsh, order)
+        return collect(gmsh, {"plate": [surface]}, {}, edges, {})
 
 
 def _line(shape: Rectangle, axis: int) -> Reals:

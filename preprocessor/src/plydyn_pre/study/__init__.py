@@ -18,9 +18,11 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring
 from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ
 from plydyn_pre.study.joints import Cohesive, Joint, Springs
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
+from plydyn_pre.study.levels import ProcessZone, process_zone
 from plydyn_pre.study.materials import (
     Elastic,
     Material,
@@ -28,18 +30,22 @@ from plydyn_pre.study.materials import (
     PlyCodam2,
     PlyElastic,
 )
-from plydyn_pre.study.resolved import strengths_of, with_in_situ
+from plydyn_pre.study.resolved import fitted_joints, resolved, strengths_of
+from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
 __all__ = [
+    "Bar",
     "Bricks",
+    "Clamp",
     "Cluster",
     "Cohesive",
     "Contact",
     "Control",
     "Curve",
     "Elastic",
+    "Fixture",
     "Force",
     "FrameAcceleration",
     "Impactor",
@@ -52,21 +58,28 @@ __all__ = [
     "Motion",
     "NodeSet",
     "Outputs",
+    "Plane",
     "PlasticKinematic",
     "PlyCodam2",
     "PlyElastic",
     "PlyRange",
     "Pressure",
+    "ProcessZone",
     "Profile",
+    "Punch",
+    "Ring",
     "Springs",
     "StackPly",
+    "Stage",
     "Strengths",
     "Study",
     "Support",
     "Units",
     "clusters",
+    "fitted_joints",
     "in_situ",
+    "process_zone",
+    "resolved",
     "strengths_of",
     "unused",
-    "with_in_situ",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
+from math import sqrt
 from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_not_negative, require_positive
@@ -15,15 +16,20 @@ FaceOrAll = Literal["bottom", "top", "all"]
 
 @dataclass(frozen=True)
 class NodeSet:
-    """Nodes by their place: those in a box, or the one at a place."""
+    """Nodes by their place: those in a box, the one at a place, or the mesh line next to a line."""
 
     box: tuple[float, float, float, float] | None = None  # smallest x, largest x, the same of y
     at: tuple[float, float] | None = None  # x, y of a node
+    line: tuple[float, float, float, float] | None = None  # along x or y: its ends, x1, y1, x2, y2
 
     def __post_init__(self) -> None:
         """Refuse two rules, and none."""
-        one = (self.box is None) != (self.at is None)
-        require(one, "", "a set needs either box = [x1, x2, y1, y2] or at = [x, y]")
+        one = [self.box, self.at, self.line].count(None) == 2
+        rule = "a set needs one of box = [x1, x2, y1, y2], at = [x, y], line = [x1, y1, x2, y2]"
+        require(one, "", rule)
+        if self.line is not None:
+            x1, y1, x2, y2 = self.line
+            require((x1 == x2) != (y1 == y2), "line", "a line must lie along x or along y")
 
 
 @dataclass(frozen=True)
@@ -66,18 +72,29 @@ class Impactor:
 
     radius: float
     mass: float
-    velocity: tuple[float, float, float]  # at time zero
+    velocity: tuple[float, float, float] | None = None  # at time zero; absent if energy is given
     position: tuple[float, float] | None = None  # x, y; the middle of the mesh if absent
     gap: float = 0.0  # between the sphere and the face at time zero
     guided: bool = False  # moves along z only
     hemisphere: bool = False  # only the half that faces the plate
     gravity: float = 0.0  # acceleration along z at all times, negative downwards
+    energy: float | None = None  # of a fall, from which the velocity downwards follows
+    motion_z: str = ""  # name of a curve that the body follows along z
+    motion: Literal["velocity", "acceleration", "displacement"] = "velocity"  # what it gives
     title: str = ""
 
     def __post_init__(self) -> None:
         """Refuse what is no impactor."""
         require_positive(self, "radius", "mass")
         require_not_negative(self, "gap")
+        if self.energy is not None:
+            require(self.velocity is None, "velocity", "follows from the energy; leave one out")
+            require_positive(self, "energy")
+            speed = sqrt(2.0 * self.energy / self.mass)
+            object.__setattr__(self, "velocity", (0.0, 0.0, -speed))
+        if self.motion_z and self.velocity is None:
+            object.__setattr__(self, "velocity", (0.0, 0.0, 0.0))
+        require(self.velocity is not None, "velocity", "missing; or give the energy of a fall")
         straight = not self.guided or self.velocity[:2] == (0.0, 0.0)
         require(straight, "velocity", "a guided impactor moves along z: [0.0, 0.0, ...]")
 
@@ -90,10 +107,13 @@ class Contact:
     face: Face = "top"
     method: Literal["nodes_on_impactor", "points_on_plate"] = "nodes_on_impactor"
     spacing: float = 0.0  # between nodes on the impactor; 0 for one made from the mesh
+    friction: float = 0.0  # static coefficient, of any speed where there is no decay
+    dynamic_friction: float = 0.0  # coefficient at high speed
+    decay: float = 0.0  # time per length
 
     def __post_init__(self) -> None:
-        """Refuse a negative distance."""
-        require_not_negative(self, "spacing")
+        """Refuse negative numbers."""
+        require_not_negative(self, "spacing", "friction", "dynamic_friction", "decay")
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,8 @@ from plydyn_pre.errors import (
 #: Points of a profile in a numerical layer
 _MOST_POINTS = 100
 
+_INTERVALS = ("field", "energy", "impactor", "node", "support", "delamination", "fixture")
+
 Quantity = Literal[
     "displacement",
     "velocity",
@@ -95,12 +97,13 @@ class Outputs:
     nodes: tuple[str, ...] = ()  # names of node sets with a history
     support_interval: float | None = None  # support forces; none if absent
     delamination_interval: float | None = None  # delaminated areas
+    fixture_interval: float | None = None  # forces of fixtures
     restart_steps: int | None = None  # between two restart files, which replace each other
     profiles: tuple[Profile, ...] = ()
 
     def __post_init__(self) -> None:
         """Refuse what cannot be written."""
-        for name in ("field", "energy", "impactor", "node", "support", "delamination"):
+        for name in _INTERVALS:
             value = getattr(self, f"{name}_interval")
             rule = f"{value!r} must be above zero; leave it out for the solver's own"
             require(value is None or value > 0.0, f"{name}_interval", rule)

@@ -48,13 +48,21 @@ class Cohesive:
     quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
     closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged
     friction: float = 0.0  # coefficient, of failed faces
-    fit: Literal["none", "stiffness", "strengths", "both"] = "none"  # constants that are fitted
+    fit: Literal["none", "stiffness", "strengths", "both", "core"] = "none"  # constants to fit
+    mode_mix: Literal["opening", "work"] = "opening"  # present opening, or work so far
+    pressure_gain: float = 0.0  # growth of the shear strength with the pressure
+    scatter: float = 0.0  # modulus of Weibull of both strengths; 0 for none
+    scatter_length: float = 0.0  # over which they are correlated
+    seed: int = 0  # number of the realisation
     title: str = ""
 
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
-        require_not_negative(self, "friction")
+        require_not_negative(self, "friction", "pressure_gain", "seed")
+        if self.scatter:
+            require(self.scatter >= 2.0, "scatter", f"{self.scatter:g} must be 2 or more, or 0")
+            require_positive(self, "scatter_length")
         require_between(self, *_EXPONENTS, "exponent")
         for name, strength, stiffness in (
             ("GIC", self.N, self.normal),

@@ -8,6 +8,7 @@ from plydyn_pre.errors import require
 from plydyn_pre.mesh import Shape
 from plydyn_pre.mesh.quarter import PLANES
 from plydyn_pre.study.conditions import FrameAcceleration, Impactor, Load, Pressure, Support
+from plydyn_pre.study.fixtures import Bar, Clamp, Fixture
 from plydyn_pre.study.laminate import Laminate
 
 
@@ -39,3 +40,28 @@ def check_quarter(
         across = isinstance(load, FrameAcceleration) and load.direction == "z"
         rule = "a quarter takes pressures and an acceleration along z"
         require(across or isinstance(load, Pressure), f"loads[{number}]", rule)
+
+
+def check_fixtures(mesh: Shape, fixtures: Sequence[Fixture]) -> None:
+    """Refuse fixtures that are not symmetric to both planes, or not on the quarter."""
+    middle = getattr(mesh, "centre", (0.0, 0.0))
+    for number, fixture in enumerate(fixtures, start=1):
+        path = f"fixtures[{number}]"
+        if isinstance(fixture, Bar):
+            places = [one[i] - middle[i] for one in (fixture.start, fixture.end) for i in (0, 1)]
+            require(min(places) >= 0.0, f"{path}.start", "a quarter needs a bar on it")
+            continue
+        x, y = fixture.centre or middle
+        at = (x - middle[0], y - middle[1])
+        if isinstance(fixture, Clamp) and at != (0.0, 0.0):
+            rule = "a quarter needs clamps in the middle of the whole, or wholly on the quarter"
+            require(min(at) >= fixture.outer, f"{path}.centre", rule)
+        else:
+            rule = "a quarter needs fixtures in the middle of the whole"
+            require(at == (0.0, 0.0), f"{path}.centre", rule)
+
+
+def share_of(mesh: Shape, clamp: Clamp) -> float:
+    """The share of a clamp that lies on the quarter."""
+    middle = getattr(mesh, "centre", (0.0, 0.0))
+    return 0.25 if (clamp.centre or middle) == middle else 1.0

@@ -1,4 +1,4 @@
-"""Studies whose plies have in-situ strengths."""
+"""Studies whose plies have in-situ strengths, and interfaces strengths that a mesh resolves."""
 
 from __future__ import annotations
 
@@ -7,10 +7,37 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from plydyn_pre.mesh import Coupon
 from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ, toughnesses
+from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
+from plydyn_pre.study.levels import strength_factor
 from plydyn_pre.study.materials import Material, PlyCodam2
 from plydyn_pre.study.study import Study
+
+
+def resolved(study: Study) -> Study:
+    """The study with all strengths that follow from others: of plies in situ, and of interfaces."""
+    return with_in_situ(with_fitted_joints(study))
+
+
+def with_fitted_joints(study: Study) -> Study:
+    """The study with strengths of interfaces that the quads of the core of a coupon can resolve."""
+    if not isinstance(study.mesh, Coupon):
+        return study
+    materials = dict(study.materials)
+    for name, joint in fitted_joints(study):
+        factor = strength_factor(name, study.mesh, study.all_laminates, study.materials)
+        lower = {key: float(f"{factor * getattr(joint, key):.6g}") for key in ("N", "S")}
+        materials[name] = replace(joint, fit="none", **lower)
+    return _changed(study, materials=materials)
+
+
+def fitted_joints(study: Study) -> Iterator[tuple[str, Cohesive]]:
+    """Interfaces whose strengths are fitted to the core, by their names."""
+    for name, joint in study.materials.items():
+        if isinstance(joint, Cohesive) and joint.fit == "core":
+            yield name, joint
 
 
 def with_in_situ(study: Study) -> Study:

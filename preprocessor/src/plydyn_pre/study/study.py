@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.library import library
-from plydyn_pre.mesh import Shape
+from plydyn_pre.mesh import Coupon, Shape
 from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.checks import check_fields, check_scheme, check_step_curve
 from plydyn_pre.study.conditions import (
@@ -20,11 +20,14 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
 from plydyn_pre.study.in_situ import check_in_situ
 from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
+from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2
-from plydyn_pre.study.quarter import check_quarter, is_quarter, planes
+from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
+from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
 
 _JOINTS = ("tied", "apart")
@@ -43,12 +46,14 @@ class Study:
     bricks: Bricks | None = None  # in place of layers
     sets: dict[str, NodeSet] = field(default_factory=dict)
     supports: tuple[Support, ...] = ()
+    fixtures: tuple[Fixture, ...] = ()
     impactor: Impactor | None = None
     contact: Contact | None = None  # the usual one if there is an impactor
     loads: tuple[Load, ...] = ()
     curves: dict[str, Curve] = field(default_factory=dict)
     outputs: Outputs = field(default_factory=Outputs)
     units: Units = field(default_factory=Units)
+    stages: tuple[Stage, ...] = ()  # what follows, each from the end of the one before
 
     def __post_init__(self) -> None:
         """Refuse names of things that there are not."""
@@ -71,9 +76,27 @@ class Study:
         require(len(set(frames)) == len(frames), "loads", rule)
         if is_quarter(self.mesh):
             check_quarter(self.mesh, self.all_laminates, self.impactor, self.loads)
+            check_fixtures(self.mesh, self.fixtures)
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
         check_step_curve(self.curves, self.control)
+        falls = self.impactor is not None and self.impactor.energy is not None
+        rule = "a fall hits the top face; give a velocity"
+        require(not falls or self.touch.face == "top", "contact.face", rule)
+        asked = self.outputs.fixture_interval is not None
+        require(not asked or bool(self.fixtures), "fixtures", "missing; a history needs one")
+        for name, material in self.materials.items():
+            fits = getattr(material, "fit", "") == "core"
+            rule = 'only a mesh of kind "coupon" has a core to fit to'
+            require(not fits or isinstance(self.mesh, Coupon), f"materials.{name}.fit", rule)
+        check_stages(
+            self.stages, has_impactor=self.impactor is not None, has_fixtures=bool(self.fixtures)
+        )
+        rule = "a chain of stages takes plates; leave bricks out"
+        require(not self.stages or self.bricks is None, "stages", rule)
+        if isinstance(self.mesh, Coupon):
+            shape = sized(self.mesh, self.all_laminates, self.materials)
+            object.__setattr__(self, "mesh", shape)
 
     def laminate_of(self, part: str) -> Laminate:
         """The laminate of a part of the mesh."""
@@ -96,6 +119,22 @@ class Study:
     def share(self) -> float:
         """The share of the plate and of its impactor that the mesh stands for."""
         return 0.25 if is_quarter(self.mesh) else 1.0
+
+    def share_of(self, clamp: Clamp) -> float:
+        """The share of a clamp that lies on the mesh."""
+        return share_of(self.mesh, clamp) if is_quarter(self.mesh) else 1.0
+
+    def window_of(self, plane: Plane) -> float | tuple[float, float]:
+        """The opening of a plane; 0 for none.
+
+        Where it has none, its flat face begins at the window of the coupon, behind its round edge.
+        """
+        if plane.window is not None:
+            return plane.window
+        if not isinstance(self.mesh, Coupon):
+            return 0.0
+        flat, both = self.mesh.window, 2.0 * plane.edge
+        return (flat[0] - both, flat[1] - both) if isinstance(flat, tuple) else flat - both
 
     @property
     def touch(self) -> Contact:
@@ -122,14 +161,27 @@ def _laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
 
 def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
     """All names of curves that are used, with their keys."""
-    for number, load in enumerate(study.loads, start=1):
-        if curve := getattr(load, "curve", ""):
-            yield f"loads[{number}].curve", curve
+    yield from _users_of_curves("", study)
+    for number, stage in enumerate(study.stages, start=1):
+        yield from _users_of_curves(f"stages[{number}].", stage)
     for name, material in study.materials.items():
         if isinstance(material, PlyCodam2) and material.shear_curve:
             yield f"materials.{name}.shear_curve", material.shear_curve
     if study.control.step_curve:
         yield "control.step_curve", study.control.step_curve
+
+
+def _users_of_curves(path: str, study: Study | Stage) -> Iterator[tuple[str, str]]:
+    """Curves of loads, the impactor and fixtures, with their keys."""
+    if study.impactor and study.impactor.motion_z:
+        yield f"{path}impactor.motion_z", study.impactor.motion_z
+    for number, load in enumerate(study.loads, start=1):
+        if curve := getattr(load, "curve", ""):
+            yield f"{path}loads[{number}].curve", curve
+    for number, fixture in enumerate(study.fixtures, start=1):
+        for key in ("move_x", "move_y", "move_z", "curve"):
+            if curve := getattr(fixture, key, ""):
+                yield f"{path}fixtures[{number}].{key}", curve
 
 
 def _check_material(path: str, name: str, known: Iterable[str], what: str) -> None:

@@ -39,14 +39,20 @@ def _materials(study: Study) -> set[str]:
 
 
 def _curves(study: Study) -> set[str]:
-    """Names of the curves of the step, of loads and of materials in use."""
+    """Names of the curves of the step, the impactor, loads, fixtures and materials in use."""
     materials = [study.materials[name] for name in _materials(study) if name in study.materials]
     shear = {getattr(material, "shear_curve", "") for material in materials}
-    loads = {getattr(load, "curve", "") for load in study.loads}
-    return {study.control.step_curve} | loads | shear
+    parts = (study, *study.stages)
+    loads = {getattr(load, "curve", "") for part in parts for load in part.loads}
+    keys = ("curve", "move_x", "move_y", "move_z")
+    bodies = [fixture for part in parts for fixture in part.fixtures]
+    fixtures = {getattr(fixture, key, "") for fixture in bodies for key in keys}
+    impactors = {getattr(part.impactor, "motion_z", "") for part in parts}
+    return {study.control.step_curve} | impactors | loads | shear | fixtures
 
 
 def _sets(study: Study) -> set[str]:
     """Names of the sets of supports, loads and outputs."""
-    users = (*study.supports, *study.loads)
-    return {getattr(user, "set", "") for user in users} | set(study.outputs.nodes)
+    parts = (study, *study.stages)
+    users = {getattr(user, "set", "") for part in parts for user in (*part.supports, *part.loads)}
+    return users.union(*(part.outputs.nodes for part in parts))

@@ -1,0 +1,81 @@
+"""Decks of the stages of a chain, each for a restart from the end of the one before."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import chain
+
+from plydyn_pre.deck import conditions, control
+from plydyn_pre.deck.cards import keyword, title_line
+from plydyn_pre.deck.fixtures import fixture_keywords
+from plydyn_pre.deck.names import Names
+from plydyn_pre.mesh import Mesh
+from plydyn_pre.study import Stage, Study
+from plydyn_pre.version import VERSION
+
+#: Numbers of sets, curves and fixtures that a stage may use
+NUMBERS = 1000
+#: Steps that no run makes: a restart file at the end alone
+END_ALONE = 999_999_999
+
+
+def end_keyword(study: Study) -> Iterator[str]:
+    """The restart file at the end, where a stage follows."""
+    if study.stages:
+        yield keyword("DATABASE_BINARY_D3DUMP", {"cycl": END_ALONE})
+
+
+def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str]:
+    """The deck of a stage, counted from 1; the sum is that of the first deck of the chain."""
+    stage = study.stages[number - 1]
+    names = Names(_part(study, stage), mesh, first=NUMBERS * number + 1)
+    yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}\n$ stage {number} of {deck_sum}"
+    yield keyword("TITLE", title_line(f"{study.title}: {stage.name}"))
+    yield keyword("CONTROL_STAGE", {"time": 1})
+    yield keyword("CONTROL_TERMINATION", {"endtim": stage.end_time, "endcyc": 0})
+    yield keyword("DAMPING_RELAXATION", {"drtol": stage.at_rest})
+    if stage.damping is not None:
+        yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": stage.damping})
+    yield from _removed(study, number)
+    yield keyword("DATABASE_BINARY_D3DUMP", {"cycl": END_ALONE})
+    yield from chain(
+        control.interval_keywords(names),
+        conditions.impactor_keywords(names, number + 1),
+        conditions.support_keywords(names) if stage.supports or stage.loads else (),
+        fixture_keywords(names, NUMBERS * number + 1),
+        conditions.load_keywords(names),
+        conditions.curve_keywords(names),
+        conditions.set_keywords(names),
+    )
+    yield "*END"
+
+
+def _part(study: Study, stage: Stage) -> Study:
+    """A study that has the bodies, supports, loads and outputs of the stage alone."""
+    return replace(
+        study,
+        supports=stage.supports,
+        loads=stage.loads,
+        fixtures=stage.fixtures,
+        impactor=stage.impactor,
+        contact=stage.contact,
+        outputs=replace(stage.outputs, fields=None),
+        stages=(),
+    )
+
+
+def _removed(study: Study, number: int) -> Iterator[str]:
+    """The bodies that the stage takes away."""
+    impactor, fixtures = 0, []
+    for k, part in enumerate((study, *study.stages[:number])):
+        if k == number and "impactor" in part.remove:
+            yield keyword("DELETE_IMPACTOR", {"iid": impactor})
+        if k > 0 and "fixtures" in part.remove:
+            if k == number:
+                yield keyword("DELETE_FIXTURE", *({"fid": fid} for fid in fixtures))
+            fixtures = []
+        if part.impactor is not None:
+            impactor = k + 1
+        first = NUMBERS * k + 1
+        fixtures += range(first, first + len(part.fixtures))

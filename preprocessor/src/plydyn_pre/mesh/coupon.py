@@ -1,0 +1,174 @@
+"""Coupons: a plate on the window of a frame or in a ring, with a core of equal quads.
+
+The quads of the core lie along x and y, the 0 and 90 of the plies; outside of it they grow. Mesh
+lines follow the edge of the window. A rectangular window has straight lines through the whole
+plate, a round one has an O-grid around it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import ceil, sqrt
+from typing import ClassVar, Literal
+
+import numpy as np
+
+from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
+from plydyn_pre.mesh.blocks import place_on, to_halves
+from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
+from plydyn_pre.mesh.limits import require_few
+from plydyn_pre.mesh.ogrid import mesh_board, to_circle, to_steps
+from plydyn_pre.mesh.quarter import quarter_of
+from plydyn_pre.mesh.rectangle import mesh_board_of_rectangle
+from plydyn_pre.mesh.sizes import growing_line, last_size
+
+#: How fine a mesh is by the process zone of its interfaces
+Level = Literal["look", "standard", "fine"]
+_LARGEST_GROWTH = 2.0
+# share of a size by which a node may lie off a line
+_NEAR = 1e-6
+
+
+@dataclass(frozen=True)
+class Coupon:
+    """A plate with a window below it. Node sets: boundary, centre, core, window.
+
+    Of a rectangle left, right, bottom and top, too; of a quarter symmetry_x and symmetry_y.
+    """
+
+    kind: ClassVar[str] = "coupon"
+
+    plate: float | tuple[float, float]  # diameter, or lengths along x and y
+    window: float | tuple[float, float]  # diameter, or lengths along x and y
+    core: float  # side of the square that holds the damage
+    level: Level = "standard"
+    quad: float = 0.0  # side of the quads of the core; 0: by the level
+    growth: float = 1.3  # size of a quad outside of the core over that of the one before
+    largest: float = 6.0  # size of the quads outside of the core at most
+    order: Literal[1, 2] = 2  # quads of four or of nine nodes
+    centre: tuple[float, float] = (0.0, 0.0)  # place of the middle
+    quarter: bool = False  # only what lies at larger x and y than the middle
+
+    def __post_init__(self) -> None:
+        """Refuse what cannot be meshed."""
+        plate, window = sides_of(self.plate), sides_of(self.window)
+        for name, sides in (("plate", plate), ("window", window)):
+            require(min(sides) > 0.0, name, f"{getattr(self, name)} must be above zero")
+        require_positive(self, "core", "largest")
+        require_not_negative(self, "quad")
+        require_between(self, 1.0, _LARGEST_GROWTH, "growth")
+        round_plate, round_window = is_round(self.plate), is_round(self.window)
+        rule = "a round plate needs a round window: a diameter"
+        require(round_window or not round_plate, "window", rule)
+        rule = f"{self.window} must be less than the plate, {self.plate}"
+        require(all(a < b for a, b in zip(window, plate, strict=True)), "window", rule)
+        limit = min(window) / (sqrt(2.0) if round_window else 1.0)
+        rule = f"{self.core:g} must be less than {limit:g} to lie in the window"
+        require(self.core < limit, "core", rule)
+        if self.quad > 0.0:
+            require_few(_quads(self), "quad")
+
+
+def is_round(size: float | tuple[float, float]) -> bool:
+    """Whether a size is a diameter."""
+    return not isinstance(size, tuple)
+
+
+def sides_of(size: float | tuple[float, float]) -> tuple[float, float]:
+    """Lengths along x and y of a rectangle, or of the square around a circle."""
+    return size if isinstance(size, tuple) else (size, size)
+
+
+def mesh_coupon(shape: Coupon) -> Mesh:
+    """Mesh a coupon whose quads have a size."""
+    mesh = _mesh_round(shape) if is_round(shape.window) else _mesh_rectangle(shape)
+    whole = with_centre(mesh)
+    return quarter_of(whole) if shape.quarter else whole
+
+
+def core_quads(core: float, quad: float) -> int:
+    """Quads along a side of the core; even, so that a node lies in the middle."""
+    return 2 * max(1, ceil(core / (2.0 * quad) - 1e-9))
+
+
+def _quads(shape: Coupon) -> int:
+    """How many quads a coupon has, of the whole plate."""
+    n = core_quads(shape.core, shape.quad)
+    if is_round(shape.window):
+        return n**2 + 4 * n * (len(_rings(shape)) - 1)
+    return int(np.prod([len(_line(shape, axis)) - 1 for axis in (0, 1)]))
+
+
+def _line(shape: Coupon, axis: int) -> Reals:
+    """Ends of the quads along an axis, around the middle."""
+    n, half = core_quads(shape.core, shape.quad), shape.core / 2
+    window, plate = sides_of(shape.window)[axis] / 2, sides_of(shape.plate)[axis] / 2
+    inner = half + growing_line(window - half, _next(shape), shape.growth, shape.largest)
+    outer = window + growing_line(plate - window, last_size(inner), shape.growth, shape.largest)
+    arm = np.concatenate([inner, outer[1:]])
+    return np.concatenate([-arm[:0:-1], np.linspace(-half, half, n + 1), arm[1:]])
+
+
+def _next(shape: Coupon) -> float:
+    """Size of the first quad outside of the core."""
+    return shape.growth * shape.core / core_quads(shape.core, shape.quad)
+
+
+def _mesh_rectangle(shape: Coupon) -> Mesh:
+    """A rectangular plate on a rectangular window."""
+    lines = [_line(shape, axis) for axis in (0, 1)]
+    board = mesh_board_of_rectangle(len(lines[0]) - 1, len(lines[1]) - 1, shape.order)
+    halves = to_halves(board.nodes)
+    places = np.stack([place_on(lines[axis], halves[:, axis]) for axis in (0, 1)], axis=1)
+    half = np.array(sides_of(shape.window)) / 2
+    return _with_sets(board, shape, places, (np.abs(places) / half).max(axis=1))
+
+
+def _rings(shape: Coupon) -> Reals:
+    """Radii of the rings of quads, halfway along the sides of the core: (rings + 1,)."""
+    half = shape.core / 2
+    window, plate = sides_of(shape.window)[0] / 2, min(sides_of(shape.plate)) / 2
+    inner = half + growing_line(window - half, _next(shape), shape.growth, shape.largest)
+    outer = window + growing_line(plate - window, last_size(inner), shape.growth, shape.largest)
+    return np.concatenate([inner, outer[1:]])
+
+
+def _mesh_round(shape: Coupon) -> Mesh:
+    """A plate on a round window: from the core to a circle, and on to the edge of the plate."""
+    n, radii = core_quads(shape.core, shape.quad), _rings(shape)
+    board = mesh_board(n, len(radii) - 1, shape.order)
+    reach = np.abs(board.nodes).max(axis=1)
+    inside = reach < n / 2 + 0.25
+    unit = to_steps(board.nodes / np.where(inside, n / 2, reach)[:, None], n)
+    ring = to_halves(np.where(inside, 0.0, reach - n / 2))
+    radius = place_on(radii, ring)
+    half, window = shape.core / 2, sides_of(shape.window)[0] / 2
+    edge = np.array(sides_of(shape.plate)) / 2
+    square, circle = half * unit, window * to_circle(unit)
+    outline = edge[0] * to_circle(unit) if is_round(shape.plate) else edge * unit
+    places = np.where(
+        (radius <= window)[:, None],
+        _between(square, circle, (radius - half) / (window - half)),
+        _between(circle, outline, (radius - window) / (radii[-1] - window)),
+    )
+    return _with_sets(board, shape, places, np.hypot(*places.T) / window)
+
+
+def _with_sets(board: Mesh, shape: Coupon, places: Reals, reach: Reals) -> Mesh:
+    """The board with its nodes at places around the middle, (nodes, 2), and with its sets.
+
+    `reach` is 1 at the edge of the window.
+    """
+    sides = () if is_round(shape.plate) else board.node_sets
+    sets = {name: nodes for name, nodes in board.node_sets.items() if name in (*sides, "boundary")}
+    mesh = renumbered(replace(board, node_sets=sets), np.array(shape.centre) + places)
+    mesh = with_set(mesh, "window", np.flatnonzero(np.abs(reach - 1.0) <= _NEAR))
+    inside = np.abs(places).max(axis=1) <= (0.5 + _NEAR) * shape.core
+    core = np.flatnonzero(np.all(inside[mesh.quads], axis=1))
+    mesh = replace(mesh, quad_sets={**mesh.quad_sets, "core": core})
+    return with_set(mesh, "core", np.flatnonzero(inside))
+
+
+def _between(start: Reals, end: Reals, share: Reals) -> Reals:
+    """Places at a share of the way."""
+    return (1.0 - share)[:, None] * start + share[:, None] * end

@@ -1,0 +1,56 @@
+"""Stages of a chain: what changes when a run goes on from the end of the one before."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
+from plydyn_pre.study.conditions import Contact, Impactor, Load, Support
+from plydyn_pre.study.control import Outputs
+from plydyn_pre.study.fixtures import Fixture
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A restart of the run with other supports, bodies and loads; times count from its start."""
+
+    name: str  # of its deck, and of its results behind the name of the recipe
+    end_time: float  # after its start, at the latest
+    remove: tuple[Literal["impactor", "fixtures"], ...] = ()  # of the stages before
+    at_rest: float = 0.0  # dynamic relaxation until this share of the largest kinetic energy
+    damping: float | None = None  # force per mass and velocity; as before if absent
+    supports: tuple[Support, ...] = ()  # these and the loads replace those before, if any are given
+    loads: tuple[Load, ...] = ()
+    fixtures: tuple[Fixture, ...] = ()
+    impactor: Impactor | None = None
+    contact: Contact | None = None
+    outputs: Outputs = field(default_factory=Outputs)
+
+    def __post_init__(self) -> None:
+        """Refuse what is no stage."""
+        rule = f"{self.name!r} must be letters, digits, - and _: it is part of the names of files"
+        require(bool(re.fullmatch(r"[A-Za-z0-9_-]+", self.name)), "name", rule)
+        require_positive(self, "end_time")
+        require_between(self, 0.0, 1.0, "at_rest")
+        if self.damping is not None:
+            require_not_negative(self, "damping")
+        hit = self.contact is None or self.impactor is not None
+        require(hit, "contact", "needs an impactor of the stage")
+
+
+def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures: bool) -> None:
+    """Refuse names that stand twice, and the removal of what is not there."""
+    names = [stage.name for stage in stages]
+    there = {"impactor": has_impactor, "fixtures": has_fixtures}
+    for number, stage in enumerate(stages, start=1):
+        path = f"stages[{number}]"
+        require(names.count(stage.name) == 1, f"{path}.name", f"{stage.name!r} stands twice")
+        for what in stage.remove:
+            require(there[what], f"{path}.remove", f"there is no {what} to remove")
+            there[what] = False
+        both = there["impactor"] and stage.impactor is not None
+        require(not both, f"{path}.impactor", "the one before is still there; remove it")
+        there["impactor"] |= stage.impactor is not None
+        there["fixtures"] |= bool(stage.fixtures)

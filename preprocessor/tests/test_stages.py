@@ -1,0 +1,102 @@
+"""Stages of a chain: their decks, and what is refused."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from deck_cards import cards_of
+
+import plydyn_pre as pre
+from plydyn_pre.deck import stage_text
+from plydyn_pre.recipe import example_recipe, load_recipe
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> pre.Study:
+    """The compression after impact of the template, on a coarse mesh."""
+    path = tmp_path_factory.mktemp("recipe") / "cai.toml"
+    path.write_text(example_recipe("astm-d7137"))
+    return load_recipe(path, ["mesh.quad=7.5"])
+
+
+def decks(study: pre.Study) -> list[str]:
+    """The texts of all stages."""
+    mesh = pre.make_mesh(study.mesh)
+    return ["\n".join(stage_text(study, mesh, k + 1, "0" * 64)) for k in range(len(study.stages))]
+
+
+def numbers(text: str, keyword: str) -> list[int]:
+    """The first field of each card of a keyword."""
+    return [int(line[:10]) for line in cards_of(text)[keyword]]
+
+
+def test_stages_remove_what_was_there(study: pre.Study) -> None:
+    settle, press = decks(study)
+    assert numbers(settle, "DELETE_IMPACTOR") == [1]
+    assert "DELETE_FIXTURE" not in settle
+    assert "BOUNDARY" not in settle
+    assert numbers(press, "DELETE_FIXTURE") == [1, 2, 3, 4, 5]
+    assert "DELETE_IMPACTOR" not in press
+
+
+def test_numbers_of_a_stage_are_its_own(study: pre.Study) -> None:
+    """Those of the decks before are taken."""
+    _, press = decks(study)
+    assert min(numbers(press, "BOUNDARY_SPC_SET")) > 2000
+    motion = cards_of(press)["BOUNDARY_FACE_MOTION"][0]
+    nsid, _, _, _, lcid, _ = (float(field) for field in motion.split())
+    assert min(nsid, lcid) > 2000
+
+
+def test_a_line_is_the_mesh_line_next_to_it(study: pre.Study) -> None:
+    mesh = pre.make_mesh(study.mesh)
+    names = pre.deck.names.Names(study, mesh)
+    nodes = mesh.nodes[names.nodes_of("left_side", "")]
+    assert np.ptp(nodes[:, 1]) == 0.0
+    others = np.unique(mesh.nodes[:, 1].round(9))
+    assert abs(nodes[0, 1] + 45.0) == pytest.approx(np.abs(others + 45.0).min(), abs=1e-8)
+    assert np.abs(nodes[:, 0]).max() <= 66.9
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"name": "a b"}, "part of the names"),
+        ({"remove": ("impactor", "impactor")}, "no impactor to remove"),
+        ({"end_time": 0.0}, "end_time"),
+        ({"at_rest": 2.0}, "at_rest"),
+        ({"contact": pre.Contact()}, "needs an impactor"),
+    ],
+)
+def test_what_is_no_stage_is_refused(
+    change: dict[str, object], words: str, study: pre.Study
+) -> None:
+    with pytest.raises(pre.RecipeError, match=words):
+        replace(study, stages=(replace(study.stages[0], **change),))
+
+
+def test_names_of_stages_differ(study: pre.Study) -> None:
+    twice = (study.stages[0], replace(study.stages[1], name="settle"))
+    with pytest.raises(pre.RecipeError, match="stands twice"):
+        replace(study, stages=twice)
+
+
+def test_chain_is_written_beside_its_deck(tmp_path: Path) -> None:
+    """The sum of the first deck stands in each stage."""
+    from typer.testing import CliRunner
+
+    from plydyn_pre.cli import app
+
+    recipe = tmp_path / "cai.toml"
+    recipe.write_text(example_recipe("astm-d7137"))
+    line = ["deck", str(recipe), "-o", f"{tmp_path}/", "--set", "mesh.quad=7.5"]
+    assert CliRunner().invoke(app, line).exit_code == 0
+    heads = [
+        (tmp_path / f"cai_{name}.k").read_text().splitlines()[2]
+        for name in ("settle", "compression")
+    ]
+    assert heads[0].startswith("$ stage 1 of ")
+    assert heads[1] == heads[0].replace("stage 1", "stage 2")
