@@ -146,7 +146,7 @@ def test_a_window_holds_all_damage_or_the_plate(damaged: Path) -> None:
     assert 6.0 < scan.half < 1.5 * 6.0 * (1 + known.RIM)
     assert half_window(scan.sheets, scan.middle, whole=True) >= synthetic.SIDE / 2
     quiet = read_scan(open_results(damaged), time=0.0)
-    assert 0.0 < quiet.half < synthetic.SIDE / 2
+    assert quiet.half >= synthetic.SIDE / 2  # nothing is damaged yet
 
 
 def test_plies_are_sorted_into_columns(damaged: Path) -> None:

@@ -80,16 +80,16 @@ def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
         one.number: area_beyond(sheet, DELAMINATED)
         for one, sheet in zip(state.each, sheets, strict=True)
     }
-    projected = area_beyond(_worst(state, sheets), DELAMINATED)
+    projected = area_beyond(worst_of(state, sheets), DELAMINATED)
     failed = None
     if ENERGY in state.each[0].fields:
         complete = tuple(sheet_of(one.places, one.failed) for one in state.each)
-        failed = area_beyond(_worst(state, complete), DELAMINATED)
+        failed = area_beyond(worst_of(state, complete), DELAMINATED)
     unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
     return Areas(each, projected, unit, failed)
 
 
-def _worst(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
+def worst_of(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
     """The largest value of all interfaces over each quad, where some may lack an interface."""
     quads, first = np.unique(
         np.concatenate([one.elements for one in state.each]), return_index=True

@@ -8,7 +8,9 @@ import typer
 
 from plydyn_post.animation import draw_animation, quantity_of
 from plydyn_post.commands import (
+    Folder,
     Job,
+    Jobs,
     Mirror,
     Output,
     Time,
@@ -21,7 +23,16 @@ from plydyn_post.commands import (
 )
 from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.dissipation import draw_areas, draw_dissipation
+from plydyn_post.ensemble import (
+    draw_force_band,
+    draw_probability,
+    read_scans,
+    spreads,
+    write_spreads,
+)
+from plydyn_post.errors import ResultsError
 from plydyn_post.grid import read_times
+from plydyn_post.numbers import compare
 from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish
@@ -46,6 +57,26 @@ def cscan(
     found = open_results(job, mirror)
     made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole)
     console.print(str(made), markup=False)
+
+
+@app.command()
+@tells_errors
+def ensemble(jobs: Jobs, output: Folder = None) -> None:
+    """Mean and band of the force, numbers with their spread, probability of delamination."""
+    found = [open_results(job) for job in jobs]
+    if len(found) < 2:
+        raise ResultsError("an ensemble has two jobs or more")
+    folder, scans = output or beside(found[0], "ensemble"), read_scans(found)
+    unit = scans[0].areas.unit if scans else ""
+    areas = [scan.areas.projected for scan in scans]
+    made = [
+        write_spreads(spreads(compare(found), areas, unit), folder / "numbers.csv"),
+        draw_force_band(found, folder / "force.png"),
+    ]
+    if scans:
+        made.append(draw_probability(scans, folder / "probability.png"))
+    for path in made:
+        console.print(str(path), markup=False)
 
 
 @app.command()

@@ -21,7 +21,7 @@ from plydyn_post.results import Results
 from plydyn_post.sheets import find
 from plydyn_post.style import NARROW, figure, look_of, name_job, save
 from plydyn_post.surface import blocks_of, extent
-from plydyn_post.symmetry import Plane, planes_of
+from plydyn_post.symmetry import Plane, part_of, planes_of
 from plydyn_post.units import factor, in_brackets, readable
 
 # Share of the distance to the farthest point from which on points are around the dent
@@ -167,5 +167,5 @@ def draw_dent(results: Results, path: Path, number: int | None = None) -> Path:
         for axes in panels:
             axes.legend(loc="best", fontsize=7.5)
         made.align_ylabels(panels)
-        name_job(made, results.job)
+        name_job(made, results.job, part_of(results))
         return save(made, path)

@@ -5,12 +5,23 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import FAILED_AREA, area_columns
 from plydyn_post.maps import area_words
 from plydyn_post.results import Results
-from plydyn_post.style import COLOURS, NARROW, figure, legend_above, look_of, name_job, save, span
+from plydyn_post.style import (
+    COLOURS,
+    NARROW,
+    QUIET,
+    figure,
+    legend_above,
+    look_of,
+    name_job,
+    save,
+    span,
+)
 from plydyn_post.symmetry import copies, part_of
 from plydyn_post.table import Table
 from plydyn_post.units import in_brackets, readable
@@ -26,6 +37,8 @@ MECHANISMS = {
 }
 #: A mechanism that took less than this share of all is not drawn
 UNSEEN = 1e-3
+#: Interfaces with a name in the legend of areas, those with the largest at the end
+NAMED = 6
 
 
 def mechanisms(table: Table) -> dict[str, np.ndarray]:
@@ -71,6 +84,18 @@ def _last(values: np.ndarray, unit: str) -> str:
     return f"{values[-1]:.3g} {unit}".rstrip()
 
 
+def _draw_interfaces(axes: Axes, x: np.ndarray, areas: dict[int, np.ndarray], unit: str) -> None:
+    """Area of each interface; of many only the largest have a name."""
+    largest = sorted(areas, key=lambda number: float(areas[number][-1]), reverse=True)[:NAMED]
+    others = [number for number in areas if number not in largest]
+    for place, number in enumerate(others):
+        label = f"{len(others)} others" if place == 0 else None
+        axes.plot(x, areas[number], color=QUIET, linewidth=0.7, label=label)
+    for place, number in enumerate(sorted(largest)):
+        label = f"interface {number}, {area_words(areas[number][-1], unit)}"
+        axes.plot(x, areas[number], label=label, **look_of(place))
+
+
 def draw_areas(results: Results, path: Path) -> Path:
     """Delaminated area of each interface over time, and the projected one.
 
@@ -82,10 +107,7 @@ def draw_areas(results: Results, path: Path) -> Path:
     time = readable(table.unit("time"), float(table["time"][-1]))
     x = table["time"] * time.factor
     with figure(size=(NARROW, 3.3)) as (made, axes):
-        for place, (number, name) in enumerate(columns.items()):
-            area = times * table[name]
-            label = f"interface {number}, {area_words(area[-1], unit)}"
-            axes.plot(x, area, label=label, **look_of(place))
+        _draw_interfaces(axes, x, {it: times * table[name] for it, name in columns.items()}, unit)
         projected = times * table["projected area"]
         label = f"projected, {area_words(projected[-1], unit)}"
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)

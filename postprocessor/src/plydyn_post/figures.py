@@ -38,6 +38,7 @@ ENERGIES = {
     "kinetic": "kinetic of the plate",
     "damping": "damping",
     "contact": "contact",
+    "contact friction": "friction in contact",
     "external": "external work",
     "total": "total",
 }

@@ -60,7 +60,9 @@ def _check(path: Path, name: str, values: np.ndarray) -> None:
             f"{path}: field {name!r} has {values.shape[1:] or 1} numbers at a point, not"
             f" {COMPONENTS.get(name) or 1}"
         )
-    if name == "displacement" and np.any(np.abs(values) > FARTHEST * layout_of(path).side):
+    if name == "displacement" and np.any(
+        np.abs(values.astype(float)) > FARTHEST * layout_of(path).side
+    ):
         raise ResultsError(f"{path}: a point moves by {np.abs(values).max():g}")
 
 

@@ -38,9 +38,12 @@ def hit_from_above(header: Header) -> bool:
 
 
 def half_window(sheets: Sequence[Sheet], middle: np.ndarray, whole: bool) -> float:
-    """Half the side of a square around the impact that holds all damage, or the whole plate."""
+    """Half the side of a square around the impact that holds all damage, or the whole plate.
+
+    Where nothing is damaged, it is the whole plate, too.
+    """
     reach = max(float(np.abs(sheet.places - middle).max()) for sheet in sheets)
-    if whole:
+    if whole or not any(np.any(sheet.values > SEEN) for sheet in sheets):
         return 1.04 * reach
     distances = [
         float(np.abs(sheet.places[sheet.values > SEEN] - middle).max(initial=0.0))

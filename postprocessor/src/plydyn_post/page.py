@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path
 from urllib.parse import quote
 
+from plydyn_post.fixtures import FixtureSheet
 from plydyn_post.header import Header
 from plydyn_post.numbers import Comparison
 from plydyn_post.units import in_brackets
@@ -48,6 +49,7 @@ class Sheet:
     comparison: Comparison | None
     images: tuple[Image, ...]
     notes: tuple[str, ...]
+    fixtures: tuple[FixtureSheet, ...] = ()
 
 
 def write_page(sheet: Sheet, path: Path) -> Path:
@@ -71,6 +73,7 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
     if sheet.comparison:
         yield "<h2>Numbers</h2>"
         yield from _numbers(sheet.comparison)
+    yield from _fixtures(sheet)
     for section in dict.fromkeys(image.section for image in sheet.images):
         yield f"<h2>{escape(section)}</h2>"
         for image in sheet.images:
@@ -95,6 +98,15 @@ def _numbers(comparison: Comparison) -> Iterator[str]:
     cells = [row.texts() for row in comparison.rows]
     body = [[name, *texts] for name, texts in zip(names, cells, strict=True)]
     yield _table(["", *comparison.labels], body)
+
+
+def _fixtures(sheet: Sheet) -> Iterator[str]:
+    """What the fixtures of each job came to."""
+    for held in sheet.fixtures:
+        yield f"<h2>Fixtures of {escape(held.job)}</h2>"
+        yield _table(held.headings, held.rows)
+        if held.words:
+            yield f'<p class="quiet">{escape(held.words)}</p>'
 
 
 def _figure(image: Image, folder: Path) -> str:

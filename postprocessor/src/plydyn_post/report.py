@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
+
+import numpy as np
 
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.dent import draw_dent
 from plydyn_post.errors import ResultsError
 from plydyn_post.figures import curves_of, draw_energy, draw_history
+from plydyn_post.fixtures import FixtureSheet, draw_fixtures, fixture_sheet, write_sheet
 from plydyn_post.grid import has_point_field
 from plydyn_post.header import read_header
 from plydyn_post.numbers import Comparison, compare, write_numbers
@@ -18,8 +21,11 @@ from plydyn_post.page import Image, Sheet, write_page
 from plydyn_post.picture import draw_picture
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
-from plydyn_post.results import labels
+from plydyn_post.results import Results, labels
 from plydyn_post.scene import Wish
+
+#: Share of the energy of a run that contact may give by round-off before a note
+GIVEN = 0.01
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,7 @@ def tasks_of(plan: Plan) -> list[Task]:
     return [
         *_history_tasks(plan),
         *_dent_tasks(plan),
+        *_fixture_tasks(plan),
         *_energy_tasks(plan),
         *damage_tasks(plan),
         *_profile_tasks(plan),
@@ -57,6 +64,7 @@ def make_report(
         except ResultsError as error:
             notes.append(str(error))
     notes += [note for job in plan.jobs for note in job.notes()]
+    notes += [note for job in plan.jobs for note in _contact_notes(job)]
     comparison, files = None, [image.path for image in images]
     try:
         comparison = compare(list(plan.jobs))
@@ -64,11 +72,30 @@ def make_report(
         notes += comparison.notes
     except ResultsError as error:
         notes.append(str(error))
+    fixtures = []
+    try:
+        for held, path in _fixture_sheets(plan):
+            fixtures.append(held)
+            files.append(path)
+    except ResultsError as error:
+        notes.append(str(error))
     notes = list(dict.fromkeys(notes))
     headers = tuple(read_header(job.fields) for job in plan.jobs)
-    sheet = Sheet(tuple(labels(list(plan.jobs))), headers, comparison, tuple(images), tuple(notes))
+    names = tuple(labels(list(plan.jobs)))
+    sheet = Sheet(names, headers, comparison, tuple(images), tuple(notes), tuple(fixtures))
     page = write_page(sheet, plan.folder / "report.html")
     return Report(page, tuple(files), comparison, tuple(notes))
+
+
+def _contact_notes(job: Results) -> Iterator[str]:
+    """Contact takes energy: say where it has given some, which the balance does not show."""
+    if not job.has("energy"):
+        return
+    table = job.energy()
+    given, whole = -table["contact"].min(), np.abs(table["total"]).max()
+    if given > GIVEN * whole:
+        share = f"{given / whole:.0%} of all"
+        yield f"{job.job}: contact has given energy, {share}, where it should take"
 
 
 def _history_tasks(plan: Plan) -> list[Task]:
@@ -109,6 +136,28 @@ def _draw_history(plan: Plan, number: int, across: str, upwards: str, path: Path
         if not curve.measured or {across, upwards} <= set(curve.table.names)
     ]
     return draw_history(curves, across, upwards, path, plan.window)
+
+
+def _fixture_tasks(plan: Plan) -> list[Task]:
+    """Force, contact, slip and uplift of what holds the plate."""
+    return [
+        Task(
+            "Fixtures",
+            f"fixtures_{file_name(name)}",
+            f"Force (20 µs mean), area in contact, slip and uplift of the fixtures of {name}.",
+            partial(draw_fixtures, job),
+        )
+        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        if job.fixtures
+    ]
+
+
+def _fixture_sheets(plan: Plan) -> Iterator[tuple[FixtureSheet, Path]]:
+    """Tables of fixtures, and where they are written."""
+    for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True):
+        if job.fixtures:
+            sheet = replace(fixture_sheet(job), job=name)
+            yield sheet, write_sheet(sheet, plan.folder / f"fixtures_{file_name(name)}.csv")
 
 
 def _energy_tasks(plan: Plan) -> list[Task]:

@@ -13,7 +13,7 @@ from plydyn_post.table import Table, read_table
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
     r"\.((interfaces\.)?vtkhdf|out"
-    r"|(energy|nodes|supports(_\d+)?|delamination|impactor_\d+|profile_\d+)\.csv)$",
+    r"|(energy|nodes|supports(_\d+)?|delamination|contact|(impactor|profile|fixture)_\d+)\.csv)$",
     re.IGNORECASE,
 )
 
@@ -49,6 +49,11 @@ class Results:
         """Numbers of the profiles through the thickness."""
         return self._numbers("profile")
 
+    @property
+    def fixtures(self) -> tuple[int, ...]:
+        """Numbers of the fixtures with a history."""
+        return self._numbers("fixture")
+
     def energy(self) -> Table:
         """Energies over time."""
         return self._table("energy")
@@ -56,6 +61,10 @@ class Results:
     def impactor(self, number: int | None = None) -> Table:
         """History of an impactor, of the first without a number."""
         return self._table(f"impactor_{self._chosen('impactor', number)}")
+
+    def fixture(self, number: int | None = None) -> Table:
+        """History of a fixture, of the first without a number."""
+        return self._table(f"fixture_{self._chosen('fixture', number)}")
 
     def profile(self, number: int | None = None) -> Table:
         """A profile through the thickness over time, the first without a number."""

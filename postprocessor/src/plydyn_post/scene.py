@@ -178,6 +178,8 @@ def _auto_thickness(points: np.ndarray, wish: Wish) -> float:
 
 def _limits(values: np.ndarray, signed: bool) -> tuple[float, float]:
     """Ends of the colours: all values, for signed ones with zero in the middle."""
+    if values.size == 0:
+        raise ResultsError("the fields have no surface to draw")
     low, high = float(values.min()), float(values.max())
     if signed:
         end = max(abs(low), abs(high)) or 1.0

@@ -89,6 +89,8 @@ def find(quads: np.ndarray, places: np.ndarray) -> Found:
     """Find places, (places, 2), in quads, (quads, n, n, 2); on a side the first quad is taken."""
     owner = np.full(len(places), -1)
     weights = np.zeros((len(places), *quads.shape[1:3]))
+    if len(quads) == 0:
+        return Found(owner, weights)
     slack = 1e-6 * float(np.ptp(quads.reshape(-1, 2), axis=0).max())
     for number, nodes in enumerate(quads):
         low, high = nodes.min(axis=(0, 1)) - slack, nodes.max(axis=(0, 1)) + slack

@@ -83,7 +83,8 @@ def array(group: h5py.Group, name: str, kinds: str, first: int = 0, count: int =
             " are needed"
         )
     values = data[first:last]
-    finite = np.abs(values.astype(float)) <= LARGEST
+    with np.errstate(invalid="ignore"):  # of numbers that are none
+        finite = np.abs(values.astype(float)) <= LARGEST
     if not np.all(finite):
         row = int(np.argmin(finite.reshape(len(values), -1).all(axis=1)))
         raise ResultsError(
