@@ -41,6 +41,13 @@ def force_difference(results: Results, other: Results, end: float = np.inf) -> f
     return norm_share(ours[:rows] - theirs[:rows], theirs[:rows])
 
 
+def largest_force_difference(results: Results, other: Results) -> float:
+    """The largest difference of two mean forces at any time, as a share of the other's largest."""
+    (_, ours), (_, theirs) = mean_force(results), mean_force(other)
+    rows = min(len(ours), len(theirs))
+    return peak_share(ours[:rows] - theirs[:rows], theirs[:rows])
+
+
 def velocity_difference(results: Results, other: Results) -> float:
     """The largest difference of the impactor's velocities, as a share of that at impact."""
     ours, theirs = results.impactor(), other.impactor()
@@ -63,14 +70,6 @@ def peak_time(results: Results) -> float:
     """When the mean of the contact force is largest."""
     time, force = mean_force(results)
     return float(time[np.argmax(force)])
-
-
-def first_end(results: Results) -> float:
-    """The end of the contact during which the mean force is largest."""
-    time, force = mean_force(results)
-    peak = int(np.argmax(force))
-    silent = np.flatnonzero(force[peak:] <= 1e-3 * force[peak])
-    return float(time[peak + silent[0]]) if len(silent) else float(time[-1])
 
 
 def draw_panels(panels: Mapping[str, Mapping[str, Run]], across: int, path: Path) -> Path:
