@@ -24,7 +24,7 @@ run_lint() {
 }
 
 run_shell() {
-  git ls-files -z '*.sh' '*.slurm' .ci/run decks/hpc/plydyn-batch | xargs -0 shellcheck
+  git ls-files -z '*.sh' '*.slurm' .ci/run decks/hpc/plydyn-batch decks/hpc/plydyn-chain | xargs -0 shellcheck
 }
 
 run_structure() {

@@ -27,7 +27,10 @@ DROPPED_FILES: dict[str, str] = {}
 #: Columns of histories, `ending: header`, that only one of the builds writes, and why
 ADDED_COLUMNS: dict[str, str] = {
     r".*energy.csv: least volume.*": "least ratio of volumes, of every 200th step",
-    r".*\.energy\.csv: contact friction \[.*\]": "work of friction on fixtures",
+    r".*\.energy\.csv: contact friction \[.*\]": "work of friction",
+    r".*\.impactor_\d+\.csv: ((displacement|velocity|impulse|angular velocity) [xyz]|friction).*": (
+        "lateral motion, rotation, impulse and work of friction"
+    ),
 }
 DROPPED_COLUMNS: dict[str, str] = {}
 
@@ -49,6 +52,7 @@ LENGTHENED_DATA: dict[str, str] = {
 
 #: Arrays and attributes that only one of the builds writes, and why
 ADDED_DATA: dict[str, str] = {
+    r"state/impactor_\d+_work": "rotation, impulse, work of friction and of prescribed motion",
     r"state/least_volume": "the step follows it with large displacement",
     r"run/ends": "last bytes of the result files, by which a restart knows them",
 }

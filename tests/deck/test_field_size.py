@@ -1,4 +1,4 @@
-"""The listing says before a run how large its files of fields will be."""
+"""The listing says before a run how large its files will be."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ import h5py
 import pytest
 
 from brick_decks import add_bricks, box
-from decks import Deck, Ply
+from broken import impact
+from decks import BOTTOM, Deck, Ply
 from elasticity import CARBON
 from meshes import regular
 from runs import Results, run
@@ -52,7 +53,7 @@ def solid() -> Deck:
 
 def told(results: Results, what: str) -> float:
     """What the listing says of a file, bytes."""
-    found = re.search(rf"^file of {what} +([\d.]+) MB$", results.listing(), re.MULTILINE)
+    found = re.search(rf"^{what} +([\d.]+) MB$", results.listing(), re.MULTILINE)
     assert found is not None
     return MEGABYTE * float(found[1])
 
@@ -78,7 +79,29 @@ def test_listing_tells_the_size_of_fields(make: Callable[[], Deck], tmp_path: Pa
     results = run(deck, tmp_path)
     size = held(tmp_path / "job.vtkhdf")
     assert size > MEGABYTE / 2
-    assert told(results, "fields") == pytest.approx(size, rel=UNCOUNTED)
+    assert told(results, "file of fields") == pytest.approx(size, rel=UNCOUNTED)
     interfaces = tmp_path / "job.interfaces.vtkhdf"
     if interfaces.exists():
-        assert told(results, "interfaces") == pytest.approx(held(interfaces), rel=UNCOUNTED)
+        assert told(results, "file of interfaces") == pytest.approx(held(interfaces), rel=UNCOUNTED)
+
+
+def busy() -> Deck:
+    """An impact that can delaminate over a fixture, with all tables and restart files."""
+    deck = impact(1, "cohesive", end=1.0e-5)
+    deck.add("FIXTURE_BAR", (4, BOTTOM, 0.002, 1.0, 0.3), (1.0, 1.0, 1.0, 19.0))
+    deck.intervals(delam=5.0e-8)
+    deck.add("DATABASE_BINARY_D3DUMP", (40,))
+    return deck
+
+
+def test_listing_tells_the_size_of_tables_and_restart_files(tmp_path: Path) -> None:
+    """Restart files to their heads; tables as if every number had all of its digits."""
+    results = run(busy(), tmp_path)
+    tables = sum(path.stat().st_size for path in tmp_path.glob("job.*.csv"))
+    assert tables < told(results, "tables, about") < 2.0 * tables
+    kept = sorted(tmp_path.glob("job.dump*"))
+    found = re.search(r"^restart files kept, (\d+) +([\d.]+) MB$", results.listing(), re.MULTILINE)
+    assert found is not None
+    assert int(found[1]) == len(kept)
+    size = sum(path.stat().st_size for path in kept)
+    assert MEGABYTE * float(found[2]) == pytest.approx(size, rel=0.2)

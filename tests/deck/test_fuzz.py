@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from mutants import mutate
+from ranks import launch
 from runs import ROOT, SOLVER
 
 MUTANTS = int(os.environ.get("FUZZ", "240"))
@@ -22,6 +23,7 @@ SEED = int(os.environ.get("FUZZ_SEED", "20260"))
 NORMAL, USAGE, INPUT, RUN, STOPPED, OUTPUT = range(6)
 # words of the run-time libraries, none of which is to be seen
 CRASHES = ("Backtrace", "Fortran runtime error", "SIGSEGV", "Operating system error", "MPI_ABORT")
+REPEATED = 10  # good decks are fewer
 SECONDS, BYTES = 20.0, 4_000_000_000
 
 
@@ -57,9 +59,9 @@ def check(done: subprocess.CompletedProcess[bytes], codes: set[int], what: str) 
 
 
 def seeds() -> list[str]:
-    """Decks of the tests, of a size that is read in no time."""
+    """Decks of the tests, of a size that is read in no time; about as many good ones as bad."""
     paths = sorted((ROOT / "tests" / "deck").glob("*/deck.k"))
-    texts = [path.read_text() for path in paths]
+    texts = [path.read_text() for path in paths] * REPEATED
     parts = ROOT / "tests" / "deck" / "errors"
     for path in sorted(parts.glob("*.k")):
         texts.append(path.read_text().replace("\ngood/", f"\n{parts}/good/"))
@@ -77,13 +79,30 @@ def test_mutants_of_decks(part: int, tmp_path: Path) -> None:
         deck.write_text(text, errors="replace")
         before = deck.read_bytes()
         done = run(tmp_path, "check", deck)
-        check(done, {NORMAL, INPUT}, f"mutant {part}.{i}")
+        check(done, {NORMAL, INPUT, RUN}, f"mutant {part}.{i}")
         if done.returncode == NORMAL and chance.random() < 0.15:
             done = run(tmp_path, "run", deck, "-j", "job", "--wall-time", "1")
             check(done, {NORMAL, INPUT, RUN, STOPPED, OUTPUT}, f"run of mutant {part}.{i}")
             for path in tmp_path.glob("job.*"):
                 path.unlink()
         assert deck.read_bytes() == before, f"mutant {part}.{i} was changed"
+
+
+def test_mutants_on_ranks(tmp_path: Path) -> None:
+    """Two ranks end as one does, and the root alone says why."""
+    texts, chance = seeds(), random.Random(SEED + 4)
+    for i in range(max(2, MUTANTS // 12)):
+        deck = tmp_path / "mutant.k"
+        deck.write_text(mutate(chance.choice(texts), chance), errors="replace")
+        words = ("run", deck, "-o", tmp_path / "out", "--wall-time", "1")
+        alone = run(tmp_path, *words[:2], "-o", tmp_path / "one", "--wall-time", "1")
+        both = launch(2, *words, seconds=3 * SECONDS)
+        if STOPPED not in (alone.returncode, both.returncode):
+            assert both.returncode == alone.returncode, f"mutant {i}: {both.stdout + both.stderr}"
+        said = both.stdout + both.stderr
+        assert not any(crash in said for crash in CRASHES[:-1]), f"mutant {i}\n{said[-3000:]}"
+        if alone.returncode == INPUT:
+            assert both.stderr.count(alone.stderr.decode().splitlines()[-1]) == 1, f"mutant {i}"
 
 
 def test_requests_by_chance(tmp_path: Path) -> None:

@@ -25,7 +25,7 @@ from broken import (
 )
 from decks import Deck
 from elasticity import Array
-from fixture_decks import all_fixtures
+from fixture_decks import all_bodies, all_fixtures
 from runs import DIGITS, SOLVER, Results
 
 NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
@@ -38,6 +38,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "failing plies that close": lambda: impact(1, "springs", failing=True, closing=True),
     "averages on two parts, one of given strains": averaged_parts,
     "fixtures": all_fixtures,
+    "bodies of every shape": all_bodies,
     "metal by points": lambda: metal(yielding_by_points),
     "metal by a power": lambda: metal(yielding_by_power),
 }

@@ -30,8 +30,8 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
 @pytest.mark.parametrize(
     ("cards", "line", "fragment"),
     [
-        (SPHERE.format(x=100.0, speed=-1e3), 3, "passes by: its centre lies 98 beside part 1"),
-        (SPHERE.format(x=1.0, speed=1e3), 3, "impactor 1 moves away from part 1"),
+        (SPHERE.format(x=100.0, speed=-1e3), 3, "passes by: its centre lies 98 beside the plate"),
+        (SPHERE.format(x=1.0, speed=1e3), 3, "impactor 1 moves away from the plate"),
         ("*DATABASE_NODOUT\n0.0\n", 3, "*DATABASE_NODOUT card 1 DT: there are no nodes to write"),
         ("*DATABASE_SPCFORC\n1.0e-6\n", 3, "there are no supports to write"),
         ("*DATABASE_IMPACTOR\n1.0e-6\n", 3, "there are no impactors to write"),
@@ -50,7 +50,7 @@ def test_warning_with_its_line(cards: str, line: int, fragment: str, tmp_path: P
 
 def test_good_deck_has_no_warning(tmp_path: Path) -> None:
     """A sphere that comes down on the plate, and nodes of their own places."""
-    sphere = SPHERE.format(x=1.0, speed=-1e3)
+    sphere = SPHERE.format(x=1.0, speed=-1e4)
     assert "warning:" not in checked(tmp_path, ["mesh", "ply", "part", "run"], sphere)
 
 
@@ -72,9 +72,9 @@ def test_integer_with_a_point(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("shear", "names"),
     [
-        ("0,0,0.05,1.0e-9,3.0", ["GAMU", "ALPHA", "N"]),
+        ("0,0,0.06,1.0e-9,3.0", ["GAMU", "ALPHA", "N"]),
         ("1,7,0.05,0.0,3.0", ["LCID", "N"]),
-        ("3,7,0.05,1.0e-9,3.0", ["LCID", "GAMU"]),
+        ("3,7,0.06,1.0e-9,3.0", ["LCID", "GAMU"]),
     ],
     ids=["line", "exponential", "power"],
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -156,24 +157,36 @@ def test_restart_file_is_of_another_model(stopped: Path, tmp_path: Path) -> None
     assert unlike(stopped, folder) == []
 
 
-def test_not_a_number_is_found(stopped: Path, tmp_path: Path) -> None:
-    """A state with a number that is none ends at once, and no restart file is made of it."""
+@pytest.mark.parametrize("value", [np.nan, 1.0e200, 1.0e30])
+def test_not_a_number_is_found(value: float, stopped: Path, tmp_path: Path) -> None:
+    """A state with a number that is none, or whose square is none, ends at once and is named.
+
+    No file gets it. What is too large for single precision alone is in no file of fields.
+    """
     folder = tmp_path / "job"
     shutil.copytree(stopped, folder)
     small = tmp_path / "small.k"
     small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n2.0e-5,\n*END\n")
     with h5py.File(folder / "job.runrsf") as file:
-        middle = len(file["state/displacement"]) // 2
-    change(folder / "job.runrsf", "state/displacement", middle, np.nan)
+        place = int(np.argmax(np.abs(file["state/displacement"])))
+    change(folder / "job.runrsf", "state/displacement", place, value)
     before = (folder / "job.runrsf").read_bytes()
     code, text = said("restart", folder / "job.runrsf", small)
     assert code == FAILED, text
-    assert "the motion is no longer finite at cycle" in text
+    assert re.search(r"at cycle \d+, time .* along [xyz] at node \d+, ply \d from the bottom", text)
+    assert ", part 1" in text
+    if value != 1.0e30:
+        assert "the motion is no longer finite at cycle" in text
+        assert "nan" not in (folder / "job.energy.csv").read_text().lower()
+        assert "infinity" not in (folder / "job.energy.csv").read_text().lower()
     assert (folder / "job.runrsf").read_bytes() == before
+    with h5py.File(folder / "job.vtkhdf") as file:
+        for field in file["VTKHDF/PointData"].values():
+            assert np.isfinite(field[()]).all()
 
 
 def test_energy_that_is_no_number_is_found(tmp_path: Path) -> None:
-    """Faces that fail under nothing cost what cannot be reckoned: the run says so at its end."""
+    """Faces that fail under nothing cost what cannot be computed: the run says so at its end."""
     deck = impact(1, "cohesive", end=1.0e-5)
     path = deck.write(tmp_path / "job.k")
     words = path.read_text().splitlines()

@@ -14,7 +14,7 @@ import pytest
 from broken import CYCLES, KINDS, averaged, averaged_parts, impact, unlike, weak_plies
 from decks import Deck, Ply
 from elasticity import CARBON
-from fixture_decks import all_fixtures
+from fixture_decks import all_bodies, all_fixtures
 from meshes import regular
 from ranks import launch, peaks, results
 from restart_files import change
@@ -22,13 +22,27 @@ from spread import solid, springs, tied
 
 NORMAL, INPUT, FAILED = 0, 2, 3
 
+
+def scattered() -> Deck:
+    """Interfaces with scattered strengths, damage by work and strength under pressure."""
+    deck = impact(2, "cohesive")
+    material = 201
+    deck.add("INTERFACE_SCATTER", (material, 3, 10.0, 2.0))
+    deck.add("INTERFACE_LAW", (material, 1, 0.5))
+    return deck
+
+
 CASES: dict[str, Callable[[], Deck]] = {
     **KINDS,
     "tied": tied,
     "springs": springs,
     "averages in two parts": averaged_parts,
     "bricks of many chunks": solid,
+    "scattered strengths": scattered,
     "fixtures": all_fixtures,
+    "fixtures and points of the plate": lambda: all_fixtures(method=2),
+    "bodies of every shape": all_bodies,
+    "bodies of every shape, implicit": lambda: all_bodies(2),
     "fixtures under implicit columns": lambda: all_fixtures(2),
 }
 

@@ -22,17 +22,23 @@ def check(results: Results) -> None:
     assert np.all(np.diff(energy["delamination"]) >= 0.0)
     assert np.all(energy["friction"] == 0.0)
     for name in ("interface 1 area", "sum", "projected area"):
-        assert area[name][0] == pytest.approx(FAILED)
-        assert area[name][-1] == pytest.approx(FAILED + WHOLE)
+        for column in (name, name.replace("area", "failed area").replace("sum", "failed sum")):
+            assert area[column][0] == pytest.approx(FAILED)
+            assert area[column][-1] == pytest.approx(FAILED + WHOLE)
     time = energy["time"]
     motion = 1000.0 * np.where(time < 2.0e-5, time**2 / 4.0e-5, time - 1.0e-5)
     opening, final = STRENGTH / STIFFNESS, 2.0 * TOUGHNESS / STRENGTH
     onset = motion[np.argmax(energy["delamination"] > 0.0)]
-    failure = np.interp(area["time"], time, motion)[np.argmax(area["sum"] > FAILED)]
+    failure, half = (
+        np.interp(area["time"], time, motion)[np.argmax(area[name] > FAILED)]
+        for name in ("failed sum", "sum")
+    )
     # a state later at most, and the plies swing by as much as they stretch
     late = 1000.0 * 1.0e-6 + STRENGTH * COMPLIANCE
     assert opening < onset < opening + STRENGTH * COMPLIANCE + late
     assert abs(failure - final) < late
+    # of the triangle of traction over opening, half is spent half-way between onset and failure
+    assert abs(half - 0.5 * (opening + final)) < late
     listing = results.listing()
     assert "Interface material 9 glue" in listing
     # openings at onset and failure, in the table of the material

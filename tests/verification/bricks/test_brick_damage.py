@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from brick_decks import Bricks, add_bricks, box
+from comparison import Comparison
 from damage import BAND, HTS40, MODES, POINT, ROOT_POINT, ROOT_QUAD, DamagedPly
 from decks import Deck, Ply, Sphere
 from meshes import regular
@@ -62,7 +63,7 @@ def width(rule: int, mode: str, size: tuple[float, ...], points: int) -> float:
 @pytest.mark.parametrize("rule", [BAND, POINT, ROOT_POINT, ROOT_QUAD])
 @pytest.mark.parametrize("points", [1, 8])
 @pytest.mark.parametrize("mode", list(MODES))
-def test_mode(mode: str, points: int, rule: int, tmp_path: Path) -> None:
+def test_mode(mode: str, points: int, rule: int, compare: Comparison, tmp_path: Path) -> None:
     """The energy is the toughness over the width of the band; the field shows the damage.
 
     With the first rule that is the toughness times the area of the crack.
@@ -77,7 +78,8 @@ def test_mode(mode: str, points: int, rule: int, tmp_path: Path) -> None:
     band = width(rule, mode, size, points)
     # what the least stiffness, a millionth, stores at the end, and the inertia of the sides
     close = 1.3e-6 * 2.0 * toughness * modulus / (band * strength**2) + 2.0e-5
-    assert energy[own][-1] == pytest.approx(np.prod(size) * toughness / band, rel=close)
+    expected = np.prod(size) * toughness / band
+    compare.number("energy of damage", energy[own][-1], expected, unit="mJ", rel=close)
     if rule == BAND:
         crack = size[2] * (size[0] if mode == "shear" else size[1])
         assert energy[own][-1] == pytest.approx(toughness * crack, rel=close)
@@ -91,7 +93,7 @@ def test_mode(mode: str, points: int, rule: int, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("points", [1, 8])
-def test_damage_between_strains(points: int, tmp_path: Path) -> None:
+def test_damage_between_strains(points: int, compare: Comparison, tmp_path: Path) -> None:
     """A brick of *MAT_CODAM2 across its fibres spends half of modulus, onset and saturation."""
     young, onset, finish, size = 9.0e3, 0.008, 0.032, (0.3, 0.2, 0.125)
 
@@ -116,7 +118,8 @@ def test_damage_between_strains(points: int, tmp_path: Path) -> None:
     spent = 0.5 * young * onset * finish * np.prod(size)
     # what the least stiffness, a millionth, stores at the end, and the inertia of the sides
     close = 1.3e-6 * finish / onset + 2.0e-5
-    assert energy["matrix damage"][-1] == pytest.approx(spent, rel=close)
+    dissipated = energy["matrix damage"][-1]
+    compare.number("energy between given strains", dissipated, spent, unit="mJ", rel=close)
     assert np.all(energy["fibre damage"] == 0.0)
     assert np.abs(energy["error"]).max() < 1.0e-9
 
@@ -141,14 +144,14 @@ def bar(bricks: int, points: int, folder: Path) -> Table:
 
 
 @pytest.mark.parametrize("points", [1, 8])
-def test_bar(points: int, tmp_path: Path) -> None:
+def test_bar(points: int, compare: Comparison, tmp_path: Path) -> None:
     """One crack opens, with the toughness of its area, however fine the bricks are."""
     area = 0.6 * 0.125
     for bricks in (3, 5, 9):
         energy = bar(bricks, points, tmp_path / f"{bricks}")
         spent = energy["matrix damage"][-1] / (HTS40.matrix_toughness[0] * area)
         # the brick cannot become narrower as its neighbours do not, as with plates of four nodes
-        assert spent == pytest.approx(1.0, rel=1.0e-4)
+        compare.number("energy of one crack over its toughness", spent, 1.0, rel=1.0e-4)
         assert np.abs(energy["error"]).max() < 1.0e-9
 
 
@@ -210,7 +213,9 @@ def struck(kind: str, folder: Path, *, linear: bool = True, threads: int = 1) ->
 
 
 @pytest.mark.parametrize("linear", [True, False])
-def test_full_bricks_are_layers_of_four_nodes(linear: bool, tmp_path: Path) -> None:
+def test_full_bricks_are_layers_of_four_nodes(
+    linear: bool, compare: Comparison, tmp_path: Path
+) -> None:
     """Shape functions, points, masses, steps, crack bands and contact are the same: so are answers.
 
     Only the order of sums differs: rounding, which contact and damage let grow.
@@ -221,7 +226,7 @@ def test_full_bricks_are_layers_of_four_nodes(linear: bool, tmp_path: Path) -> N
     for name in ("time", "matrix damage", "fibre damage", "internal", "kinetic"):
         assert bricks[name] == pytest.approx(layers[name], rel=1.0e-7, abs=1.0e-9), name
     force, same = (results.table("impactor_1")["force"] for results in found)
-    assert same == pytest.approx(force, abs=1.0e-7 * force.max())
+    compare.values("force, bricks beside layers", same, force, unit="N", abs=1.0e-7 * force.max())
 
 
 def test_balance_closes_and_bits_are_the_same(tmp_path: Path) -> None:

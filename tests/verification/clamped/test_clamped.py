@@ -11,9 +11,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-import pytest
 from scipy.optimize import minimize_scalar
 
+from comparison import Comparison
 from decks import Deck, Ply, ramp
 from elasticity import STEEL, Array
 from meshes import Mesh, disc, regular
@@ -40,7 +40,7 @@ def deflection(table: Table, node: int) -> Array:
     return 0.5 * (table[f"n{node + 1} bottom uz"] + table[f"n{node + 1} top uz"])
 
 
-def test_disc_under_pressure(tmp_path: Path) -> None:
+def test_disc_under_pressure(compare: Comparison, tmp_path: Path) -> None:
     """A damped disc comes to rest at the deflection of plate theory; the rim carries the load."""
     thickness = 4.0
     mesh = disc(6, 4, RADIUS, CORE)
@@ -59,9 +59,10 @@ def test_disc_under_pressure(tmp_path: Path) -> None:
     sheared = PRESSURE * RADIUS**2 / (4.0 * 5.0 / 6.0 * STEEL.shear[0] * thickness)
     found = -deflection(results.table("nodes"), mesh.at(0.0, 0.0))[-1]
     # 0.991 of it on quads of less than half the size
-    assert found == pytest.approx(bent + sheared, rel=0.02)
+    compare.number("deflection of the middle", found, bent + sheared, unit="mm", rel=0.02)
     carried = results.table("supports")["fz"][-1]
-    assert carried == pytest.approx(PRESSURE * np.pi * RADIUS**2, rel=1e-3)
+    load = PRESSURE * np.pi * RADIUS**2
+    compare.number("force of the support", carried, load, unit="N", rel=1e-3)
 
 
 def first_frequency(mesh: Mesh, edge: Array, shape: Array, guess: float, folder: Path) -> float:
@@ -85,19 +86,19 @@ def first_frequency(mesh: Mesh, edge: Array, shape: Array, guess: float, folder:
     return float(minimize_scalar(misfit, bounds=(0.9 * guess, 1.1 * guess), method="bounded").x)
 
 
-def test_first_frequency_of_a_disc(tmp_path: Path) -> None:
+def test_first_frequency_of_a_disc(compare: Comparison, tmp_path: Path) -> None:
     """10.216 of plate theory."""
     mesh = disc(6, 4, RADIUS, CORE)
     theory = 10.216 * np.sqrt(rigidity(2.0) / (DENSITY * 2.0)) / RADIUS**2
     shape = np.maximum(1.0 - (mesh.points**2).sum(axis=1) / RADIUS**2, 0.0) ** 2
     found = first_frequency(mesh, rim(mesh), shape, theory, tmp_path)
-    assert found == pytest.approx(theory, rel=0.01)
+    compare.number("first angular frequency", found, theory, unit="1/s", rel=0.01)
 
 
-def test_first_frequency_of_a_square(tmp_path: Path) -> None:
+def test_first_frequency_of_a_square(compare: Comparison, tmp_path: Path) -> None:
     """35.985 of plate theory; 1.5 % above it on 10 x 10 quads, 0.6 % on these."""
     mesh = regular(SIDE, SIDE, 14, 14, 9)
     theory = 35.985 * np.sqrt(rigidity(2.0) / (DENSITY * 2.0)) / SIDE**2
     shape = np.prod(np.sin(np.pi * mesh.points / SIDE) ** 2, axis=1)
     found = first_frequency(mesh, np.array(mesh.boundary()), shape, theory, tmp_path)
-    assert found == pytest.approx(theory, rel=0.01)
+    compare.number("first angular frequency", found, theory, unit="1/s", rel=0.01)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import BOTTOM, TOP, Bond, Deck, Ply
 from elasticity import Array, isotropic
 from meshes import regular
@@ -94,7 +95,9 @@ def final(bond: Bond, mix: float) -> float:
 
 @pytest.mark.parametrize("bond", [KENANE, POWERS], ids=["Benzeggagh-Kenane", "power law"])
 @pytest.mark.parametrize("slope", [0.0, 0.6, 1.6, 3.0, np.inf])
-def test_straight_path_takes_the_toughness(bond: Bond, slope: float, tmp_path: Path) -> None:
+def test_straight_path_takes_the_toughness(
+    bond: Bond, slope: float, compare: Comparison, tmp_path: Path
+) -> None:
     """G_c of the mix of modes, whatever the stiffnesses; the mix of a straight path is constant."""
     opening, sliding = (LONG, slope * LONG) if np.isfinite(slope) else (0.0, LONG)
     results = moved(bond, Motion(((opening, sliding),)), tmp_path)
@@ -103,10 +106,31 @@ def test_straight_path_takes_the_toughness(bond: Bond, slope: float, tmp_path: P
     # the compliance of the plies bends the path by SOFT at most
     expected = final(bond, twice[1] / twice.sum())
     pure = opening == 0.0 or sliding == 0.0
-    assert energy["delamination"][-1] == pytest.approx(expected, rel=1e-9 if pure else SOFT)
+    found = energy["delamination"][-1]
+    compare.number(
+        "fracture energy of a straight path",
+        found,
+        expected,
+        unit="mJ",
+        rel=1e-9 if pure else SOFT,
+    )
     assert np.all(np.diff(energy["delamination"]) >= 0.0)
     assert np.all(energy["friction"] == 0.0)
     assert np.abs(energy["error"]).max() < 1e-9
+
+
+def test_pressure_raises_shear_strength_and_toughness(tmp_path: Path) -> None:
+    """S + eta p, and G_IIc with its square (Li and Hallett: eta 0.74)."""
+    bond = replace(KENANE, whole_penalty=True, pressure_gain=0.74)
+    legs = ((-0.5 * ONSET, 0.0), (-0.5 * ONSET, 2.0 * LONG))
+    results = moved(bond, Motion(legs), tmp_path)
+    stress, jump = traction(results)
+    pressure = -bond.stiffness[0] * jump[-1, 2]
+    raised = bond.strength[1] + bond.pressure_gain * pressure
+    assert np.hypot(*stress[:, :2].T).max() == pytest.approx(raised, rel=0.03)
+    lost = results.table("energy")["delamination"][-1]
+    wanted = AREA * bond.toughness[1] * (raised / bond.strength[1]) ** 2
+    assert lost == pytest.approx(wanted, rel=2.0 * SOFT)
 
 
 @pytest.mark.parametrize("bond", [KENANE, replace(KENANE, whole_penalty=True)])
@@ -115,7 +139,7 @@ def test_straight_path_takes_the_toughness(bond: Bond, slope: float, tmp_path: P
     [(9, False, True), (9, True, True), (4, False, True), (4, True, False), (9, False, False)],
 )
 def test_opening_unloads_to_the_origin_and_closes(
-    bond: Bond, nodes: int, nodal: bool, linear: bool, tmp_path: Path
+    bond: Bond, nodes: int, nodal: bool, linear: bool, compare: Comparison, tmp_path: Path
 ) -> None:
     """Open to 40 % of failure, close beyond the origin, open until nothing is left."""
     half, pressed = 0.4 * END, -0.5 * ONSET
@@ -129,7 +153,17 @@ def test_opening_unloads_to_the_origin_and_closes(
     turn, closed = opening[: len(opening) // 2].argmax(), opening.argmin()
     leg = slice(turn + 1, closed + 1)
     held = np.where((opening > 0.0) | (not bond.whole_penalty), 1.0 - damage, 1.0)
-    assert pull[leg] == pytest.approx((held * stiffness * opening)[leg], abs=RINGING)
+    bilinear = held * stiffness * opening
+    compare.values("traction on unloading", pull[leg], bilinear[leg], unit="MPa", abs=RINGING)
+    if (nodes, nodal, linear) == (9, False, True):
+        name = "closed: whole penalty" if bond.whole_penalty else "closed: 1 - damage"
+        law = np.array([0.0, ONSET, END, 1.2 * END])
+        compare.curves(
+            f"opening, closing, failing ({name})",
+            ("opening [mm]", "traction [MPa]"),
+            {"run": (opening[opening < 1.2 * END], pull[opening < 1.2 * END])},
+            {"bilinear law": (law, np.array([0.0, bond.strength[0], 0.0, 0.0]))},
+        )
     assert np.abs(pull[opening > 1.01 * END]).max() < RINGING
     # states are that far apart
     assert pull.max() == pytest.approx(bond.strength[0], rel=0.03)
@@ -150,16 +184,40 @@ def test_histories_and_listing_tell_the_delamination(tmp_path: Path) -> None:
         "sum",
         "projected area",
         "interface 1 energy",
+        "interface 1 failed area",
+        "failed sum",
+        "projected failed area",
     ]
-    for name in ("interface 1 area", "sum", "projected area"):
+    for name in (one for one in history.names if one.endswith(("area", "sum"))):
         assert history[name][0] == 0.0
         assert history[name][-1] == pytest.approx(AREA, rel=1e-9)
     assert history["interface 1 energy"][-1] == pytest.approx(0.28 * AREA, rel=1e-9)
 
 
+@pytest.mark.parametrize("slope", [0.0, 1.6, np.inf])
+def test_half_of_the_toughness_is_what_delaminated_means(slope: float, tmp_path: Path) -> None:
+    """The share of a straight path: traction falls along a line from the onset to failure.
+
+    So the work spent is the share of the way between both, in any mix of modes.
+    """
+    opening, sliding = (LONG, slope * LONG) if np.isfinite(slope) else (0.0, LONG)
+    way = np.array([opening, sliding])
+    twice = np.array(KENANE.stiffness) * way**2
+    load = np.hypot(*(np.array(KENANE.stiffness) * way / KENANE.strength))
+    onset, end = 1.0 / load, 2.0 * KENANE.toughness_of(twice[1] / twice.sum()) * load / twice.sum()
+    for share in (0.3, 0.49, 0.51, 0.8):
+        reach = onset + share * (end - onset)
+        results = moved(KENANE, Motion(((reach * opening, reach * sliding),)), tmp_path)
+        assert results.interface_field("energy_share") == pytest.approx(share, abs=2.0 * SOFT)
+        history = results.table("delamination")
+        for name in ("interface 1 area", "sum", "projected area"):
+            assert history[name][-1] == pytest.approx(AREA if share > 0.5 else 0.0)
+        assert history["failed sum"][-1] == 0.0
+
+
 @pytest.mark.parametrize("start", [0.3, 0.9])
 def test_initial_damage_leaves_the_rest_of_stiffness_and_toughness(
-    start: float, tmp_path: Path
+    start: float, compare: Comparison, tmp_path: Path
 ) -> None:
     """The path goes on as if an opening with this damage had been there before."""
     stress, jump = traction(moved(KENANE, Motion(((0.3 * ONSET, 0.0),), start=start), tmp_path))
@@ -169,7 +227,8 @@ def test_initial_damage_leaves_the_rest_of_stiffness_and_toughness(
     largest = ONSET * END / (END - start * (END - ONSET))
     left = 1.0 - (largest - ONSET) / (END - ONSET)
     lost = results.table("energy")["delamination"]
-    assert lost[-1] == pytest.approx(left * KENANE.toughness[0] * AREA, rel=1e-9)
+    toughness = left * KENANE.toughness[0] * AREA
+    compare.number("energy left by initial damage", lost[-1], toughness, unit="mJ", rel=1e-9)
 
 
 def test_open_interface_pulls_nothing_and_takes_no_energy(tmp_path: Path) -> None:
@@ -182,7 +241,9 @@ def test_open_interface_pulls_nothing_and_takes_no_energy(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("whole", [True, False])
-def test_friction_takes_pressure_times_slip(whole: bool, tmp_path: Path) -> None:
+def test_friction_takes_pressure_times_slip(
+    whole: bool, compare: Comparison, tmp_path: Path
+) -> None:
     """Failed faces are pressed, slid there and back: Coulomb's traction over the way that slips."""
     bond = replace(KENANE, friction=0.4, whole_penalty=whole)
     kept = 1.0 if whole else 0.1
@@ -194,7 +255,8 @@ def test_friction_takes_pressure_times_slip(whole: bool, tmp_path: Path) -> None
     stretch = bond.friction * pressure / (kept * bond.stiffness[1])
     way = (slid - stretch) + (2.0 * slid - 2.0 * stretch)
     lost = results.table("energy")["friction"]
-    assert lost[-1] == pytest.approx(bond.friction * pressure * way * AREA, rel=2.0 * SOFT)
+    rubbed = bond.friction * pressure * way * AREA
+    compare.number("energy of friction", lost[-1], rubbed, unit="mJ", rel=2.0 * SOFT)
     assert np.all(np.diff(lost) >= 0.0)
     stress, _ = traction(results)
     rubbing = np.hypot(stress[:, 0], stress[:, 1])

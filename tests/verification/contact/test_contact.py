@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from elasticity import CARBON, STEEL
 from meshes import Mesh, regular
@@ -47,7 +48,7 @@ def test_sphere_at_rest_stays_at_rest(method: int, face: int, tmp_path: Path) ->
 
 
 @METHODS
-def test_sphere_falls_freely(method: int, tmp_path: Path) -> None:
+def test_sphere_falls_freely(method: int, compare: Comparison, tmp_path: Path) -> None:
     """Central differences are exact for a constant acceleration."""
     deck, _ = plate(1.0e-5)
     gravity = -1.0e9
@@ -55,7 +56,8 @@ def test_sphere_falls_freely(method: int, tmp_path: Path) -> None:
     deck.sphere(Sphere(RADIUS, 1.0e-6, centre, gravity=gravity, method=method))
     history = run(deck, tmp_path).table("impactor_1")
     exact = 0.5 * gravity * history["time"] ** 2
-    assert history["displacement"] == pytest.approx(exact, rel=3.0 * DIGITS, abs=1e-15)
+    fallen = history["displacement"]
+    compare.values("free fall", fallen, exact, unit="mm", rel=3.0 * DIGITS, abs=1e-15)
     assert np.abs(history["force"]).max() == 0.0
 
 
@@ -66,7 +68,7 @@ def spans(touching: np.ndarray) -> list[tuple[int, int]]:
 
 
 @METHODS
-def test_sphere_bounces(method: int, tmp_path: Path) -> None:
+def test_sphere_bounces(method: int, compare: Comparison, tmp_path: Path) -> None:
     """Under a strong gravity a guided sphere comes back: free flight between the contacts.
 
     The longest flight is a parabola, the force never pulls, and the balance of energy closes.
@@ -87,12 +89,15 @@ def test_sphere_bounces(method: int, tmp_path: Path) -> None:
     time, height = history["time"][flying], history["displacement"][flying]
     parabola = np.polynomial.Polynomial.fit(time, height, 2)
     assert np.abs(parabola(time) - height).max() < 1e-9
-    assert 2.0 * parabola.convert().coef[2] == pytest.approx(gravity, rel=1e-6)
+    found = 2.0 * parabola.convert().coef[2]
+    compare.number("gravity between two contacts", found, gravity, unit="mm/s2", rel=1e-6)
     assert np.abs(results.table("energy")["error"]).max() < 0.01
 
 
 @METHODS
-def test_two_free_bodies_keep_their_momentum(method: int, tmp_path: Path) -> None:
+def test_two_free_bodies_keep_their_momentum(
+    method: int, compare: Comparison, tmp_path: Path
+) -> None:
     """A ball on a free block: momentum to round-off, restitution between none and full."""
     mesh, thickness, mass, velocity = regular(8.0, 8.0, 6, 6, 9), 4.0, 2.0e-6, 2.0e3
     deck = Deck("two free bodies", 4.0e-5)
@@ -106,7 +111,7 @@ def test_two_free_bodies_keep_their_momentum(method: int, tmp_path: Path) -> Non
     results = run(deck, tmp_path)
     history, energy = results.table("impactor_1"), results.table("energy")
     momentum = energy["momentum z"]
-    assert momentum == pytest.approx(np.full(len(momentum), -mass * velocity), rel=DIGITS)
+    compare.values("momentum of ball and block", momentum, -mass * velocity, rel=DIGITS)
     assert history["force"][-1] == 0.0
     block = STEEL.density * 8.0 * 8.0 * thickness
     after = history["velocity"][-1]
@@ -142,7 +147,7 @@ def part_of_impact(folder: Path, method: int, planes: int) -> tuple[np.ndarray, 
 @METHODS
 @pytest.mark.parametrize("planes", [1, 2], ids=["half", "quarter"])
 def test_planes_of_symmetry_leave_the_force_as_it_is(
-    method: int, planes: int, tmp_path: Path
+    method: int, planes: int, compare: Comparison, tmp_path: Path
 ) -> None:
     """Half or a quarter of an impact, cut through the axis of the sphere, is the whole one."""
     folders = [tmp_path / "whole", tmp_path / "part"]
@@ -152,7 +157,14 @@ def test_planes_of_symmetry_leave_the_force_as_it_is(
     part_time, part = part_of_impact(folders[1], method, planes)
     assert part_time == pytest.approx(time, rel=1.0e-6)
     assert whole.max() > 0.0
-    assert np.abs(part - whole).max() < 1.0e-6 * whole.max()
+    compare.values("force of a half or a quarter", part, whole, unit="N", abs=1.0e-6 * whole.max())
+    if (method, planes) == (1, 2):
+        compare.curves(
+            "impact on a quarter of a plate",
+            ("time [µs]", "force [N]"),
+            {"quarter, four times": (1e6 * part_time, part)},
+            {"whole": (1e6 * time, whole)},
+        )
 
 
 def past_the_border(folder: Path, method: int, beyond: tuple[float, float]) -> Results:
@@ -184,7 +196,9 @@ def test_corner_holds_a_sphere_that_hangs_over_it(tmp_path: Path) -> None:
 
 
 @METHODS
-def test_edge_holds_a_sphere_that_hangs_over_it(method: int, tmp_path: Path) -> None:
+def test_edge_holds_a_sphere_that_hangs_over_it(
+    method: int, compare: Comparison, tmp_path: Path
+) -> None:
     """Past a side between two points one long push, outwards and up along the radius.
 
     The edge is touched between points of the plate and passes between contact nodes; both methods
@@ -195,7 +209,7 @@ def test_edge_holds_a_sphere_that_hangs_over_it(method: int, tmp_path: Path) -> 
     assert len(spans(history["force"] > 0.0)) == 1
     impulse = [np.sum(history[name]) for name in ("force x", "force")]
     lean = 1.5 / np.sqrt(RADIUS**2 - 1.5**2)
-    assert impulse[0] / impulse[1] == pytest.approx(lean, rel=0.05)
+    compare.number("slope of the push of an edge", impulse[0] / impulse[1], lean, rel=0.05)
     assert np.abs(results.table("energy")["error"]).max() < 1.0e-3
 
 

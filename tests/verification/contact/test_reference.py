@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from contact_reference import Impact
 from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from elasticity import CARBON, GLASS, STEEL
@@ -152,7 +153,9 @@ def kind(table: str, name: str) -> str:
 
 
 @pytest.mark.parametrize("seed", range(16))
-def test_impacts_by_chance_go_as_the_reference(seed: int, tmp_path: Path) -> None:
+def test_impacts_by_chance_go_as_the_reference(
+    seed: int, compare: Comparison, tmp_path: Path
+) -> None:
     """Forces, motion, energies and momentum in every step, on meshes of a few quads."""
     case = by_chance(seed)
     plate = LayeredPlate(case.mesh, case.plies, case.order)
@@ -171,6 +174,10 @@ def test_impacts_by_chance_go_as_the_reference(seed: int, tmp_path: Path) -> Non
             # a sphere on a held point does not move: what it would have in a step
             start = step * float(np.abs(tables[table]["velocity"][0]))
         sizes[found] = max(sizes.get(found, 0.0), start, float(np.abs(values).max()))
-    for (table, name), values in expected.items():
-        error = np.abs(tables[table][name][1:] - values).max()
-        assert error <= TOLERANCE * sizes[kind(table, name)], (table, name)
+    errors = {
+        (table, name): np.abs(tables[table][name][1:] - values).max()
+        / (sizes[kind(table, name)] or 1.0)
+        for (table, name), values in expected.items()
+    }
+    worst = max(errors, key=lambda key: errors[key])
+    compare.number("largest error of any history, of 80 steps", errors[worst], 0.0, abs=TOLERANCE)

@@ -61,15 +61,17 @@ def row(name: str, specimen: Specimen, what: str, folder: Path) -> str:
     )
 
 
-def main(folder: Path) -> None:
-    """Print the table row by row."""
-    sys.stdout.write(f"{HEAD}\n|{' --- |' * HEAD.count(' | ')} --- |\n")
+def rows(folder: Path) -> Iterator[str]:
+    """The table row by row."""
+    folder.mkdir(parents=True, exist_ok=True)
+    yield HEAD
+    yield f"|{' --- |' * HEAD.count(' | ')} --- |"
     for name, specimen, what in variants():
-        sys.stdout.write(row(name, specimen, what, folder) + "\n")
-        sys.stdout.flush()
+        yield row(name, specimen, what, folder)
 
 
 if __name__ == "__main__":
     place = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/study/delamination"
-    place.mkdir(parents=True, exist_ok=True)
-    main(place)
+    for line in rows(place):
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()

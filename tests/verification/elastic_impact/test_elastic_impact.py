@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from runs import DIGITS, ROOT, SOLVER, Results, Table, run_deck
 
 RECIPES = ROOT / "decks" / "elastic_impact"
@@ -47,11 +48,13 @@ def listed(listing: str, name: str) -> float:
 @pytest.mark.parametrize(
     ("recipe", "freedoms"), [("le1", 10659), ("le2", 20691), ("le3", 30723), ("3le1", 30723)]
 )
-def test_size_is_that_of_table_2(recipe: str, freedoms: int, tmp_path: Path) -> None:
+def test_size_is_that_of_table_2(
+    recipe: str, freedoms: int, compare: Comparison, tmp_path: Path
+) -> None:
     """Degrees of freedom as in the paper; mass of the square exactly, as its edges are straight."""
     command = [SOLVER, "check", deck_of(recipe, tmp_path)]
     listing = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    assert listed(listing, "degrees of freedom") == freedoms
+    compare.number("degrees of freedom", listed(listing, "degrees of freedom"), freedoms)
     assert listed(listing, "nodes of the plane") == 209
     assert listed(listing, "quads") == 48
     assert listed(listing, "mass of the plate") == pytest.approx(PLATE_MASS, rel=1e-7)
@@ -74,7 +77,9 @@ INDEPENDENT = {
 
 
 @pytest.mark.parametrize("recipe", INDEPENDENT)
-def test_impact_is_that_of_an_independent_code(recipe: str, tmp_path: Path) -> None:
+def test_impact_is_that_of_an_independent_code(
+    recipe: str, compare: Comparison, tmp_path: Path
+) -> None:
     """Two codes differ by their steps, 2 %, and by the last printed digit.
 
     Deflection, rebound and mean force do not feel the step. The largest force is that of one step
@@ -84,16 +89,17 @@ def test_impact_is_that_of_an_independent_code(recipe: str, tmp_path: Path) -> N
     results = impact(recipe, "points_on_plate", tmp_path)
     ball, nodes = results.table("impactor_1"), results.table("nodes")
     bottom = nodes[next(name for name in nodes.names if name.endswith("bottom uz"))]
-    assert running_mean(ball, 20e-6).max() == pytest.approx(mean, rel=1e-3)
-    assert -bottom.min() == pytest.approx(deflection, abs=1e-4)
-    assert ball["velocity"][-1] == pytest.approx(rebound, abs=1.0)
-    last = ball["time"][ball["force"] > 0.0].max()
-    assert last == pytest.approx(end + GAP / VELOCITY, abs=1e-6)
-    assert ball["force"].max() == pytest.approx(raw, rel=5e-3)
+    found = running_mean(ball, 20e-6).max()
+    compare.number("largest 20 µs mean of the force", found, mean, unit="N", rel=1e-3)
+    compare.number("largest deflection", -bottom.min(), deflection, unit="mm", abs=1e-4)
+    compare.number("rebound", ball["velocity"][-1], rebound, unit="mm/s", abs=1.0)
+    last = 1e3 * ball["time"][ball["force"] > 0.0].max()
+    compare.number("end of contact", last, 1e3 * (end + GAP / VELOCITY), unit="ms", abs=1e-3)
+    compare.number("largest force", ball["force"].max(), raw, unit="N", rel=5e-3)
 
 
 @pytest.mark.parametrize("recipe", INDEPENDENT)
-def test_balances_close(recipe: str, tmp_path: Path) -> None:
+def test_balances_close(recipe: str, compare: Comparison, tmp_path: Path) -> None:
     """Impulse and momentum to the digits of the file; energy but for the onsets of contact.
 
     An onset is a plastic collision of the ball with the node in the middle. With LE1 that node has
@@ -103,7 +109,7 @@ def test_balances_close(recipe: str, tmp_path: Path) -> None:
     ball, energy = results.table("impactor_1"), results.table("energy")
     impulse = np.trapezoid(ball["force"], ball["time"])
     gained = MASS * (ball["velocity"][-1] - ball["velocity"][0])
-    assert impulse == pytest.approx(gained, rel=10.0 * DIGITS)
+    compare.number("impulse of the force", impulse, gained, unit="N s", rel=10.0 * DIGITS)
     start = 0.5 * MASS * VELOCITY**2
     assert energy["total"] == pytest.approx(np.full(len(energy["total"]), start), rel=DIGITS)
     assert 0.0 <= energy["contact"][-1] < 1e-4 * start
@@ -112,7 +118,7 @@ def test_balances_close(recipe: str, tmp_path: Path) -> None:
     assert ball["force"][-1] == 0.0
 
 
-def test_both_contacts_give_the_same_force(tmp_path: Path) -> None:
+def test_both_contacts_give_the_same_force(compare: Comparison, tmp_path: Path) -> None:
     """On this mesh one node meets the lowest point of the ball, whichever of them is projected."""
     forces = []
     for method in ("points_on_plate", "nodes_on_impactor"):
@@ -121,4 +127,5 @@ def test_both_contacts_give_the_same_force(tmp_path: Path) -> None:
         ball = impact("le2", method, folder).table("impactor_1")
         assert ball["contacts"].max() == 1.0
         forces.append(ball["force"])
-    assert forces[0] == pytest.approx(forces[1], abs=1e-6 * forces[1].max())
+    close = 1e-6 * forces[1].max()
+    compare.values("force, points of the plate beside nodes", *forces, unit="N", abs=close)

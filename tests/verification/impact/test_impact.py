@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import fftconvolve
 
+from comparison import Comparison
 from decks import Deck, Ply, Sphere
 from elasticity import CARBON, Array
 from exact_plate import CrossPly
@@ -47,7 +48,9 @@ def impact(
 
 @METHODS
 @pytest.mark.parametrize("order", [1, 2])
-def test_momentum_and_energy_go_where_they_can(order: int, method: int, tmp_path: Path) -> None:
+def test_momentum_and_energy_go_where_they_can(
+    order: int, method: int, compare: Comparison, tmp_path: Path
+) -> None:
     """What the ball loses is the impulse of the force; supports take what ball and plate lose.
 
     Energy leaves the motion in collisions of the ball with a node only, and never comes back. The
@@ -57,13 +60,14 @@ def test_momentum_and_energy_go_where_they_can(order: int, method: int, tmp_path
     ball, energy = results.table("impactor_1"), results.table("energy")
     time, velocity = ball["time"], ball["velocity"]
     impulse = np.trapezoid(ball["force"], time)
-    assert impulse == pytest.approx(MASS * (velocity[-1] - velocity[0]), rel=10.0 * DIGITS)
+    gained = MASS * (velocity[-1] - velocity[0])
+    compare.number("impulse of the force", impulse, gained, unit="N s", rel=10.0 * DIGITS)
     supports = results.table("supports")["fz"]
     pushed = np.append(0.0, np.cumsum(0.5 * (supports[1:] + supports[:-1]) * np.diff(time)))
     momentum = energy["momentum z"] - energy["momentum z"][0]
     assert momentum == pytest.approx(pushed, abs=10.0 * DIGITS * MASS * VELOCITY)
 
-    assert energy["total"] == pytest.approx(np.full(len(time), START), rel=DIGITS)
+    compare.values("total energy", energy["total"], START, unit="mJ", rel=DIGITS)
     assert min(energy[name].min() for name in ("kinetic", "internal", "contact")) >= 0.0
     assert np.diff(energy["contact"]).min() > -DIGITS * START
     assert energy["contact"][-1] < 5.0e-3 * START
@@ -76,7 +80,7 @@ def test_momentum_and_energy_go_where_they_can(order: int, method: int, tmp_path
 @METHODS
 @pytest.mark.parametrize(("order", "share"), [(1, 1.0 / 2.0), (2, 1.0 / 6.0)], ids=["LE1", "LE2"])
 def test_first_touch_is_a_plastic_collision(
-    order: int, share: float, method: int, tmp_path: Path
+    order: int, share: float, method: int, compare: Comparison, tmp_path: Path
 ) -> None:
     """Ball and struck node, of mass m, go on together: m M / (m + M) V^2 / 2 is lost."""
     results = impact(order, method, tmp_path, time=1.0e-6)
@@ -84,7 +88,8 @@ def test_first_touch_is_a_plastic_collision(
     area = plane_weights(mesh)[mesh.at(0.5 * SIDE, 0.5 * SIDE)]
     node = CARBON.density * area * PLY * share
     lost = results.table("energy")["contact"][1]
-    assert lost == pytest.approx(START * node / (node + MASS), rel=1e-8)
+    collision = START * node / (node + MASS)
+    compare.number("energy lost at the first touch", lost, collision, unit="mJ", rel=1e-8)
 
 
 def answer(time: Array, force: Array, most: int) -> Array:
@@ -103,7 +108,7 @@ def answer(time: Array, force: Array, most: int) -> Array:
     return deflection / (0.25 * SIDE * SIDE)
 
 
-def test_plate_answers_as_its_modes_do(tmp_path: Path) -> None:
+def test_plate_answers_as_its_modes_do(compare: Comparison, tmp_path: Path) -> None:
     """The force of the run, given to the exact bending modes, makes the deflection of the run.
 
     Modes as short as two quads of 2 mm and shorter answer otherwise: 1 % of the deflection. The
@@ -115,7 +120,15 @@ def test_plate_answers_as_its_modes_do(tmp_path: Path) -> None:
     even = slice(0, -2)  # the last two steps are shorter
     found = nodes[f"{name} bottom uz"][even]
     exact = answer(ball["time"][even], -ball["force"][even], 41)
-    assert found == pytest.approx(exact, abs=1.0e-2 * np.abs(exact).max())
+    close = 1.0e-2 * np.abs(exact).max()
+    compare.values("deflection under the sphere", found, exact, unit="mm", abs=close)
+    times = 1e6 * ball["time"][even]
+    compare.curves(
+        "impact on a simply supported plate",
+        ("time [µs]", "deflection of the bottom [mm]"),
+        {"run": (times, found)},
+        {"exact bending modes": (times, exact)},
+    )
     touching = ball["force"] > 0.0
     top = nodes[f"{name} top uz"][touching]
     assert ball["displacement"][touching] == pytest.approx(top, abs=DIGITS)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import BOTTOM, Deck, Ply, ramp
 from elastica import tip
 from elasticity import isotropic
@@ -18,10 +19,13 @@ from runs import DIGITS, Results, run
     ("load", "across", "shortening"),
     [(1.0, 0.30172, 0.05643), (2.0, 0.49346, 0.16064), (10.0, 0.81061, 0.55500)],
 )
-def test_elastica_is_as_printed(load: float, across: float, shortening: float) -> None:
+def test_elastica_is_as_printed(
+    load: float, across: float, shortening: float, compare: Comparison
+) -> None:
     """Mattiasson 1981, five digits."""
     along, deflection = tip(load)
-    assert (1.0 - along, deflection) == pytest.approx((shortening, across), abs=0.6e-5)
+    compare.number("shortening of the elastica itself", 1.0 - along, shortening, abs=0.6e-5)
+    compare.number("deflection of the elastica itself", deflection, across, abs=0.6e-5)
 
 
 YOUNG, POISSON, SIZE = 1.0e3, 0.3, (3.0, 2.0, 1.0)
@@ -50,7 +54,9 @@ def stretched(nodes: int, order: int, stretch: float, share: float, folder: Path
 
 @pytest.mark.parametrize("stretch", [1.4, 0.8])
 @pytest.mark.parametrize(("nodes", "order"), [(4, 1), (9, 1), (9, 2), (9, 3), (9, 4)])
-def test_large_stretch(nodes: int, order: int, stretch: float, tmp_path: Path) -> None:
+def test_large_stretch(
+    nodes: int, order: int, stretch: float, compare: Comparison, tmp_path: Path
+) -> None:
     """Saint Venant-Kirchhoff in tension along x: S = E (l^2 - 1) / 2, Cauchy stress l S / across^2.
 
     The deformation is homogeneous and so in the space of any mesh: the digits of the file are left.
@@ -70,7 +76,7 @@ def test_large_stretch(nodes: int, order: int, stretch: float, tmp_path: Path) -
     }
     profile = results.profile(1)
     for name, value in exact.items():
-        assert profile[name] == pytest.approx(np.full(len(profile["z"]), value), rel=DIGITS), name
+        compare.values(f"{name} of a block", profile[name], value, rel=DIGITS)
     moved = (across - 1.0) * (profile["z"] + 0.5 * SIZE[2])
     assert profile["uz"] == pytest.approx(moved, rel=DIGITS, abs=1e-12)
 
@@ -78,12 +84,15 @@ def test_large_stretch(nodes: int, order: int, stretch: float, tmp_path: Path) -
     whole, half = (each.table("energy")["internal"][-1] for each in (results, halved))
     energy = 0.5 * second * strain * np.prod(SIZE)
     assert (half - energy) / (whole - energy) == pytest.approx(0.25, rel=0.02)
-    assert (4.0 * half - whole) / 3.0 == pytest.approx(energy, rel=1e-6)
+    limit = (4.0 * half - whole) / 3.0
+    compare.number("energy for no step at all", limit, energy, unit="mJ", rel=1e-6)
 
 
 @pytest.mark.parametrize("load", [2.0, 10.0])
 @pytest.mark.parametrize("order", [1, 2])
-def test_cantilever_bends_as_the_elastica(order: int, load: float, tmp_path: Path) -> None:
+def test_cantilever_bends_as_the_elastica(
+    order: int, load: float, compare: Comparison, tmp_path: Path
+) -> None:
     """A strip without Poisson's ratio under a dead force at its tip.
 
     Shear and stretch, which the elastica leaves out, are of the order (h / L)^2 = 4e-4.
@@ -113,4 +122,6 @@ def test_cantilever_bends_as_the_elastica(order: int, load: float, tmp_path: Pat
     faces = [f"n{end[1] + 1} {face}" for face in ("bottom", "top")]
     along = length + np.mean([table[f"{face} ux"][-1] for face in faces])
     across = np.mean([table[f"{face} uz"][-1] for face in faces])
-    assert (along / length, across / length) == pytest.approx(tip(load), abs=1.5e-3)
+    exact = tip(load)
+    compare.number("tip of a cantilever, along", along / length, exact[0], abs=1.5e-3)
+    compare.number("tip of a cantilever, across", across / length, exact[1], abs=1.5e-3)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import BOTTOM, TOP, Deck, Ply, ramp
 from elasticity import isotropic
 from meshes import regular
@@ -36,6 +37,7 @@ def test_end_load(
     nodes: int,
     quads: int,
     tolerance: float,
+    compare: Comparison,
     tmp_path: Path,
 ) -> None:
     """Deflection at rest, and force of the support; quads of four nodes are stiff in bending."""
@@ -58,5 +60,5 @@ def test_end_load(
     found = 0.5 * (table[f"n{node + 1} bottom u{axis}"] + table[f"n{node + 1} top u{axis}"])[-1]
     shear = 5.0 / 6.0 * 0.5 * YOUNG * WIDTH * HEIGHT
     exact = FORCE * LENGTH**3 / (3.0 * YOUNG * INERTIA) + FORCE * LENGTH / shear
-    assert found == pytest.approx(exact, rel=tolerance)
+    compare.number("deflection of the end", found, exact, unit="mm", rel=tolerance)
     assert results.table("supports")[f"f{axis}"][-1] == pytest.approx(-FORCE, rel=1e-6)

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import BOTTOM, TOP, Deck, Ply, ramp
 from elasticity import CARBON, GLASS, Array, stiffness
 from meshes import Mesh, distorted, regular
@@ -51,21 +52,25 @@ def start(plies: list[Ply], order: int, joint: str, mesh: Mesh, time: float, rat
     return deck
 
 
-def check_profiles(results: Results, strains: list[Array], plies: list[Ply]) -> None:
+def check_profiles(
+    compare: Comparison, results: Results, strains: list[Array], plies: list[Ply]
+) -> None:
     """Strain and stress of every ply at every place."""
     exact = [stiffness(p.material, p.angle) @ e for p, e in zip(plies, strains, strict=True)]
     for k in range(len(PLACES)):
         profile = results.profile(k + 1)
-        check_columns(profile, STRAIN, strains)
-        check_columns(profile, STRESS, exact)
+        check_columns(compare, "strain of the plies", profile, STRAIN, strains)
+        check_columns(compare, "stress of the plies", profile, STRESS, exact)
 
 
-def check_columns(profile: Table, names: tuple[str, ...], exact: list[Array]) -> None:
+def check_columns(
+    compare: Comparison, what: str, profile: Table, names: tuple[str, ...], exact: list[Array]
+) -> None:
     """Six columns against the values of each ply, relative to the largest of all."""
     found = np.stack([profile[name] for name in names], axis=1)
     wanted = np.array([exact[int(ply) - 1] for ply in profile["ply"]])
     assert set(profile["ply"]) == set(range(1, len(exact) + 1))
-    assert np.abs(found - wanted).max() < TOLERANCE * np.abs(wanted).max()
+    compare.values(what, found, wanted, abs=TOLERANCE * np.abs(wanted).max())
 
 
 @pytest.mark.parametrize("order", ORDERS)
@@ -73,7 +78,7 @@ def check_columns(profile: Table, names: tuple[str, ...], exact: list[Array]) ->
 @pytest.mark.parametrize("joint", JOINTS)
 @pytest.mark.parametrize("laminate", LAMINATES)
 def test_stretch_in_the_plane(
-    laminate: str, joint: str, nodes: int, order: int, tmp_path: Path
+    laminate: str, joint: str, nodes: int, order: int, compare: Comparison, tmp_path: Path
 ) -> None:
     """Edges moved linearly in the plane, faces free: no stress along z in any ply."""
     plies, mesh, rate = LAMINATES[laminate], patch(nodes), 4.0e5
@@ -92,7 +97,7 @@ def test_stretch_in_the_plane(
         c = stiffness(ply.material, ply.angle)
         across = -(c[2, [0, 1, 3]] @ plane) / c[2, 2]
         strains.append(np.array([plane[0], plane[1], across, plane[2], 0.0, 0.0]))
-    check_profiles(run(deck, tmp_path), strains, plies)
+    check_profiles(compare, run(deck, tmp_path), strains, plies)
 
 
 @pytest.mark.parametrize("order", ORDERS)
@@ -100,7 +105,7 @@ def test_stretch_in_the_plane(
 @pytest.mark.parametrize("joint", ["tied", "springs"])
 @pytest.mark.parametrize("laminate", LAMINATES)
 def test_stretch_through_the_thickness(
-    laminate: str, joint: str, nodes: int, order: int, tmp_path: Path
+    laminate: str, joint: str, nodes: int, order: int, compare: Comparison, tmp_path: Path
 ) -> None:
     """Faces pulled apart, edges held in the plane: the same stress along z in every ply."""
     plies, mesh, pull = LAMINATES[laminate], patch(nodes), 1.0e-3
@@ -116,7 +121,7 @@ def test_stretch_through_the_thickness(
         compliance += (len(plies) - 1) / SPRINGS[0]
     stress = 2.0 * pull / compliance
     strains = [np.array([0.0, 0.0, stress / c, 0.0, 0.0, 0.0]) for c in moduli]
-    check_profiles(run(deck, tmp_path), strains, plies)
+    check_profiles(compare, run(deck, tmp_path), strains, plies)
 
 
 @pytest.mark.parametrize("order", ORDERS)
@@ -124,7 +129,7 @@ def test_stretch_through_the_thickness(
 @pytest.mark.parametrize("joint", ["tied", "springs"])
 @pytest.mark.parametrize("laminate", LAMINATES)
 def test_shear_through_the_thickness(
-    laminate: str, joint: str, nodes: int, order: int, tmp_path: Path
+    laminate: str, joint: str, nodes: int, order: int, compare: Comparison, tmp_path: Path
 ) -> None:
     """Faces slid over each other along x and y: the same traction in every ply."""
     plies, mesh, slide = LAMINATES[laminate], patch(nodes), np.array([8.0e-4, -5.0e-4])
@@ -141,4 +146,4 @@ def test_shear_through_the_thickness(
         compliance = compliance + (len(plies) - 1) / SPRINGS[1] * np.eye(2)
     traction = np.linalg.solve(compliance, 2.0 * slide)
     strains = [np.array([0.0, 0.0, 0.0, 0.0, *(s @ traction)]) for s in inverses]
-    check_profiles(run(deck, tmp_path), strains, plies)
+    check_profiles(compare, run(deck, tmp_path), strains, plies)

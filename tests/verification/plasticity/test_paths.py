@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import Deck
 from elasticity import Array
 from metal_reference import MetalPoint, Yield
@@ -122,7 +123,7 @@ def path(seed: int) -> Array:
 
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("metal", list(METALS))
-def test_path(metal: str, seed: int, tmp_path: Path) -> None:
+def test_path(metal: str, seed: int, compare: Comparison, tmp_path: Path) -> None:
     """Stress of every step to the digits of the files; at the end what has been dissipated.
 
     The solver takes the mean yield stress of a step, which errs where a curve bends within it.
@@ -144,5 +145,6 @@ def test_path(metal: str, seed: int, tmp_path: Path) -> None:
     for now, step in zip(strain[1:], energy["step"][1:], strict=True):
         expected.append(point.step(now, step))
     assert point.path > 0.005
-    assert stress == pytest.approx(np.array(expected), abs=1.0e-7 * 210.0)
-    assert energy["dissipated"][-1] == pytest.approx(point.dissipated, rel=1.0e-4)
+    compare.values("stress of random paths", stress, np.array(expected), abs=1.0e-7 * 210.0)
+    spent = energy["dissipated"][-1]
+    compare.number("energy of random paths", spent, point.dissipated, unit="mJ", rel=1.0e-4)

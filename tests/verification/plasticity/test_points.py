@@ -15,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import Deck
 from elasticity import Array
 from strained import Answer, strain_cube
@@ -104,13 +105,14 @@ def plastic_path(answer: Answer) -> Array:
     return (answer.strain[:, 4] - answer.stress[:, 4] / SHEAR) / np.sqrt(3.0)
 
 
-def test_uniaxial_strain(tmp_path: Path) -> None:
+def test_uniaxial_strain(compare: Comparison, tmp_path: Path) -> None:
     """1890.000 and 1680.000 MPa at a strain of 0.01, plastic strain 5.8e-3."""
     strains = np.zeros((2, 6))
     strains[1, 0] = 0.01
     answer = strain_cube(perfect, np.array([0.0, 2.0e-5]), strains, 20, tmp_path)
     axial = BULK * 0.01 + 2.0 / 3.0 * 210.0
-    assert answer.stress[-1, 0] == pytest.approx(axial, rel=DIGITS)
+    found = answer.stress[-1, 0]
+    compare.number("axial stress of uniaxial strain", found, axial, unit="MPa", rel=DIGITS)
     assert axial == pytest.approx(1890.0)
     assert answer.stress[-1, 1:3] == pytest.approx(axial - 210.0, rel=DIGITS)
     assert answer.plastic_strain == pytest.approx(5.8e-3, rel=1e-6)
@@ -118,7 +120,9 @@ def test_uniaxial_strain(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("material", [by_points, by_curve])
-def test_shear_there_and_back(material: Callable[[Deck], None], tmp_path: Path) -> None:
+def test_shear_there_and_back(
+    material: Callable[[Deck], None], compare: Comparison, tmp_path: Path
+) -> None:
     """Loaded, unloaded and loaded the other way, the stress is that of all plastic strain."""
     times = np.array([0.0, 1.0e-5, 3.0e-5])
     answer = sheared(material, times, np.array([0.0, 0.04, -0.05]), tmp_path)
@@ -128,7 +132,14 @@ def test_shear_there_and_back(material: Callable[[Deck], None], tmp_path: Path) 
     assert yields.sum() > 150
     stress = np.sqrt(3.0) * np.abs(answer.stress[yields, 4])
     # the turn lies between two outputs, where the path is not the sum of both ends
-    assert stress == pytest.approx(static(path[yields]), rel=1.0e-3)
+    compare.values("shear there and back", stress, static(path[yields]), unit="MPa", rel=1.0e-3)
+    order = np.argsort(path)
+    compare.curves(
+        f"yield stress, {material.__name__.replace('_', ' ')}",
+        ("plastic strain [-]", "effective stress [MPa]"),
+        {"run, there and back": (path[yields], stress)},
+        {"curve of the card": (path[order], static(path[order]))},
+    )
     there = answer.time[yields] < times[1]
     assert stress[there] == pytest.approx(static(path[yields][there]), rel=DIGITS)
     assert answer.plastic_strain == pytest.approx(path[-1], rel=2.0e-3)
@@ -178,7 +189,10 @@ def johnson_cook_yield(strain: Array, rate: Array) -> Array:
     ],
 )
 def test_rates(
-    material: Callable[[Deck], None], expected: Callable[[Array, Array], Array], tmp_path: Path
+    material: Callable[[Deck], None],
+    expected: Callable[[Array, Array], Array],
+    compare: Comparison,
+    tmp_path: Path,
 ) -> None:
     """Shear at one rate and then at four times this rate."""
     times = np.array([0.0, 1.0e-5, 2.0e-5])
@@ -186,7 +200,8 @@ def test_rates(
     strain, rate, stress = rates(answer)
     assert rate.min() < 1.1e3 / np.sqrt(3.0) < 3.9e3 / np.sqrt(3.0) < rate.max()
     # differences over an output blur the rate behind the turn and where the curves bend
-    assert stress == pytest.approx(expected(strain, rate), rel=3.0e-3)
+    name = f"yield stress with rate, {material.__name__.replace('_', ' ')}"
+    compare.values(name, stress, expected(strain, rate), unit="MPa", rel=3.0e-3)
     assert np.median(np.abs(stress / expected(strain, rate) - 1.0)) < 1.0e-5
 
 
@@ -215,7 +230,7 @@ def follow(times: Array, strains: Array, substeps: int) -> tuple[Array, float]:
     return stress, flow
 
 
-def test_turning_strain(tmp_path: Path) -> None:
+def test_turning_strain(compare: Comparison, tmp_path: Path) -> None:
     """Tension, then a circle of tension and two shears: the normal of the surface turns."""
     turns = np.linspace(0.0, 1.5 * np.pi, 61)
     strains = np.zeros((len(turns) + 1, 6))
@@ -227,5 +242,6 @@ def test_turning_strain(tmp_path: Path) -> None:
     answer = strain_cube(by_curve, times, strains, 10, tmp_path)
     stress, flow = follow(times, strains, 400)
     # backward steps, 30 between two points of the path: an error of first order in the turn
-    assert answer.stress[-1] == pytest.approx(stress, abs=2.0e-3 * np.abs(stress).max())
+    close = 2.0e-3 * np.abs(stress).max()
+    compare.values("stress of a turning strain", answer.stress[-1], stress, unit="MPa", abs=close)
     assert answer.plastic_strain == pytest.approx(flow, rel=2.0e-3)

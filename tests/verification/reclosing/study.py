@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -17,18 +18,18 @@ SHARES = (0.5, 0.7, 0.9)
 LONG = 1.0e-3
 
 
-def main(folder: Path) -> None:
+def rows(folder: Path) -> Iterator[str]:
     """Mean kinetic energy over that of a small step; energy lost in failing likewise."""
-    sys.stdout.write("| penalty | share of the step | kinetic, all failed | lost, intact first |\n")
-    sys.stdout.write("| --- | --- | --- | --- |\n")
+    folder.mkdir(parents=True, exist_ok=True)
+    yield "| penalty | share of the step | kinetic, all failed | lost, intact first |"
+    yield "| --- | --- | --- | --- |"
     for bond, name in ((BOND, "falls to 10 %"), (WHOLE, "stays whole")):
         free = mean_kinetic(energies(Course(bond, 0.25, LONG), folder))
         hit = lost(Course(bond, 0.25, intact=True, pressure=100.0), folder)
         for share in SHARES:
             gain = mean_kinetic(energies(Course(bond, share, LONG), folder)) / free
             more = lost(Course(bond, share, intact=True, pressure=100.0), folder) / hit
-            sys.stdout.write(f"| {name} | {share} | {gain:.3f} | {more:.3f} |\n")
-            sys.stdout.flush()
+            yield f"| {name} | {share} | {gain:.3f} | {more:.3f} |"
 
 
 def lost(course: Course, folder: Path) -> float:
@@ -38,5 +39,6 @@ def lost(course: Course, folder: Path) -> float:
 
 if __name__ == "__main__":
     place = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "results/study/reclosing"
-    place.mkdir(parents=True, exist_ok=True)
-    main(place)
+    for line in rows(place):
+        sys.stdout.write(line + "\n")
+        sys.stdout.flush()

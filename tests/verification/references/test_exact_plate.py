@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from elasticity import CARBON, Material, isotropic
 from exact_plate import CrossPly, Harmonic, frequency
 
@@ -28,7 +29,7 @@ PRINTED = [
 
 
 @pytest.mark.parametrize("row", PRINTED, ids=lambda row: f"S={row[0]:g}")
-def test_pagano_bending_is_as_printed(row: tuple[float, ...]) -> None:
+def test_pagano_bending_is_as_printed(row: tuple[float, ...], compare: Comparison) -> None:
     """All stresses and the deflection, to half of the last printed digit."""
     ratio = row[0]
     harmonic = Harmonic(pagano(ratio))
@@ -46,7 +47,7 @@ def test_pagano_bending_is_as_printed(row: tuple[float, ...]) -> None:
         top.stress[3] / ratio**2,
         100.0 * middle.displacement[2] / ratio**4,
     ]
-    assert found == pytest.approx(list(row[1:]), abs=0.6e-4)
+    compare.values("Pagano's table", found, list(row[1:]), abs=0.6e-4)
 
 
 def test_faces_carry_what_is_applied() -> None:
@@ -60,18 +61,22 @@ def test_faces_carry_what_is_applied() -> None:
 @pytest.mark.parametrize(
     ("m", "n", "printed"), [(1, 1, 0.0931), (1, 2, 0.2226), (2, 2, 0.3421), (1, 3, 0.4171)]
 )
-def test_isotropic_frequencies_are_as_printed(m: int, n: int, printed: float) -> None:
+def test_isotropic_frequencies_are_as_printed(
+    m: int, n: int, printed: float, compare: Comparison
+) -> None:
     """Square plate, h / a = 0.1, nu = 0.3 (Srinivas, Joga Rao and Rao 1970)."""
     ply = isotropic(1.0, 2.6, 0.3)  # so that G = 1
     plate = CrossPly(10.0, 10.0, ((ply, 1.0, 0.0),))
-    assert frequency(plate, m, n, 0.5) == pytest.approx(printed, abs=0.6e-4)
+    found = frequency(plate, m, n, 0.5)
+    compare.number(f"frequency of mode {m}, {n}", found, printed, abs=0.6e-4)
 
 
-def test_frequencies_of_a_carbon_laminate() -> None:
+def test_frequencies_of_a_carbon_laminate(compare: Comparison) -> None:
     """[0/90]2s of eight plies of 0.25 mm: an independent computation gives these, in Hz."""
     plies = tuple((CARBON, 0.25, a) for a in (0.0, 90.0, 0.0, 90.0, 90.0, 0.0, 90.0, 0.0))
     plate = CrossPly(20.0, 20.0, plies)
     found = [
         frequency(plate, m, n, 6e5) / (2.0 * np.pi) for m, n in ((1, 1), (1, 2), (2, 1), (2, 2))
     ]
-    assert found == pytest.approx([22458.8, 48078.7, 56633.2, 72100.5], rel=1e-5)
+    printed = [22458.8, 48078.7, 56633.2, 72100.5]
+    compare.values("frequencies of a carbon laminate", found, printed, unit="Hz", rel=1e-5)

@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 import pytest
 
+from comparison import Comparison
 from decks import Deck, Ply, Sphere
 from elasticity import CARBON, GLASS
 from meshes import distorted, regular
@@ -46,7 +47,7 @@ def arrays(results: Results) -> dict[str, np.ndarray]:
 
 
 @pytest.mark.parametrize("springs", [True, False], ids=["springs", "tied"])
-def test_run_twice_gives_the_same_bits(springs: bool, tmp_path: Path) -> None:
+def test_run_twice_gives_the_same_bits(springs: bool, compare: Comparison, tmp_path: Path) -> None:
     """Every history and every field, byte by byte."""
     first, second = (run(deck(springs), tmp_path / name) for name in ("first", "second"))
     tables = sorted(path.name for path in first.folder.glob("*.csv"))
@@ -55,5 +56,5 @@ def test_run_twice_gives_the_same_bits(springs: bool, tmp_path: Path) -> None:
         assert (first.folder / name).read_bytes() == (second.folder / name).read_bytes(), name
     one, other = arrays(first), arrays(second)
     assert one.keys() == other.keys()
-    for name, values in one.items():
-        assert values.tobytes() == other[name].tobytes(), name
+    differing = [name for name, values in one.items() if values.tobytes() != other[name].tobytes()]
+    compare.number("arrays that differ from those of the other run", len(differing), 0)
