@@ -41,20 +41,28 @@ contains
       !> Index of the contact
       integer, intent(in) :: k
 
-      type(approach_type) :: approach
-
-      approach = find_approach(model, model%contacts(k))
-      associate (pair => contacts%pairs(k)%pair, length => trim(model%control%units%length))
+      associate (pair => contacts%pairs(k)%pair)
          if (pair%node_count() > 0) write (unit, "(a,t31,i0,a,es14.7,1x,a)") "   contact nodes", &
-            & pair%node_count(), " at the start, spacing", pair%node_spacing(), length
-         if (.not. approach%is_known) return
-         if (approach%arrives) then
-            write (unit, "(a,t30,es14.7,1x,a)") "   distance to first contact", &
-               & approach%distance, length
-         else
-            write (unit, "(a,t31,a)") "   distance to first contact", "none before the end"
-         end if
+            & pair%node_count(), " at the start, spacing", pair%node_spacing(), &
+            & trim(model%control%units%length)
       end associate
+      call write_approach(unit, find_approach(model, model%contacts(k)), model%control%units%length)
    end subroutine write_contact
+
+   !> Distance until the first contact, where it is known
+   subroutine write_approach(unit, approach, length)
+      integer, intent(in) :: unit
+      type(approach_type), intent(in) :: approach
+      !> Unit of length
+      character(len=*), intent(in) :: length
+
+      if (.not. approach%is_known) return
+      if (approach%arrives) then
+         write (unit, "(a,t30,es14.7,1x,a)") "   distance to first contact", approach%distance, &
+            & trim(length)
+      else
+         write (unit, "(a,t31,a)") "   distance to first contact", "none before the end"
+      end if
+   end subroutine write_approach
 
 end module plydyn_io_listing_impactors
