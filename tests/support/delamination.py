@@ -19,8 +19,8 @@ PEEK = Material(1.57e-9, (122.7e3, 10.1e3, 10.1e3), (0.25, 0.25, 0.45), (5.5e3, 
 # Stiffness, strength and toughness of opening and sliding, exponent of Benzeggagh and Kenane
 PEEK_BOND = Bond((1.0e6, 1.0e6), (80.0, 100.0), (0.969, 1.719), -2.284)
 WIDTH, ARM, HALF_SPAN = 25.4, 1.56, 51.0
-# Quads away from the crack, and how far fine ones reach behind and before its tip
-COARSE, BEHIND, BEFORE = 3.0, 3.0, 9.0
+# How far fine quads reach behind and before the tip of the crack
+BEHIND, BEFORE = 3.0, 9.0
 
 
 @dataclass(frozen=True)
@@ -31,6 +31,7 @@ class Specimen:
     crack: float
     lever: float = 0.0
     size: float = 1.0  # of the quads along the crack
+    coarse: float = 3.0  # of those elsewhere
     order: int = 2
     nodal: bool = False
     implicit: bool = False
@@ -118,7 +119,8 @@ def beam(specimen: Specimen) -> Mesh:
     """Quads of nine nodes: fine around the tip, coarse elsewhere, a line at mid-span."""
     tip, end = specimen.crack, 2.0 * HALF_SPAN
     stops = [0.0, tip - BEHIND, tip, min(tip + BEFORE, HALF_SPAN), HALF_SPAN, end]
-    sizes = [COARSE, specimen.size, specimen.size, COARSE, COARSE]
+    coarse, fine = specimen.coarse, specimen.size
+    sizes = [coarse, fine, fine, coarse, coarse]
     lines = [0.0]
     for first, last, size in zip(stops, stops[1:], sizes, strict=False):
         count = round((last - first) / size + 0.45)
