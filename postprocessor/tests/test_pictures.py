@@ -92,7 +92,7 @@ def test_the_scene_says_what_was_magnified(job: Path) -> None:
 
 def test_the_impactor_touches_the_drawn_plate(job: Path) -> None:
     scene = make_scene(open_results(job), Wish(factor=5.0))
-    (sphere,) = scene.spheres
+    (sphere,) = scene.bodies
     top = 2 * synthetic.PLY
     assert sphere.radius == synthetic.RADIUS
     assert sphere.centre[2] - sphere.radius == pytest.approx(top - 5.0 * synthetic.DEPTH)
@@ -101,7 +101,7 @@ def test_the_impactor_touches_the_drawn_plate(job: Path) -> None:
 def test_an_impactor_of_unknown_size_is_left_out(own_job: Path) -> None:
     with h5py.File(own_job.with_name("plate.vtkhdf"), "r+") as file:
         del file["plydyn/impactors"]
-    assert make_scene(open_results(own_job), Wish()).spheres == ()
+    assert make_scene(open_results(own_job), Wish()).bodies == ()
 
 
 def test_the_view_holds_the_scene_and_zooms_into_it(job: Path) -> None:

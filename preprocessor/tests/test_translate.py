@@ -116,6 +116,17 @@ def test_a_meshed_ball_is_a_sphere(make: Callable[[], str], top: float, tmp_path
     assert motion.split()[:4] == ["0.0", "0.0", "-2000.0", "1"]
 
 
+def test_friction_of_the_contact_is_that_of_the_impactor(tmp_path: Path) -> None:
+    text, page = translated(tmp_path, composite())
+    assert [float(word) for word in cards_of(text)["CONTACT_IMPACTOR"][1].split()] == [0.3, 0.3, 0]
+    assert "friction of the impactor" in page
+    table = composite().replace("0.3,0.3,", "2.0,0.3,").replace("0.3       0.3", "2.0       0.3")
+    assert table != composite()
+    lost, page = translated(tmp_path, table)
+    assert len(cards_of(lost)["CONTACT_IMPACTOR"]) == 1
+    assert "a table, the friction of parts" in page
+
+
 def test_quads_are_raised_and_edges_held_with_their_mid_sides(tmp_path: Path) -> None:
     cards = cards_of(translated(tmp_path, composite())[0])
     assert len(cards["NODE"]) == (2 * 4 + 1) ** 2

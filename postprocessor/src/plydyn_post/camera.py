@@ -55,12 +55,9 @@ def camera_for(scene: Scene, azimuth: float = AZIMUTH, elevation: float = ELEVAT
     up = np.cross(towards, right)
     plane = np.column_stack([right, up])
     low, high = (scene.points @ plane).min(axis=0), (scene.points @ plane).max(axis=0)
-    for sphere in scene.spheres:
-        centre = np.asarray(sphere.centre) @ plane
-        low, high = (
-            np.minimum(low, centre - sphere.radius),
-            np.maximum(high, centre + sphere.radius),
-        )
+    for body in scene.bodies:
+        seen = body.surface()[0] @ plane
+        low, high = np.minimum(low, seen.min(axis=0)), np.maximum(high, seen.max(axis=0))
     free = MARGIN * float(np.max(high - low))
     low, high = low - free, high + free
     if scene.zoom > 1.0:

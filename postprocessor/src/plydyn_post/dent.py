@@ -13,10 +13,11 @@ from pathlib import Path
 
 import numpy as np
 
+from plydyn_post.body import Body
 from plydyn_post.contact import touching
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import has_point_field, read_displacement, read_state, read_times
-from plydyn_post.header import Sphere, read_header
+from plydyn_post.header import read_header
 from plydyn_post.results import Results
 from plydyn_post.sheets import find
 from plydyn_post.style import NARROW, figure, look_of, name_job, save
@@ -67,9 +68,9 @@ def read_dent(results: Results, number: int | None = None) -> Dent | None:
     chosen = number if number is not None else min(header.impactors, default=0)
     if chosen not in header.impactors:
         return None
-    sphere = header.impactors[chosen]
+    body = header.impactors[chosen]
     times = read_times(path)
-    points, above, faces = _faces(results, sphere)
+    points, above, faces = _faces(results, body)
     heights = [above * float(points[face.nodes, 2].mean()) for face in faces]
     rows = []
     for step in range(len(times)):
@@ -77,23 +78,23 @@ def read_dent(results: Results, number: int | None = None) -> Dent | None:
         rows.append([faces[0].depth(moved), faces[1].depth(moved), faces[1].at_impact(moved)])
     struck, opposite, back = np.array(rows).T
     length, time = (header.units.get(kind, "") for kind in ("length", "time"))
-    gap = above * sphere.centre[2] - sphere.radius - heights[0]
+    gap = above * body.centre[2] - body.reach(-above) - heights[0]
     sunk = _travel(results, chosen, times, above, length) - gap - back
     return Dent(times, struck, opposite, sunk, length, time)
 
 
-def _faces(results: Results, sphere: Sphere) -> tuple[np.ndarray, float, list[Face]]:
+def _faces(results: Results, body: Body) -> tuple[np.ndarray, float, list[Face]]:
     """Points, the side from which the impactor comes (1 or -1), the struck and the other face."""
     grid = read_state(results.fields, 0)
     points = np.asarray(grid.points, dtype=float)
     low, high = float(points[:, 2].min()), float(points[:, 2].max())
-    above = 1.0 if sphere.centre[2] > (low + high) / 2 else -1.0
+    above = 1.0 if body.centre[2] > (low + high) / 2 else -1.0
     planes = planes_of(results)
     blocks = blocks_of(grid)
     faces = []
     for height, level in ((high, -1), (low, 0))[:: int(above)]:
         quads = [block.nodes[:, :, :, level] for block in blocks]
-        faces.append(_face(results.fields, points, quads, height, sphere, planes))
+        faces.append(_face(results.fields, points, quads, height, body, planes))
     return points, above, faces
 
 
@@ -102,12 +103,12 @@ def _face(
     points: np.ndarray,
     quads: list[np.ndarray],
     height: float,
-    sphere: Sphere,
+    body: Body,
     planes: tuple[Plane, ...],
 ) -> Face:
     """The face at a height."""
     near = 1e-6 * extent(points)
-    impact = np.array(sphere.centre[:2])
+    impact = np.array(body.centre[:2])
     for nodes in quads:
         own = nodes[np.all(np.abs(points[nodes, 2] - height) <= near, axis=(1, 2))]
         found = find(points[own, :2], impact[None, :])

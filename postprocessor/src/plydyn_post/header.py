@@ -8,20 +8,13 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from plydyn_post.body import Body
 from plydyn_post.errors import ResultsError
 from plydyn_post.table import split_header
 from plydyn_post.vtkhdf import array, opened
 
 # Attributes that name the units
 UNIT_KINDS = ("length", "time", "mass", "force", "stress", "energy")
-
-
-@dataclass(frozen=True)
-class Sphere:
-    """A rigid impactor at time zero."""
-
-    radius: float
-    centre: tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -32,7 +25,7 @@ class Header:
     title: str = ""
     deck: str = ""
     units: dict[str, str] = field(default_factory=dict)
-    impactors: dict[int, Sphere] = field(default_factory=dict)
+    impactors: dict[int, Body] = field(default_factory=dict)
     plies: tuple[dict[str, float], ...] = ()
 
 
@@ -84,13 +77,30 @@ def _rows(group: h5py.Group, name: str) -> tuple[dict[str, float], ...]:
     return tuple(dict(zip(names, map(float, row), strict=True)) for row in values)
 
 
-def _impactors(group: h5py.Group) -> dict[int, Sphere]:
-    """Spheres from the table ``impactors`` with the columns id, radius, x, y and z."""
+def _impactors(group: h5py.Group) -> dict[int, Body]:
+    """Bodies from the table ``impactors``, with the outlines of those that are no spheres."""
     wanted = {"id", "radius", "x", "y", "z"}
-    spheres = {}
+    outlines = _rows(group, "impactor_outlines")
+    bodies = {}
     for row in _rows(group, "impactors"):
         if wanted <= row.keys():
             if row["radius"] <= 0.0:
                 raise ResultsError(f"{group.file.filename}: an impactor has no radius")
-            spheres[int(row["id"])] = Sphere(row["radius"], (row["x"], row["y"], row["z"]))
-    return spheres
+            number, centre = int(row["id"]), (row["x"], row["y"], row["z"])
+            corners = [corner for corner in outlines if corner.get("id") == row["id"]]
+            bodies[number] = _body(row["radius"], centre, corners)
+    return bodies
+
+
+def _body(
+    radius: float, centre: tuple[float, float, float], corners: list[dict[str, float]]
+) -> Body:
+    """A body whose core has some corners; a sphere without any and without an axis."""
+    wanted = {"rounding", "axis x", "axis y", "axis z", "back", "along", "across"}
+    if not corners or not all(wanted <= corner.keys() for corner in corners):
+        return Body(radius, centre)
+    axis = tuple(corners[0][f"axis {name}"] for name in "xyz")
+    if not np.isclose(np.hypot(*axis[:2]), np.sqrt(max(0.0, 1.0 - axis[2] ** 2)), atol=1e-9):
+        return Body(radius, centre)
+    core = tuple((corner["along"], corner["across"]) for corner in corners)
+    return Body(radius, centre, axis, corners[0]["rounding"], core, corners[0]["back"])

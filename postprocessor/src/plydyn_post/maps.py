@@ -25,16 +25,16 @@ MARGIN, SMALLEST = 0.18, 0.12
 
 def middle_of(header: Header, places: np.ndarray) -> np.ndarray:
     """Below the first impactor; without one the middle of the plate, (2,)."""
-    for sphere in header.impactors.values():
-        return np.array(sphere.centre[:2])
+    for body in header.impactors.values():
+        return np.array(body.centre[:2])
     flat = places.reshape(-1, 2)
     return (flat.min(axis=0) + flat.max(axis=0)) / 2
 
 
 def hit_from_above(header: Header) -> bool:
     """Whether the first impactor comes from above, as it does without one."""
-    spheres = list(header.impactors.values())
-    return not spheres or spheres[0].centre[2] >= 0.0
+    bodies = list(header.impactors.values())
+    return not bodies or bodies[0].centre[2] >= 0.0
 
 
 def half_window(sheets: Sequence[Sheet], middle: np.ndarray, whole: bool) -> float:

@@ -9,8 +9,9 @@ import pyvista as pv
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize
-from matplotlib.patches import Circle
+from matplotlib.patches import Polygon
 
+from plydyn_post.body import hull
 from plydyn_post.camera import Camera
 from plydyn_post.offscreen import CHOICE
 from plydyn_post.scene import Lines, Scene
@@ -35,12 +36,16 @@ def render_vtk(scene: Scene, camera: Camera, width: int, window: str) -> np.ndar
     _add_light(plotter, camera)
     _add_plate(plotter, scene)
     _add_lines(plotter, scene, camera, ply_strength(scene, camera, width))
-    for sphere in scene.spheres:
-        ball = pv.Sphere(
-            radius=sphere.radius, center=sphere.centre, theta_resolution=96, phi_resolution=96
-        )
+    for body in scene.bodies:
+        surface = pv.PolyData.from_regular_faces(*body.surface())
         plotter.add_mesh(
-            ball, color=STEEL, opacity=GLASS, smooth_shading=True, ambient=0.4, culling="back"
+            surface,
+            color=STEEL,
+            opacity=GLASS,
+            smooth_shading=True,
+            split_sharp_edges=True,
+            ambient=0.4,
+            culling="back",
         )
     _look(plotter, scene, camera)
     image = plotter.screenshot(None, return_img=True)
@@ -124,9 +129,9 @@ def draw_plain(axes: Axes, scene: Scene, camera: Camera, width: int) -> None:
     for lines, opacity in ((scene.mesh_lines, FAINT), (scene.ply_lines, strength)):
         segments = camera.seen(_seen(lines, camera))[..., :2]
         axes.add_collection(LineCollection(segments, colors=INK, alpha=opacity, linewidths=0.35))
-    for sphere in scene.spheres:
-        x, y, _ = camera.seen(np.asarray(sphere.centre))
-        axes.add_patch(Circle((x, y), sphere.radius, facecolor=STEEL, edgecolor=INK, alpha=GLASS))
+    for body in scene.bodies:
+        seen = camera.seen(body.surface()[0])[:, :2]
+        axes.add_patch(Polygon(hull(seen), facecolor=STEEL, edgecolor=INK, alpha=GLASS))
 
 
 def _shaded(scene: Scene, camera: Camera) -> np.ndarray:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pyvista as pv
 from matplotlib.colors import Colormap
 
+from plydyn_post.body import Body
 from plydyn_post.cut import cut_surface
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import largest_deflection, nearest, read_times
-from plydyn_post.header import Header, Sphere, read_header
+from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results
 from plydyn_post.shown import Shown, shown
 from plydyn_post.surface import Surface, blocks_of, extent, surface_of
@@ -53,7 +54,7 @@ class Scene:
     triangles: np.ndarray  # (triangles, 3)
     ply_lines: Lines
     mesh_lines: Lines
-    spheres: tuple[Sphere, ...]
+    bodies: tuple[Body, ...]
     label: str
     colours: Colormap
     limits: tuple[float, float]
@@ -116,7 +117,7 @@ def make_scene(results: Results, wish: Wish) -> Scene:
         triangles=surface.triangles,
         ply_lines=magnified.lines(surface.ply_lines),
         mesh_lines=magnified.lines(surface.mesh_lines if wish.mesh else Surface().mesh_lines),
-        spheres=_spheres(results, state, magnified),
+        bodies=_bodies(results, state, magnified),
         label=in_brackets(state.shown.label, scale.unit),
         colours=state.shown.colours,
         limits=wish.limits or state.shown.limits or _limits(values, state.shown.signed),
@@ -148,8 +149,8 @@ def _state(results: Results, wish: Wish) -> State:
 
 def _middle(state: State) -> tuple[float, float]:
     """Below the first impactor; without one, the middle of the plate."""
-    for sphere in state.header.impactors.values():
-        return sphere.centre[0], sphere.centre[1]
+    for body in state.header.impactors.values():
+        return body.centre[0], body.centre[1]
     low, high = state.points[:, :2].min(axis=0), state.points[:, :2].max(axis=0)
     return float(low[0] + high[0]) / 2, float(low[1] + high[1]) / 2
 
@@ -187,32 +188,32 @@ def _limits(values: np.ndarray, signed: bool) -> tuple[float, float]:
     return (low, high) if high > low else (low, low + 1.0)
 
 
-def _spheres(results: Results, state: State, magnified: Magnified) -> tuple[Sphere, ...]:
+def _bodies(results: Results, state: State, magnified: Magnified) -> tuple[Body, ...]:
     """The impactors that have a history, where they touch the drawn plate as they do the real."""
-    spheres = []
-    for number, sphere in state.header.impactors.items():
+    bodies = []
+    for number, body in state.header.impactors.items():
         if number not in results.impactors:
             continue
         table = results.impactor(number)
         moved = float(np.interp(state.time, table["time"], table["displacement"]))
-        spheres.append(_placed(sphere, moved, state.points, magnified))
-    return tuple(spheres)
+        bodies.append(_placed(body, moved, state.points, magnified))
+    return tuple(bodies)
 
 
-def _placed(sphere: Sphere, moved: float, points: np.ndarray, magnified: Magnified) -> Sphere:
-    """A sphere in the picture: a gap keeps its size, the way together with the plate is magnified.
+def _placed(body: Body, moved: float, points: np.ndarray, magnified: Magnified) -> Body:
+    """A body in the picture: a gap keeps its size, the way together with the plate is magnified.
 
     It keeps its shape, so that its tip decides, and never lies inside the drawn plate there.
     """
-    x, y, z = sphere.centre
+    x, y, z = body.centre
     bottom, top = float(points[:, 2].min()), float(points[:, 2].max())
     above = 1.0 if z > (bottom + top) / 2 else -1.0
-    face = top if above > 0 else bottom
-    gap = above * (z + moved - above * sphere.radius - face)
+    face, reach = top if above > 0 else bottom, body.reach(-above)
+    gap = above * (z + moved - face) - reach
     plate = above * float(magnified.place(_below(points, (x, y), above))[2])
     way = magnified.factor * gap if gap < 0.0 else gap
     tip = max(above * magnified.thickness * face + way, plate)
-    return Sphere(sphere.radius, (x, y, above * (tip + sphere.radius)))
+    return replace(body, centre=(x, y, above * (tip + reach)))
 
 
 def _below(points: np.ndarray, place: tuple[float, float], above: float) -> np.ndarray:

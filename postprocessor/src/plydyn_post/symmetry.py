@@ -49,7 +49,7 @@ def planes_of(results: Results) -> tuple[Plane, ...]:
 def _planes(path: Path, mirror: str, stamp: tuple[int, int]) -> tuple[Plane, ...]:
     """The planes; the stamp tells one version of the file from another."""
     layout, header = layout_of(path), read_header(path)
-    centres = [sphere.centre for sphere in header.impactors.values()]
+    centres = [body.centre for body in header.impactors.values()]
     centre = np.array(centres[0][:2] if centres else (0.0, 0.0))
     sides = [_nearest_side(layout, centre, axis) for axis in (0, 1)]
     if mirror != "auto":

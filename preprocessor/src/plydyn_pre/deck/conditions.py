@@ -39,19 +39,7 @@ def impactor_on(names: Names, laminate: Laminate, pid: int, number: int = 1) -> 
     impactor, contact = names.study.impactor, names.study.touch
     if impactor is None:
         return
-    x, y = impactor.position or names.mesh.middle
-    z = _height(impactor, contact, laminate) + names.mesh.height
-    mass = impactor.mass * names.study.share
-    place = {"iid": number, "radius": impactor.radius, "mass": mass, "xc": x, "yc": y, "zc": z}
-    motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
-    dof, shape = int(impactor.guided), int(impactor.hemisphere)
-    freedom = {"dof": dof, "gravz": impactor.gravity, "shape": shape}
-    cards: list[Card] = [place, motion | freedom]
-    if impactor.motion_z:
-        curves = {"lcx": 0, "lcy": 0, "lcz": names.curve(impactor.motion_z)}
-        kind = {"vad": QUANTITIES[impactor.motion]}
-        cards.append({"inertia": 0.0, "gravx": 0.0, "gravy": 0.0} | curves | kind)
-    yield titled("IMPACTOR_SPHERE", impactor.title, *cards)
+    yield _impactor(names, impactor, _height(impactor, contact, laminate), number)
     face, method = _FACES[contact.face], _METHODS[contact.method]
     pair = {"cid": number, "iid": number, "pid": pid, "face": face, "method": method}
     cards = [pair | {"spacing": contact.spacing}]
@@ -59,6 +47,34 @@ def impactor_on(names: Names, laminate: Laminate, pid: int, number: int = 1) -> 
         rub = {"fs": contact.friction, "fd": contact.dynamic_friction, "dc": contact.decay}
         cards.append(rub)
     yield keyword("CONTACT_IMPACTOR", *cards)
+
+
+def _impactor(names: Names, impactor: Impactor, height: float, number: int) -> str:
+    """The keyword of an impactor whose centre is at a height above the nodes."""
+    x, y = impactor.position or names.mesh.middle
+    place = {"iid": number, "radius": impactor.radius, "mass": impactor.mass * names.study.share}
+    place |= {"xc": x, "yc": y, "zc": height + names.mesh.height}
+    motion: Card = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
+    motion |= {"dof": int(impactor.guided), "gravz": impactor.gravity}
+    weight: Card = {"gravx": 0.0, "gravy": 0.0}
+    if impactor.kind == "sphere":
+        cards: list[Card] = [place, motion | {"shape": int(impactor.hemisphere)}]
+        weight = {"inertia": 0.0} | weight
+    else:
+        cards = [place, _shape(impactor), motion]
+    if impactor.motion_z:
+        curves = {"lcx": 0, "lcy": 0, "lcz": names.curve(impactor.motion_z)}
+        cards.append(weight | curves | {"vad": QUANTITIES[impactor.motion]})
+    return titled(f"IMPACTOR_{impactor.kind.upper()}", impactor.title, *cards)
+
+
+def _shape(impactor: Impactor) -> Card:
+    """The card with the sizes of a body that is no sphere."""
+    sizes = {"tup": ("length",), "cylinder": ("length", "edge"), "cone": ("angle", "tip", "length")}
+    card: Card = {key: getattr(impactor, key) for key in sizes[impactor.kind]}
+    if impactor.axis:
+        card |= dict(zip(("ax", "ay", "az"), impactor.axis, strict=True))
+    return card
 
 
 def support_keywords(names: Names) -> Iterator[str]:
@@ -105,7 +121,7 @@ def set_keywords(names: Names) -> Iterator[str]:
 
 def _height(impactor: Impactor, contact: Contact, laminate: Laminate) -> float:
     """Height of the impactor's centre above the nodes at time zero."""
-    reach = impactor.gap + impactor.radius
+    reach = impactor.gap + impactor.reach
     if contact.face == "top":
         return laminate.bottom + laminate.total + reach
     return laminate.bottom - reach

@@ -20,6 +20,8 @@ _TRAVEL = 2.0
 # spacing, and the largest spacing, over the radius
 _FIRST_HEIGHT, _ZONE, _MOST_SPACING = 0.125, 0.5, 0.75
 _CORNERS = 4
+#: Impactors whose nodes are counted here; the solver counts those of the others
+_ROUND = ("sphere", "tup")
 # share of a quad by which a place may lie beside its straight sides: sides of nine nodes are curved
 _BESIDE = 0.05
 _FACES = {"all": {"bottom", "inside", "top"}, "plane": {"inside"}}
@@ -38,6 +40,8 @@ def _check_spacing(names: Names) -> None:
     """Refuse more contact nodes than the solver takes; each has a square of the spacing."""
     impactor, contact = names.study.impactor, names.study.touch
     if impactor is None or contact.method == "points_on_plate":
+        return
+    if impactor.kind not in _ROUND:
         return
     centre = np.array(impactor.position or names.mesh.middle)
     reach = _TRAVEL * float(np.hypot(*(names.mesh.nodes - centre).T).max())

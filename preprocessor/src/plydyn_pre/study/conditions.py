@@ -1,13 +1,12 @@
-"""Supports, loads, the impactor and its contact, and the sets and curves they use."""
+"""Supports, loads, the contact of the impactor, and the sets and curves they use."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import sqrt
 from typing import ClassVar, Literal
 
-from plydyn_pre.errors import require, require_not_negative, require_positive
+from plydyn_pre.errors import require, require_not_negative
 
 Direction = Literal["x", "y", "z"]
 Face = Literal["bottom", "top"]
@@ -64,39 +63,6 @@ class Support:
         rule = f"{self.hold!r} must be one, two or three of the letters x, y, z"
         require(known and set(self.hold) <= set("xyz"), "hold", rule)
         require(self.height == 0.0 or self.face == "plane", "height", 'only for face = "plane"')
-
-
-@dataclass(frozen=True)
-class Impactor:
-    """A rigid sphere above the top face, or below the bottom one if the contact says so."""
-
-    radius: float
-    mass: float
-    velocity: tuple[float, float, float] | None = None  # at time zero; absent if energy is given
-    position: tuple[float, float] | None = None  # x, y; the middle of the mesh if absent
-    gap: float = 0.0  # between the sphere and the face at time zero
-    guided: bool = False  # moves along z only
-    hemisphere: bool = False  # only the half that faces the plate
-    gravity: float = 0.0  # acceleration along z at all times, negative downwards
-    energy: float | None = None  # of a fall, from which the velocity downwards follows
-    motion_z: str = ""  # name of a curve that the body follows along z
-    motion: Literal["velocity", "acceleration", "displacement"] = "velocity"  # what it gives
-    title: str = ""
-
-    def __post_init__(self) -> None:
-        """Refuse what is no impactor."""
-        require_positive(self, "radius", "mass")
-        require_not_negative(self, "gap")
-        if self.energy is not None:
-            require(self.velocity is None, "velocity", "follows from the energy; leave one out")
-            require_positive(self, "energy")
-            speed = sqrt(2.0 * self.energy / self.mass)
-            object.__setattr__(self, "velocity", (0.0, 0.0, -speed))
-        if self.motion_z and self.velocity is None:
-            object.__setattr__(self, "velocity", (0.0, 0.0, 0.0))
-        require(self.velocity is not None, "velocity", "missing; or give the energy of a fall")
-        straight = not self.guided or self.velocity[:2] == (0.0, 0.0)
-        require(straight, "velocity", "a guided impactor moves along z: [0.0, 0.0, ...]")
 
 
 @dataclass(frozen=True)

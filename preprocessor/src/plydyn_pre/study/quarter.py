@@ -7,8 +7,9 @@ from collections.abc import Iterable, Sequence
 from plydyn_pre.errors import require
 from plydyn_pre.mesh import Shape
 from plydyn_pre.mesh.quarter import PLANES
-from plydyn_pre.study.conditions import FrameAcceleration, Impactor, Load, Pressure, Support
+from plydyn_pre.study.conditions import FrameAcceleration, Load, Pressure, Support
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture
+from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.laminate import Laminate
 
 
@@ -36,6 +37,8 @@ def check_quarter(
         centre = getattr(mesh, "centre", None)
         midway = impactor.position in (None, centre)
         require(midway, "impactor.position", "a quarter is hit in the middle of the whole")
+        along_one = impactor.axis is None or impactor.axis.count(0.0) == 2
+        require(along_one, "impactor.axis", "a body on a quarter lies along x or y, or stands")
     for number, load in enumerate(loads, start=1):
         across = isinstance(load, FrameAcceleration) and load.direction == "z"
         rule = "a quarter takes pressures and an acceleration along z"

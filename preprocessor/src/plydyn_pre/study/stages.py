@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.conditions import Contact, Impactor, Load, Support
+from plydyn_pre.study.conditions import Contact, Load, Support
 from plydyn_pre.study.control import Outputs
 from plydyn_pre.study.fixtures import Fixture
+from plydyn_pre.study.impactor import Impactor
 
 
 @dataclass(frozen=True)

@@ -14,13 +14,13 @@ from plydyn_pre.study.conditions import (
     Contact,
     Curve,
     FrameAcceleration,
-    Impactor,
     Load,
     NodeSet,
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
 from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
+from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.in_situ import check_in_situ
 from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate

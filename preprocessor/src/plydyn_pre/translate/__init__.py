@@ -7,7 +7,7 @@ from pathlib import Path
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.bodies import materials, read_bodies
-from plydyn_pre.translate.conditions import mark_contacts, read_control, read_supports
+from plydyn_pre.translate.conditions import read_contacts, read_control, read_supports
 from plydyn_pre.translate.deck import Plate, deck_lines
 from plydyn_pre.translate.impactor import read_impactor
 from plydyn_pre.translate.joints import read_joints
@@ -37,6 +37,6 @@ def translate(source: Path, deck: Path, like: str = "") -> tuple[Iterator[str], 
     plate = Plate(blocks, known, stack, joints, sphere, like, notes)
     read_control(plate)
     read_supports(plate)
-    mark_contacts(plate)
+    read_contacts(plate)
     lines = list(deck_lines(plate))
     return iter(lines), page_text(source, deck, blocks, notes), notes

@@ -18,6 +18,8 @@ _OUTPUTS = {
 }
 _MOST_SHARE = 0.8
 _UNITS = ("LENGTH", "TIME", "MASS")
+#: FS from which on it means a table
+_FRICTION_OF_TABLE = 2.0
 
 
 def read_control(plate: Plate) -> None:
@@ -143,12 +145,28 @@ def _read_history(plate: Plate) -> None:
         plate.notes.append(f"no history of nodes that are not of the plate: {lost}")
 
 
-def mark_contacts(plate: Plate) -> None:
-    """Contacts with the impactor are *CONTACT_IMPACTOR now."""
+def read_contacts(plate: Plate) -> None:
+    """Contacts with the impactor are one *CONTACT_IMPACTOR now, with the largest friction."""
+    if plate.sphere is None:
+        return
     for block in find(plate.blocks, "CONTACT"):
-        if plate.sphere is not None and not block.written.startswith("CONTACT_TIED"):
-            words = "*CONTACT_IMPACTOR, by Lagrange multipliers"
-            block.mark(REPLACED, words, "SSID", "MSID", "SSTYP", "MSTYP")
-            block.mark(LOST, "contact has no friction yet", "FS", "FD", "DC")
-            words = "there is no penalty to scale"
-            block.mark(LOST, words, "SFS", "SFM", "VDC", "SFST", "SFMT")
+        if block.written.startswith("CONTACT_TIED"):
+            continue
+        words = "*CONTACT_IMPACTOR, by Lagrange multipliers"
+        block.mark(REPLACED, words, "SSID", "MSID", "SSTYP", "MSTYP")
+        _read_friction(plate, block)
+        words = "there is no penalty to scale"
+        block.mark(LOST, words, "SFS", "SFM", "VDC", "SFST", "SFMT")
+
+
+def _read_friction(plate: Plate, block: Block) -> None:
+    """Static and dynamic coefficient and decay, where they are numbers and not tables or parts."""
+    names = ("FS", "FD", "DC")
+    values = tuple(float(block.raw(name, 0.0)) for name in names)
+    static, dynamic, _ = values
+    if static < 0.0 or static >= _FRICTION_OF_TABLE or dynamic > static:
+        words = "a table, the friction of parts, or more at speed than at rest: not translated"
+        block.mark(LOST, words, *names)
+        return
+    block.mark(TAKEN, "friction of the impactor; the largest of all its contacts", *names)
+    plate.friction = max(plate.friction, values)

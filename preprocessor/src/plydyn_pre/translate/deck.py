@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from math import isnan
 
-from plydyn_pre.deck.cards import coordinate_text, id_cards, keyword, title_line, titled
+from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, title_line, titled
 from plydyn_pre.deck.conditions import set_card
 from plydyn_pre.deck.materials import material_text
 from plydyn_pre.translate.impactor import Sphere
@@ -40,6 +40,7 @@ class Plate:
     notes: list[str]
     supports: list[tuple[str, list[int], tuple[int, int, int]]] = field(default_factory=list)
     history: list[int] = field(default_factory=list)
+    friction: tuple[float, float, float] = (0.0, 0.0, 0.0)  # static, dynamic, decay
     control: list[str] = field(default_factory=list)
 
 
@@ -130,10 +131,13 @@ def _impactor(plate: Plate) -> Iterator[str]:
     x, y, z = sphere.centre
     place = {"iid": 1, "radius": sphere.radius, "mass": sphere.mass, "xc": x, "yc": y, "zc": z}
     motion = dict(zip(("vx", "vy", "vz"), map(float, sphere.velocity), strict=True))
-    freedom = {"dof": int(sphere.guided), "gravz": 0.0, "shape": 0}
+    freedom = {"dof": sphere.freedom, "gravz": 0.0, "shape": 0}
     yield titled("IMPACTOR_SPHERE", "impactor", place, motion | freedom)
     pair = {"cid": 1, "iid": 1, "pid": 1, "face": 1 if sphere.above else -1}
-    yield keyword("CONTACT_IMPACTOR", pair | {"method": 2, "spacing": 0.0})
+    cards: list[Card] = [pair | {"method": 2, "spacing": 0.0}]
+    if plate.friction[0] > 0.0:
+        cards.append(dict(zip(("fs", "fd", "dc"), plate.friction, strict=True)))
+    yield keyword("CONTACT_IMPACTOR", *cards)
 
 
 def _supports(plate: Plate) -> Iterator[str]:

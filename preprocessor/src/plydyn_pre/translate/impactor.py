@@ -13,6 +13,8 @@ from plydyn_pre.translate.stack import Stack
 
 _ROUND = 0.02  # of the radius by which nodes may lie off the sphere
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+#: CON1 that leaves motion along z, CON2 that leaves no rotation
+_ALONG_Z, _NO_ROTATION = 4.0, 7.0
 #: The five tetrahedra of a brick
 _TETS = ((0, 1, 3, 4), (1, 2, 3, 6), (1, 3, 4, 6), (3, 4, 6, 7), (1, 4, 5, 6))
 
@@ -25,7 +27,7 @@ class Sphere:
     mass: float
     centre: tuple[float, float, float]
     velocity: tuple[float, float, float]
-    guided: bool
+    freedom: int  # 0 free, 1 guided along z, 2 free to move but not to rotate
     above: bool
 
 
@@ -47,12 +49,12 @@ def read_impactor(
     material = known[body.material]
     radius, centre, off, above = _fit(body, bodies, stack)
     mass = _mass(body, bodies, material, blocks)
-    guided = _guided(material, velocity)
+    freedom = _freedom(material, velocity)
     words = f"{len(body.elements)} elements as a sphere of radius {radius:g} at {_words(centre)}"
     notes.append(f"part {body.pid}: {words}; its nodes lie within {off:.2g} of it")
     body.block.mark(REPLACED, f"*IMPACTOR_SPHERE: {words}", "PID", "SECID", "MID", "HEADING")
     return Sphere(
-        radius, mass, _lifted(centre, radius, above, stack, notes), velocity, guided, above
+        radius, mass, _lifted(centre, radius, above, stack, notes), velocity, freedom, above
     )
 
 
@@ -138,19 +140,21 @@ def _area(corners: list[tuple[float, float, float]]) -> float:
     return float(np.linalg.norm(np.cross(c - a, d - b)) / 2.0)
 
 
-def _guided(material: Block, velocity: tuple[float, float, float]) -> bool:
-    """Whether the impactor moves along z only."""
-    free = material.number("CMO", 0.0) == 0.0
+def _freedom(material: Block, velocity: tuple[float, float, float]) -> int:
+    """How the impactor may move: DOF of *IMPACTOR_SPHERE."""
+    bound = material.number("CMO", 0.0) != 0.0
     held = material.number("CON1", 0.0)
-    guided = not free and held == 4.0 and velocity[:2] == (0.0, 0.0)
-    if not free and held not in (0.0, 4.0):
+    if bound and held not in (0.0, _ALONG_Z):
         raise material.fail("CON1", f"{held:g} is not translated; 0 and 4 are")
-    words = "the sphere does not turn: contact has no friction"
+    turned = material.raw("CON2", 0.0)
+    words = "DOF of *IMPACTOR_SPHERE; one that rotates has the inertia of a solid ball"
     material.mark(REPLACED, words, "CON2")
     material.mark(TAKEN, "density of the impactor", "RO")
     material.mark(LOST, "a rigid body has no stiffness; contact has no penalty", "E", "PR")
     material.mark(REPLACED, "*IMPACTOR_SPHERE", "MID")
-    return guided
+    if bound and held == _ALONG_Z and velocity[:2] == (0.0, 0.0):
+        return 1
+    return 2 if bound and turned == _NO_ROTATION else 0
 
 
 def _lifted(

@@ -12,7 +12,7 @@ _SHOWN = 3  # values of a repeated field
 _REASONS = {
     "SECTION_": "plates are layer-wise and impactors are rigid: there is nothing to choose",
     "MAT_": "the law of plydyn has nothing like it: no failure strains, no deletion of elements",
-    "PART_INERTIA": "the sphere does not turn",
+    "PART_INERTIA": "a sphere that rotates has the inertia of a solid ball",
     "CONTACT": "contact is by Lagrange multipliers: there is no penalty and nothing to tune",
     "CONTROL_": "plydyn has no such choice",
     "DATABASE_": "plydyn has no such output, or writes it without being asked",
