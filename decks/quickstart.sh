@@ -5,9 +5,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
-recipe=decks/damage_impact/coarse.toml
+recipe=decks/damage_impact/quickstart.toml
 results=results/damage_impact
-job=coarse
+job=quickstart
 
 install_system_packages build
 make_venv build
