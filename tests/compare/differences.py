@@ -85,6 +85,7 @@ def compare_tables(old: Path, new: Path, report: Report) -> None:
     if len(mine) != len(others):
         _tell_columns(old.name, first.heads, second.heads, report)
         return
+    others = _in_order(first, mine, second, others, old)
     for i, j in zip(mine, others, strict=True):
         if first.heads[i] != second.heads[j]:
             report.note(f"{old.name}: column {first.heads[i]!r} is called {second.heads[j]!r}")
@@ -94,6 +95,18 @@ def compare_tables(old: Path, new: Path, report: Report) -> None:
     if first.rows != second.rows or len(first.heads) != len(second.heads):
         heads = [first.heads[i] for i in mine]
         _compare_words(old.name, heads, first.words(mine), second.words(others), report)
+
+
+def _in_order(old: _Table, mine: list[int], new: _Table, others: list[int], path: Path) -> list[int]:
+    """Columns of the new table in the order of the old: those of another header, then the rest."""
+    moved = {}
+    for i in mine:
+        name = f"{path.name}: {old.heads[i]}"
+        head = renamed(known_names.RENAMED_COLUMNS, name).partition(": ")[2]
+        if head != old.heads[i] and head in new.heads:
+            moved[i] = new.heads.index(head)
+    rest = iter([j for j in others if j not in moved.values()])
+    return [moved[i] if i in moved else next(rest) for i in mine]
 
 
 def _kept(

@@ -18,13 +18,13 @@ Data = dict[str, np.ndarray]
 def compare_hdf5(old: Path, new: Path, report: Report) -> None:
     """Compare arrays by name, else by what the table says, else by group, shape and content."""
     mine, others = _read(old, report), _read(new, report)
+    _join_parts(old.name, mine, others, report)
     for name in sorted(mine):
         other = renamed(known_names.RENAMED_DATA, name)
         if other in others:
             if other != name:
                 report.note(f"{old.name}: {name} is called {other}")
             _compare(old.name, name, mine.pop(name), others.pop(other), report)
-    _join_parts(old.name, mine, others, report)
     _pair_by_content(old.name, mine, others, report)
     _pair_by_shape(old.name, mine, others, report)
     _tell_rest(old.name, mine, others, report)
@@ -67,7 +67,10 @@ def _compare(file: str, name: str, old: np.ndarray, new: np.ndarray, report: Rep
     if why and new.size > old.size and not new.reshape(-1)[old.size :].any():
         report.note(f"{file}: {name} has got zeros at its end: {why}")
         new = new.reshape(-1)[: old.size]
-    if _is_text(old) or _is_text(new):
+    why = reason(known_names.WIDENED_DATA, name)
+    if why and new.size > old.size and _contains(new, old):
+        report.note(f"{file}: {name} has got values among the old ones: {why}")
+    elif _is_text(old) or _is_text(new):
         if old.tolist() != new.tolist():
             report.note(f"{file}: {name} says {new.tolist()!r}, was {old.tolist()!r}")
     elif old.dtype != new.dtype or old.size != new.size:
@@ -80,6 +83,12 @@ def _compare(file: str, name: str, old: np.ndarray, new: np.ndarray, report: Rep
         report.differ(file, name, f"{row}, first of {count}", *map(repr, values))
     elif old.shape != new.shape:
         report.note(f"{file}: {name} has the shape {new.shape}, was {old.shape}")
+
+
+def _contains(long: np.ndarray, short: np.ndarray) -> bool:
+    """Whether values follow each other in a longer array, with others between them."""
+    rest = iter(_bits(long).tolist())
+    return all(value in rest for value in _bits(short).tolist())
 
 
 def _is_text(values: np.ndarray) -> bool:

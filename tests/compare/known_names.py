@@ -28,17 +28,30 @@ DROPPED_FILES: dict[str, str] = {}
 ADDED_COLUMNS: dict[str, str] = {
     r".*energy.csv: least volume.*": "least ratio of volumes, of every 200th step",
     r".*\.energy\.csv: contact friction \[.*\]": "work of friction",
+    r".*\.delamination\.csv: (interface \d+ area|sum|projected area) \[.*\]": (
+        "area with half of the toughness spent; the failed area has columns of its own"
+    ),
     r".*\.impactor_\d+\.csv: ((displacement|velocity|impulse|angular velocity) [xyz]|friction).*": (
         "lateral motion, rotation, impulse and work of friction"
     ),
 }
 DROPPED_COLUMNS: dict[str, str] = {}
 
+#: Columns whose values are in one of another header, `ending: header`: old, new as in `re.sub`.
+#: What only has another header in its place needs no line here
+RENAMED_COLUMNS: dict[str, str] = {
+    r"(.*\.delamination\.csv: )(|projected |interface \d+ )(area|sum)( \[.*\])": (
+        r"\1\2failed \3\4"
+    ),
+}
+
 #: Old name, new name as in `re.sub`. A new name of the same content needs no line here
 RENAMED_DATA: dict[str, str] = {}
 
 #: Arrays that the newer build keeps in several: old name, new names whose values follow each other
-SPLIT_DATA: dict[str, tuple[str, ...]] = {}
+SPLIT_DATA: dict[str, tuple[str, ...]] = {
+    r"state/clock": ("state/time", "state/clock"),
+}
 
 #: Arrays that the newer build keeps without their last values, which were zero, and why
 SHORTENED_DATA: dict[str, str] = {
@@ -50,17 +63,31 @@ LENGTHENED_DATA: dict[str, str] = {
     r"state/energies": "the last is the work of friction on fixtures",
 }
 
+#: Arrays with new values between the old ones, which follow each other as before, and why
+WIDENED_DATA: dict[str, str] = {
+    r"state/history": "share of the toughness that is spent at points of interfaces",
+}
+
 #: Arrays and attributes that only one of the builds writes, and why
 ADDED_DATA: dict[str, str] = {
     r"state/impactor_\d+_work": "rotation, impulse, work of friction and of prescribed motion",
     r"state/least_volume": "the step follows it with large displacement",
     r"run/ends": "last bytes of the result files, by which a restart knows them",
+    r"run/starts": "time at which each stage of a chain of restarts began",
+    r"state/relaxation": "dynamic relaxation",
+    r"VTKHDF/(PointData|Steps/PointDataOffsets)/energy_share": (
+        "share of the toughness that is spent at points of interfaces"
+    ),
 }
 DROPPED_DATA: dict[str, str] = {}
 
 #: What is no number of the model, and why
 NOT_COMPARED: dict[str, str] = {
     r"run/places": "lengths of result files in bytes, which change with the words of their headers",
+    r"state/contact_\d+_(places|numbers)": (
+        "search data: contact nodes are made as far up the body as the plate has come, no longer "
+        "all at once; forces, motion and the restarted run are compared"
+    ),
     r"run@format": "number of the layout of restart files",
     r"run/ends": "last bytes of the tables, which are compared themselves",
     r".*@check sum": "sum of what is compared itself; that of run/places changes with it",

@@ -205,7 +205,7 @@ contains
       end if
       do q = 1, points
          if (.not. grows(q)) cycle
-         call grow(self, opening(:, :, q), traction(:, :, q), load(:, q), weak(:, q), gain(:, q), &
+         call grow(self, opening(:, :, q), traction(:, :, q), weak(:, q), gain(:, q), &
             & history(:, q, :self%histories))
          if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
             call release_penalty(self%stiffness(normal), self%floor, before(:, q), &
@@ -225,19 +225,18 @@ contains
    end subroutine update_damaged
 
    !> Let damage grow at a point, by the mode of its opening or by the work of both modes
-   pure subroutine grow(self, opening, traction, load, weak, gain, history)
+   pure subroutine grow(self, opening, traction, weak, gain, history)
       class(cohesive_type), intent(in) :: self
       !> As in `grow_damage`
-      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), load(lanes), weak(lanes), &
-         & gain(lanes)
+      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), weak(lanes), gain(lanes)
       !> History of the point
       real(wp), intent(inout) :: history(lanes, self%histories)
 
       if (self%by_work) then
-         call grow_by_work(self, opening, traction, load, weak, gain, history(:, :fracture_only), &
+         call grow_by_work(self, opening, traction, weak, gain, history(:, :fracture_only), &
             & history(:, self%histories - 1:))
       else
-         call self%grow_damage(opening, traction, load, weak, gain, history(:, :fracture_only))
+         call self%grow_damage(opening, traction, weak, gain, history(:, :fracture_only))
       end if
    end subroutine grow
 

@@ -18,8 +18,6 @@ module plydyn_law_cohesive_softening
    implicit none
    private
 
-   public :: mix_of_modes
-
    !> Places of the two modes in pairs of constants
    integer, parameter, public :: normal = 1, shear = 2
 
@@ -54,6 +52,7 @@ module plydyn_law_cohesive_softening
       real(wp) :: part = 0.0_wp
    contains
       procedure :: detect_growth
+      procedure :: find_modes
       procedure :: grow_damage
       procedure :: spent_share
       procedure :: toughness_of
@@ -98,23 +97,23 @@ contains
    end subroutine detect_growth
 
    !> New damage, the energy that it took, and the share of the toughness that is spent
-   pure subroutine grow_damage(self, opening, traction, load, weakness, gain, history)
+   pure subroutine grow_damage(self, opening, traction, weakness, gain, history)
       class(softening_type), intent(in) :: self
       !> Opening, and traction of the intact interface
       real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
-      !> Square of the load, weakness, and gain of the toughness under pressure
-      real(wp), intent(in) :: load(lanes), weakness(lanes), gain(lanes)
+      !> Weakness of the point, and gain of its toughness under pressure
+      real(wp), intent(in) :: weakness(lanes), gain(lanes)
       !> History of the point
       real(wp), intent(inout) :: history(lanes, fracture_only)
 
-      real(wp) :: after, before, f, left, mix(lanes), r, spent, toughness(lanes)
+      real(wp) :: after, before, f, left, load(lanes), mix(lanes), r, spent, toughness(lanes)
       integer :: l
 
-      mix(:) = mix_of_modes(opening, traction)
+      call self%find_modes(opening, traction, mix, load)
       call find_toughness(self%criterion, self%exponent, self%toughness, mix, toughness)
       !$omp simd private(after, before, f, left, r, spent)
       do l = 1, lanes
-         f = max(sqrt(load(l)), 1.0_wp)
+         f = max(sqrt(load(l)*weakness(l)/gain(l)), 1.0_wp)
          ! final over onset opening of a straight path with this mix
          r = 2.0_wp*toughness(l)*(self%onset(normal)*(1.0_wp - mix(l)) &
             & + self%onset(shear)*mix(l))*weakness(l)
@@ -130,22 +129,26 @@ contains
       end do
    end subroutine grow_damage
 
-   !> Share of sliding in the elastic energy of the intact interface
-   pure function mix_of_modes(opening, traction) result(mix)
+   !> Share of sliding in the elastic energy of the intact interface, and the square of the load
+   pure subroutine find_modes(self, opening, traction, mix, load)
+      class(softening_type), intent(in) :: self
       !> Opening, and traction of the intact interface
       real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
-      real(wp) :: mix(lanes)
+      !> The share, from 0 to 1; the square of the load with the strengths of the law, 1 at the onset
+      real(wp), intent(out) :: mix(lanes), load(lanes)
 
       real(wp) :: across, along
       integer :: l
 
       !$omp simd private(across, along)
       do l = 1, lanes
+         ! twice the elastic energies of both modes
          across = traction(l, 3)*max(opening(l, 3), 0.0_wp)
          along = traction(l, 1)*opening(l, 1) + traction(l, 2)*opening(l, 2)
          mix(l) = along/(across + along + tiny(1.0_wp))
+         load(l) = self%onset(normal)*across + self%onset(shear)*along
       end do
-   end function mix_of_modes
+   end subroutine find_modes
 
    !> Share of the toughness that a straight path in one mode has spent at a damage
    elemental real(wp) function spent_share(self, mode, damage) result(share)

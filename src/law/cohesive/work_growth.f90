@@ -8,8 +8,8 @@
 !> and in a pure mode, this is the law of `softening.f90`.
 module plydyn_law_cohesive_work_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_softening, only : damage_at, fracture_at, fracture_only, mix_of_modes, &
-      & most_points, normal, share_at, shear, softening_type
+   use plydyn_law_cohesive_softening, only : damage_at, fracture_at, fracture_only, most_points, &
+      & normal, share_at, shear, softening_type
    use plydyn_law_cohesive_toughness, only : find_toughness
    implicit none
    private
@@ -44,19 +44,19 @@ contains
    end subroutine detect_growth_by_work
 
    !> New damage, the energies that it took, and the share of the toughness that is spent
-   pure subroutine grow_by_work(self, opening, traction, load, weakness, gain, history, works)
+   pure subroutine grow_by_work(self, opening, traction, weakness, gain, history, works)
       class(softening_type), intent(in) :: self
       !> As in `grow_damage`
-      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), load(lanes), weakness(lanes), &
-         & gain(lanes)
+      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), weakness(lanes), gain(lanes)
       real(wp), intent(inout) :: history(lanes, fracture_only)
       !> Energies lost in opening and in sliding, without the gain under pressure
       real(wp), intent(inout) :: works(lanes, 2)
 
-      real(wp) :: after(lanes), lost(lanes), mix(lanes), ratio(lanes), toughness(lanes)
+      real(wp), dimension(lanes) :: after, load, lost, mix, ratio, toughness
       integer :: l, pass
 
-      mix(:) = mix_of_modes(opening, traction)
+      call self%find_modes(opening, traction, mix, load)
+      load(:) = load*weakness/gain
       lost(:) = 0.0_wp
       do pass = 1, passes
          do l = 1, lanes
