@@ -1,6 +1,6 @@
 !> Handling of signals that request the end of a run.
 !>
-!> A handler only stores the number of the signal; run control asks for it between steps. The module
+!> A handler only stores the number of the signal; run control reads it between steps. The module
 !> variable is the only one of the program: a signal handler takes no other arguments.
 module plydyn_base_signals
    use, intrinsic :: iso_c_binding, only : c_funloc, c_funptr, c_int

@@ -251,16 +251,16 @@ contains
       call self%correction%clear()
       if (self%setup%exact_body) then
          if (rebuilt) call self%active_facets%set(self%candidates%facet)
-         call collect_points(self, position, centre)
+         call make_point_rows(self, position, centre)
       else
          if (rebuilt) call self%nodes%reset()
-         call collect_nodes(self, position, centre, rebuilt, node_rows)
+         call make_node_rows(self, position, centre, rebuilt, node_rows)
       end if
       if (self%rows%count == 0) return
 
-      call press_apart(self, inverse_mass, centre_correction)
+      call close_gaps(self, inverse_mass, centre_correction)
       if (self%sliding%is_active .and. present(motion)) then
-         call rub(self, inverse_mass, dt, centre_correction, motion)
+         call add_friction(self, inverse_mass, dt, centre_correction, motion)
       end if
       call self%candidates%add_correction(self%correction%largest_displacement())
       if (node_rows > 0) then
@@ -271,7 +271,7 @@ contains
    end subroutine enforce
 
    !> Multipliers that close the gaps of the rows, and their corrections
-   pure subroutine press_apart(self, inverse_mass, centre_correction)
+   pure subroutine close_gaps(self, inverse_mass, centre_correction)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
@@ -286,10 +286,10 @@ contains
          call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
             & self%correction%displacement, centre_correction)
       end if
-   end subroutine press_apart
+   end subroutine close_gaps
 
    !> Friction of the rows, and what it changes of their normal multipliers
-   pure subroutine rub(self, inverse_mass, dt, centre_correction, motion)
+   pure subroutine add_friction(self, inverse_mass, dt, centre_correction, motion)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
@@ -307,17 +307,17 @@ contains
             call sliding%limit_rows(rows, inverse_mass, self%impactor_inverse, dt, motion)
             call sliding%shift_gaps(rows, shift)
             if (shift <= last_shift) exit
-            call press_apart(self, inverse_mass, centre_correction)
+            call close_gaps(self, inverse_mass, centre_correction)
          end do
          call sliding%finish(rows, self%correction, centre_correction, motion)
       end associate
-   end subroutine rub
+   end subroutine add_friction
 
    !> Rows of contact nodes, then of free edges
    !>
    !> Edge rows are made in steps in which every facet is active. Every facet is active from the
    !> step after the one in which the impactor comes within the search distance of a free edge.
-   pure subroutine collect_nodes(self, position, centre, rebuilt, node_rows)
+   pure subroutine make_node_rows(self, position, centre, rebuilt, node_rows)
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of surface points and centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -331,7 +331,7 @@ contains
 
       is_everywhere = self%active_facets%is_all .or. rebuilt
       self%active_facets%is_all = is_everywhere
-      call self%nodes%collect(self%candidates%patch, self%candidates, position, centre, self%rows)
+      call self%nodes%make_rows(self%candidates%patch, self%candidates, position, centre, self%rows)
       call self%active_facets%update(self%surface, self%candidates%approach_bound, self%nodes, &
          & self%rows)
       node_rows = self%rows%count
@@ -343,10 +343,10 @@ contains
          if (edge_gap(self%surface, self%candidates%facet, position, centre, self%setup%body, &
             & distance) < distance) self%active_facets%is_all = .true.
       end associate
-   end subroutine collect_nodes
+   end subroutine make_node_rows
 
    !> Rows of the points of the plate inside the body
-   pure subroutine collect_points(self, position, centre)
+   pure subroutine make_point_rows(self, position, centre)
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of surface points and centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -367,7 +367,7 @@ contains
             rows%normal(:, row) = normal
          end associate
       end do
-   end subroutine collect_points
+   end subroutine make_point_rows
 
    !> Contact force, active rows and remaining penetration
    pure subroutine summarise(rows, rubs, dt, correction, centre_correction, result)

@@ -51,21 +51,21 @@ contains
       type(report_type), intent(inout) :: report
 
       type(deck_location_type) :: place
-      integer :: front, most, needed
+      integer :: leading, most, needed
 
-      front = cards%declaration%leading_cards
+      leading = cards%declaration%leading_cards
       most = size(cards%declaration%cards)
       needed = count(.not. cards%declaration%cards%optional)
       place = cards%head()
-      if (rows < front) then
+      if (rows < leading) then
          call report%refuse(place, "the title is missing", expected_text(cards%declaration))
       else if (rows < needed) then
-         call report%refuse(place, "card "//text(rows + 1 - front)//" is missing", &
+         call report%refuse(place, "card "//text(rows + 1 - leading)//" is missing", &
             & expected_text(cards%declaration))
       else if (cards%declaration%repeated) then
          if (modulo(rows, most) == 0) return
          place%line = place%line + rows
-         call report%refuse(place, "card "//text(modulo(rows, most) + 1 - front) &
+         call report%refuse(place, "card "//text(modulo(rows, most) + 1 - leading) &
             & //" is missing after this line", "sets of "//expected_text(cards%declaration))
          rows = rows - modulo(rows, most)
       else if (rows > most .and. .not. cards%declaration%cards(most)%repeated) then

@@ -13,7 +13,7 @@ module plydyn_domain_averages
    use plydyn_element_plate_initial_history, only : cell_lengths
    use plydyn_domain_strain_halo, only : add_halo, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
-   use plydyn_element_average, only : abreast, average_type
+   use plydyn_element_average, only : neighbours_at_once, average_type
    use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_law, only : law_type
@@ -41,7 +41,7 @@ contains
       type(strain_halo_type) :: strain_halo
       type(neighbourhood_type) :: around
       type(plate_type), allocatable :: plates(:)
-      real(wp) :: reach
+      real(wp) :: radius
       integer :: a, p
 
       plates = plates_of(domain%groups)
@@ -49,10 +49,10 @@ contains
       strain_halo = new_strain_halo()
       a = 0
       do p = 1, size(plates)
-         reach = largest_radius(plates(p))
-         if (reach <= 0.0_wp) cycle
+         radius = largest_radius(plates(p))
+         if (radius <= 0.0_wp) cycle
          around = new_neighbourhood(model%mesh, division, rank_of_chunk, domain%comm%rank, p, &
-            & plates(p), reach)
+            & plates(p), radius)
          call build_part(model, around, plates(p), p, domain, a, strain_halo, error)
          if (allocated(error)) return
       end do
@@ -91,7 +91,7 @@ contains
                length = domain%histories + domain%averaging%halo_strains
                call add_halo(around, point, length, domain%averaging%averages(a), strain_halo)
                domain%averaging%halo_strains = length - domain%histories
-               call check_reach(model, domain, plate, domain%averaging%averages(a), &
+               call check_radius(model, domain, plate, domain%averaging%averages(a), &
                   & batch%laws(k)%law, error)
                if (allocated(error)) return
             end do
@@ -164,7 +164,7 @@ contains
       integer, allocatable, intent(out) :: point(:)
 
       type(cell_grid_type) :: grid
-      integer, allocatable :: near(:), own(:)
+      integer, allocatable :: neighbours(:), own(:)
       real(wp), allocatable :: weight(:, :)
       integer :: i, n, pass
 
@@ -174,16 +174,16 @@ contains
       do pass = 1, 2
          n = 0
          do i = 1, size(own)
-            call find_weights(around, turn, law, own(i), grid%near(around%position(:, own(i))), &
-               & near, weight)
+            call find_weights(around, turn, law, own(i), &
+               & grid%points_near(around%position(:, own(i))), neighbours, weight)
             average%first(i) = n + 1
             if (pass == 2) then
-               point(n + 1:n + size(near)) = near
-               average%weight(:, n + 1:n + size(near)) = weight
+               point(n + 1:n + size(neighbours)) = neighbours
+               average%weight(:, n + 1:n + size(neighbours)) = weight
             end if
-            n = n + size(near)
+            n = n + size(neighbours)
             ! made up with the point itself, without weight
-            do while (modulo(n, abreast) > 0)
+            do while (modulo(n, neighbours_at_once) > 0)
                n = n + 1
                if (pass == 2) point(n) = own(i)
                if (pass == 2) average%weight(:, n) = 0.0_wp
@@ -241,9 +241,9 @@ contains
       bell = max(1.0_wp - sum((away/radius)**2), 0.0_wp)**2
    end function bell
 
-   !> Refuse an ellipse smaller than the cells of all Gauss points: nowhere would it reach another
+   !> Refuse an ellipse smaller than the cells of all Gauss points: nowhere would it cover another
    !> point along the fibres, or nowhere across them. All ranks come to the same
-   subroutine check_reach(model, domain, plate, average, law, error)
+   subroutine check_radius(model, domain, plate, average, law, error)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       type(plate_type), intent(in) :: plate
@@ -270,7 +270,7 @@ contains
             & least(1, l), error)
          return
       end do
-   end subroutine check_reach
+   end subroutine check_radius
 
    !> The cell of a rank's points in the plane that goes best into the ellipse of each lane: the
    !> larger of its lengths over the radii, and these lengths, (3, lanes)

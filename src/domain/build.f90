@@ -1,6 +1,6 @@
 !> From the model to the domain of a rank.
 !>
-!> What grows with the mesh of the plane all ranks know: nodes, quads, chunks and who has them.
+!> All ranks have what grows with the mesh of the plane: nodes, quads, chunks and their ranks.
 !> What grows with the columns above it, each rank builds for its share alone.
 module plydyn_domain_build
    use plydyn_base_error, only : error_type, exit_input, fail
@@ -45,7 +45,7 @@ contains
       if (.not. allocated(error)) call check_bands(model, domain, error)
    end subroutine build_domain
 
-   !> What ranks know before they share out the model: layers, laws and chunks
+   !> What all ranks have before the model is divided: layers, laws and chunks
    subroutine begin_domain(model, domain, division)
       type(model_type), intent(in) :: model
       !> The domain, without elements and points
@@ -79,7 +79,8 @@ contains
       integer, allocatable :: owner(:)
 
       owner = column_owners(division, rank_of_chunk)
-      numbering = new_local_to_global(division, domain%columns%abreast, owner, domain%comm%rank)
+      numbering = new_local_to_global(division, domain%columns%nodes_per_column, owner, &
+         & domain%comm%rank)
       call take_columns(model%mesh, division, numbering, domain, subdomain)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)

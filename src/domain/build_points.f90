@@ -25,8 +25,8 @@ contains
       type(domain_type), intent(inout) :: domain
       integer :: i
 
-      call find_held(model%holds, numbering, domain%layers, domain%columns, domain%supports%held, &
-         & domain%supports%holder)
+      call find_held(model%supports, numbering, domain%layers, domain%columns, &
+         & domain%supports%held, domain%supports%support)
       allocate (domain%supports%motions(size(model%motions)))
       do i = 1, size(model%motions)
          domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain)
@@ -138,13 +138,13 @@ contains
 
       real(wp) :: values(6, size(surface%node))
       logical :: held(domain%columns%freedoms)
-      integer :: c, i, mover(domain%columns%freedoms)
+      integer :: c, i, motion(domain%columns%freedoms)
 
       held(:) = .false.
       held(domain%supports%held) = .true.
-      mover(:) = 0
+      motion(:) = 0
       do i = 1, size(domain%supports%motions)
-         mover(domain%supports%motions(i)%freedom) = i
+         motion(domain%supports%motions(i)%freedom) = i
       end do
       values(:, :) = 0.0_wp
       associate (here => surface%here)
@@ -152,13 +152,13 @@ contains
             values(c, here) = merge(0.0_wp, domain%inertia%inverse_mass( &
                & domain%columns%mass_of(point(1), &
                & point(2), surface%node(here))), held(surface%freedom(c, here)))
-            values(3 + c, here) = real(mover(surface%freedom(c, here)), wp)
+            values(3 + c, here) = real(motion(surface%freedom(c, here)), wp)
          end do
       end associate
       call couple_surface(domain, point, surface, values(:3, :))
       call collect_points(domain%comm, surface, values)
       surface%inverse_mass = values(:3, :)
-      surface%mover = nint(values(4:, :))
+      surface%motion = nint(values(4:, :))
    end subroutine set_resistance
 
 end module plydyn_domain_build_points

@@ -19,17 +19,17 @@ module plydyn_domain_cell_grid
       !> Points, cell after cell
       integer, allocatable :: point(:)
    contains
-      procedure :: near
+      procedure :: points_near
    end type cell_grid_type
 
 contains
 
    !> Sort points into cells
-   pure function new_cell_grid(position, reach) result(self)
+   pure function new_cell_grid(position, radius) result(self)
       !> Positions, (2, points)
       real(wp), intent(in) :: position(:, :)
       !> Farthest that will be asked for
-      real(wp), intent(in) :: reach
+      real(wp), intent(in) :: radius
       type(cell_grid_type) :: self
 
       real(wp) :: extent(2)
@@ -38,7 +38,7 @@ contains
       self%corner(:) = minval(position, 2)
       extent(:) = maxval(position, 2) - self%corner
       ! no more cells than points
-      self%side = max(reach, sqrt(product(extent)/real(size(position, 2), wp)), tiny(reach))
+      self%side = max(radius, sqrt(product(extent)/real(size(position, 2), wp)), tiny(radius))
       self%cells(:) = int(extent/self%side) + 1
       do i = 1, size(cell)
          cell(i) = number(self, cell_of(self, position(:, i)))
@@ -55,8 +55,8 @@ contains
       end do
    end function new_cell_grid
 
-   !> Points in the cells around a place, in rising order: all that lie within reach, and others
-   pure function near(self, place) result(points)
+   !> Points in the cells around a place, in rising order: all within the radius, and others
+   pure function points_near(self, place) result(points)
       class(cell_grid_type), intent(in) :: self
       !> The place
       real(wp), intent(in) :: place(2)
@@ -73,7 +73,7 @@ contains
          points = [points, self%point(i:self%first(number(self, [last(1), j]) + 1) - 1)]
       end do
       points(:) = points(sorted_order(points))
-   end function near
+   end function points_near
 
    !> Cell of a place, counted from 0 along x and y
    pure function cell_of(self, place) result(cell)

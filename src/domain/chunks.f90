@@ -134,16 +134,16 @@ contains
       !> With columns and shared nodes of all chunks; the chunks get their contributors
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, i, maker(column_count(domain))
+      integer :: c, i, force_chunk(column_count(domain))
       integer, allocatable :: list(:)
 
-      maker(:) = chunk_of_columns(domain)
+      force_chunk(:) = chunk_of_columns(domain)
       do c = 1, size(domain%chunks%list)
          associate (chunk => domain%chunks%list(c))
-            list = [c, maker([chunk%owned_columns, chunk%ghost_columns])]
+            list = [c, force_chunk([chunk%owned_columns, chunk%ghost_columns])]
             do i = 1, size(chunk%shared_nodes)
                associate (border => domain%chunks%shared_nodes(:, chunk%shared_nodes(i)))
-                  list = [list, maker(border(2):border(3))]
+                  list = [list, force_chunk(border(2):border(3))]
                end associate
             end do
             chunk%contributors = each_once(list)
@@ -199,11 +199,11 @@ contains
       !> The chunks, facet by facet, each once
       integer, allocatable, intent(out) :: list(:)
 
-      integer :: border(domain%columns%count), maker(column_count(domain))
+      integer :: border(domain%columns%count), force_chunk(column_count(domain))
       integer :: b, f, i
       integer, allocatable :: here(:)
 
-      maker(:) = chunk_of_columns(domain)
+      force_chunk(:) = chunk_of_columns(domain)
       border(:) = 0
       border(domain%chunks%shared_nodes(1, :)) = [(b, b=1, size(domain%chunks%shared_nodes, 2))]
       allocate (last(0:size(surface%facet, 2)), source=0)
@@ -214,9 +214,9 @@ contains
             associate (place => surface%freedom(1, surface%facet(i, f)))
                if (place == 0) cycle
                b = domain%columns%column_of(place)
-               here = [here, maker(b)]
+               here = [here, force_chunk(b)]
                if (border(b) == 0) cycle
-               here = [here, maker(domain%chunks%shared_nodes(2, &
+               here = [here, force_chunk(domain%chunks%shared_nodes(2, &
                   & border(b)):domain%chunks%shared_nodes(3, border(b)))]
             end associate
          end do
@@ -235,14 +235,14 @@ contains
    end function column_count
 
    !> Chunk that makes the forces of each column; 0 where another rank does
-   pure function chunk_of_columns(domain) result(maker)
+   pure function chunk_of_columns(domain) result(force_chunk)
       type(domain_type), intent(in) :: domain
-      integer :: maker(column_count(domain))
+      integer :: force_chunk(column_count(domain))
       integer :: c
 
-      maker(:) = 0
+      force_chunk(:) = 0
       do c = 1, size(domain%chunks%list)
-         maker(domain%chunks%list(c)%column) = c
+         force_chunk(domain%chunks%list(c)%column) = c
       end do
    end function chunk_of_columns
 
@@ -261,13 +261,13 @@ contains
       integer, intent(in) :: column(:)
       integer :: chunk(size(column))
 
-      integer :: c, mover(domain%columns%count)
+      integer :: c, update_chunk(domain%columns%count)
 
       do c = 1, size(domain%chunks%list)
-         mover(domain%chunks%list(c)%owned_columns) = c
-         mover(domain%chunks%list(c)%ghost_columns) = c
+         update_chunk(domain%chunks%list(c)%owned_columns) = c
+         update_chunk(domain%chunks%list(c)%ghost_columns) = c
       end do
-      chunk(:) = mover(column)
+      chunk(:) = update_chunk(column)
    end function chunks_of
 
 end module plydyn_domain_chunks

@@ -14,7 +14,7 @@ module plydyn_domain_crack_band_widths
 
    public :: check_bands, find_bands
 
-   !> Numbers that tell where the widest band of a direction is: width, element, ply and group
+   !> Place of the widest band of a direction: width, element, ply and group
    integer, parameter :: numbers = 4
 
 contains

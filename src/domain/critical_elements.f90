@@ -10,7 +10,7 @@ module plydyn_domain_critical_elements
 
    !> Most elements that are named
    integer, parameter :: most_named = 20
-   !> Numbers of an element that ranks tell each other
+   !> Numbers of an element that ranks exchange
    integer, parameter :: numbers = 4
 
 contains

@@ -38,7 +38,7 @@ module plydyn_domain_decomposition
       type(chunk_type), allocatable :: chunks(:)
       !> Columns of nodes, and these with those behind them
       integer :: nodes = 0, columns = 0
-      !> Column of each node, or of each so many as are abreast, and that of each column
+      !> Column of each node, or of each group of nodes that share one, and that of each column
       integer, allocatable :: column(:), node(:)
       !> Columns where chunks meet, as in `domain_type`
       integer, allocatable :: shared_nodes(:, :)

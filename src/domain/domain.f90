@@ -60,7 +60,7 @@ module plydyn_domain_domain
       !> Inverse mass, zero in directions that are held, (3, points)
       real(wp), allocatable :: inverse_mass(:, :)
       !> What moves them, an index into `motions`, 0 for nothing, (3, points)
-      integer, allocatable :: mover(:, :)
+      integer, allocatable :: motion(:, :)
       !> Node below each point
       integer, allocatable :: node(:)
       !> Motions of the rows of the column for that of the point; see `followers`. Only where
@@ -160,7 +160,7 @@ module plydyn_domain_domain
    type, public :: supports_type
       !> Places in the arrays of motion that do not move, and which of the model's supports counts
       !> the force of each
-      integer, allocatable :: held(:), holder(:)
+      integer, allocatable :: held(:), support(:)
       !> Prescribed motions
       type(prescribed_type), allocatable :: motions(:)
       !> Velocities at time zero

@@ -17,7 +17,7 @@ module plydyn_domain_local_to_global
       integer :: columns = 0
       !> Nodes in a column; column of each node of the whole model and node of each column, or of
       !> each so many
-      integer, private :: abreast = 1
+      integer, private :: nodes_per_column = 1
       integer, allocatable, private :: whole_column(:), whole_node(:)
    contains
       procedure :: column_of
@@ -29,11 +29,11 @@ module plydyn_domain_local_to_global
 contains
 
    !> Number the columns that the chunks of a rank touch, and behind them all that meet there
-   pure function new_local_to_global(division, abreast, owner, rank) result(self)
+   pure function new_local_to_global(division, nodes_per_column, owner, rank) result(self)
       !> The whole model
       type(decomposition_type), intent(in) :: division
       !> Nodes in a column
-      integer, intent(in) :: abreast
+      integer, intent(in) :: nodes_per_column
       !> Rank that adds to each column, those behind too; see `column_owners`
       integer, intent(in) :: owner(:)
       !> The rank
@@ -42,7 +42,7 @@ contains
 
       integer :: b, c, i
 
-      self%abreast = abreast
+      self%nodes_per_column = nodes_per_column
       self%whole_column = division%column
       self%whole_node = division%node
       allocate (self%column(size(owner)))
@@ -75,7 +75,7 @@ contains
       !> The node
       integer, intent(in) :: whole_node
 
-      column = self%whole_column(1 + (whole_node - 1)/self%abreast)
+      column = self%whole_column(1 + (whole_node - 1)/self%nodes_per_column)
    end function column_of
 
    !> The rank's number of a node, 0 where it does not have it
@@ -86,7 +86,8 @@ contains
 
       associate (column => self%column(self%column_of(whole_node)))
          node = 0
-         if (column > 0) node = self%abreast*(column - 1) + 1 + mod(whole_node - 1, self%abreast)
+         if (column > 0) node = self%nodes_per_column*(column - 1) + 1 &
+            & + mod(whole_node - 1, self%nodes_per_column)
       end associate
    end function node
 
@@ -106,11 +107,13 @@ contains
       class(local_to_global_type), intent(in) :: self
       !> How many the whole model has
       integer, intent(in) :: whole_nodes
-      integer :: list(self%abreast*size(self%here))
+      integer :: list(self%nodes_per_column*size(self%here))
       integer :: c, i
 
-      list(:) = [((min(self%abreast*(self%whole_node(self%here(c)) - 1) + i, whole_nodes), &
-         & i=1, self%abreast), c=1, size(self%here))]
+      associate (n => self%nodes_per_column)
+         list(:) = [((min(n*(self%whole_node(self%here(c)) - 1) + i, whole_nodes), i=1, n), &
+            & c=1, size(self%here))]
+      end associate
    end function nodes
 
 end module plydyn_domain_local_to_global

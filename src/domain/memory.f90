@@ -31,7 +31,7 @@ contains
             & + size(domain%position)
       end associate
       integers = real(size(domain%node_id) + size(domain%chunks%shared_nodes), wp) &
-         & + size(domain%supports%held) + size(domain%supports%holder) &
+         & + size(domain%supports%held) + size(domain%supports%support) &
          & + size(domain%inertia%far_ties)
       do i = 1, size(domain%groups)
          call domain%groups(i)%item%add_memory(reals, integers)
@@ -53,7 +53,7 @@ contains
             & + size(domain%contact%surfaces(i)%inverse_mass)
          integers = integers + size(domain%contact%surfaces(i)%freedom) &
             & + size(domain%contact%surfaces(i)%facet) &
-            & + size(domain%contact%surfaces(i)%mover)
+            & + size(domain%contact%surfaces(i)%motion)
       end do
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes

@@ -30,8 +30,8 @@ module plydyn_domain_neighbourhood
 
 contains
 
-   !> The quads of a rank, and all others that have a point within reach of theirs
-   pure function new_neighbourhood(mesh, division, rank_of_chunk, rank, part, plate, reach) &
+   !> The quads of a rank, and all others that have a point within the radius of theirs
+   pure function new_neighbourhood(mesh, division, rank_of_chunk, rank, part, plate, radius) &
       & result(self)
       type(mesh_type), intent(in) :: mesh
       !> All quads
@@ -43,7 +43,7 @@ contains
       !> Its plate: tables of quads
       type(plate_type), intent(in) :: plate
       !> How far points are averaged
-      real(wp), intent(in) :: reach
+      real(wp), intent(in) :: radius
       type(neighbourhood_type) :: self
 
       integer :: e, i, own
@@ -52,7 +52,7 @@ contains
       self%plane = plate%side**2
       ranks = quad_ranks(division, rank_of_chunk, part)
       associate (element => division%parts(part)%element)
-         kept = near_quads(mesh, plate, element, ranks == rank, reach)
+         kept = near_quads(mesh, plate, element, ranks == rank, radius)
          self%rank = ranks(kept)
          self%place = spread(0, 1, size(kept))
          allocate (self%position(2, self%plane*size(kept)), self%area(self%plane*size(kept)))
@@ -106,26 +106,26 @@ contains
 
    !> Places in a list of own quads, and of those with a point in the box around the points of the
    !> own ones that reaches so much farther
-   pure function near_quads(mesh, plate, element, is_own, reach) result(places)
+   pure function near_quads(mesh, plate, element, is_own, radius) result(places)
       type(mesh_type), intent(in) :: mesh
       type(plate_type), intent(in) :: plate
       !> Quads of the mesh
       integer, intent(in) :: element(:)
       logical, intent(in) :: is_own(:)
-      real(wp), intent(in) :: reach
+      real(wp), intent(in) :: radius
       integer, allocatable :: places(:)
 
       real(wp) :: high(2), low(2), points(2, plate%side**2)
       logical :: is_near(size(element))
       integer :: e
 
-      low(:) = huge(reach)
-      high(:) = -huge(reach)
+      low(:) = huge(radius)
+      high(:) = -huge(radius)
       do e = 1, size(element)
          if (.not. is_own(e)) cycle
          points(:, :) = quad_points(mesh, plate, element(e))
-         low(:) = min(low, minval(points, 2) - reach)
-         high(:) = max(high, maxval(points, 2) + reach)
+         low(:) = min(low, minval(points, 2) - radius)
+         high(:) = max(high, maxval(points, 2) + radius)
       end do
       is_near(:) = is_own
       do e = 1, size(element)

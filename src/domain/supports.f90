@@ -5,7 +5,7 @@ module plydyn_domain_supports
    use plydyn_domain_domain, only : domain_type, prescribed_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_layers, only : layers_type
-   use plydyn_model_support, only : bottom_face, hold_type, motion_type, one_plane, top_face
+   use plydyn_model_support, only : bottom_face, support_type, motion_type, one_plane, top_face
    implicit none
    private
 
@@ -51,35 +51,35 @@ contains
    end function points_of
 
    !> Places in the arrays of motion that do not move, each once, in rising order
-   pure subroutine find_held(holds, numbering, layers, columns, held, holder)
+   pure subroutine find_held(supports, numbering, layers, columns, held, support)
       !> Supports
-      type(hold_type), intent(in) :: holds(:)
+      type(support_type), intent(in) :: supports(:)
       !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The places, and the first support that holds each of them
-      integer, allocatable, intent(out) :: held(:), holder(:)
+      !> The places, and the first support that supports each of them
+      integer, allocatable, intent(out) :: held(:), support(:)
 
       integer, allocatable :: nodes(:), points(:, :)
       integer :: c, first(columns%freedoms), h, i, k
 
       first(:) = 0
       ! the first support writes last
-      do h = size(holds), 1, -1
-         points = points_of(layers, holds(h)%face, holds(h)%height)
-         nodes = numbering%only(holds(h)%nodes)
+      do h = size(supports), 1, -1
+         points = points_of(layers, supports(h)%face, supports(h)%height)
+         nodes = numbering%only(supports(h)%nodes)
          do c = 1, 3
-            if (.not. holds(h)%direction(c)) cycle
+            if (.not. supports(h)%direction(c)) cycle
             do k = 1, size(points, 2)
                first(columns%freedom(points(1, k), points(2, k), c, nodes)) = h
             end do
          end do
       end do
       held = pack([(i, i=1, size(first))], first > 0)
-      holder = first(held)
+      support = first(held)
    end subroutine find_held
 
    !> A prescribed motion on its points

@@ -75,7 +75,7 @@ contains
       self%node(:) = numbering%node(self%node)
       self%here = pack([(i, i=1, size(self%node))], self%node > 0)
       self%own = spread(.false., 1, size(self%node))
-      self%own(self%here) = numbering%own(1 + (self%node(self%here) - 1)/columns%abreast)
+      self%own(self%here) = numbering%own(1 + (self%node(self%here) - 1)/columns%nodes_per_column)
       allocate (self%freedom(3, size(self%node)))
       self%freedom(:, :) = 0
       do c = 1, 3
@@ -83,7 +83,7 @@ contains
       end do
    end subroutine place_points
 
-   !> Let every rank know something of all points of a face
+   !> Give every rank a value of all points of a face
    subroutine collect_points(comm, self, values)
       !> The ranks
       type(comm_type), intent(in) :: comm

@@ -28,7 +28,7 @@ module plydyn_element_average
       !> after the other; one more at the end
       integer, allocatable :: first(:)
       !> Rows of the history before the first of the own strains of each neighbour at the lowest
-      !> height, the point itself among them; their number is made a multiple of `abreast`
+      !> height, the point itself among them; their number is a multiple of `neighbours_at_once`
       integer, allocatable :: row(:)
       !> Rows before those that hold the strains of other ranks' points, and nothing else
       integer :: first_ghost = huge(1)
@@ -37,7 +37,7 @@ module plydyn_element_average
    end type average_type
 
    !> Neighbours that are added at a time
-   integer, parameter, public :: abreast = 4
+   integer, parameter, public :: neighbours_at_once = 4
    !> Most strains of a law, and most points of the thickness
    integer, parameter :: most_strains = 4, most_levels = 5
 
@@ -58,9 +58,9 @@ contains
 
       do i = 1 + self%plane*(quads(1) - 1), self%plane*quads(2)
          mean(:, :, :) = 0.0_wp
-         do n = self%first(i), self%first(i + 1) - 1, abreast
-            call add_shares(self, self%weight(:, n:n + abreast - 1), &
-               & self%row(n:n + abreast - 1), history, mean)
+         do n = self%first(i), self%first(i + 1) - 1, neighbours_at_once
+            call add_shares(self, self%weight(:, n:n + neighbours_at_once - 1), &
+               & self%row(n:n + neighbours_at_once - 1), history, mean)
          end do
          call keep_mean(self, row_of(self, i, self%behind_mean + 1), mean, history)
       end do
@@ -83,13 +83,13 @@ contains
    !> Add the shares of some neighbours at all heights
    pure subroutine add_shares(self, weight, row, history, mean)
       type(average_type), intent(in) :: self
-      real(wp), intent(in) :: weight(lanes, abreast)
+      real(wp), intent(in) :: weight(lanes, neighbours_at_once)
       !> Rows before their own strains
-      integer, intent(in) :: row(abreast)
+      integer, intent(in) :: row(neighbours_at_once)
       real(wp), intent(in) :: history(lanes, *)
       real(wp), intent(inout) :: mean(lanes, most_strains, most_levels)
 
-      integer :: k, l, m, pitch(abreast), r(abreast)
+      integer :: k, l, m, pitch(neighbours_at_once), r(neighbours_at_once)
 
       ! rows from one strain to the next
       pitch(:) = merge(self%levels, self%pitch, row >= self%first_ghost)

@@ -1,4 +1,4 @@
-!> Element groups: elements of one family over one element set, and what the solver asks of them.
+!> Element groups: elements of one family over one element set, and what they give to the solver.
 !>
 !> An element set is a list of elements that chunks divide: the quads of a part, or batches of
 !> bricks of a part. Several groups may lie over one set, such as the layers of a part and the

@@ -1,4 +1,4 @@
-!> What field output asks of a group of elements: cells, nodes, motion and recovered values.
+!> What a group of elements gives to field output: cells, nodes, motion and recovered values.
 !>
 !> Points of the output lie in sheets above the nodes of a part: one for each numerical layer of a
 !> plate, one with a single level for elements whose nodes are points. A family without cells keeps
@@ -122,7 +122,7 @@ contains
       class(output_group_type), intent(in) :: self
       !> Number of the element among those of the group, and sheet
       integer, intent(in) :: place(2)
-      !> Whether strain or stress is asked for, which take longer than scalars
+      !> Whether strain or stress is requested, which take longer than scalars
       logical, intent(in) :: has_tensors
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)

@@ -46,7 +46,7 @@ module plydyn_fem_columns
       !> Nodes of the plane, or of all bricks
       integer :: nodes = 0
       !> Nodes in a column, 1 above a plane
-      integer :: abreast = 1
+      integer :: nodes_per_column = 1
       !> Columns
       integer :: count = 0
       !> Length of a column in the arrays of motion; a third of it in those of masses
@@ -119,7 +119,7 @@ contains
       integer :: count
 
       count = (nodes + lanes - 1)/lanes
-      self%abreast = lanes
+      self%nodes_per_column = lanes
       self%height = 3*lanes
       self%layer_slot = reshape([1, 1, 1], [3, 1])
       allocate (self%order_groups(1))
@@ -193,8 +193,8 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%order_groups(self%layer_slot(1, layer)))
-         freedom = self%height*((node - 1)/self%abreast) + f%first &
-            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%abreast) &
+         freedom = self%height*((node - 1)/self%nodes_per_column) + f%first &
+            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%nodes_per_column) &
             & + lanes*((self%layer_slot(2, layer) - 1) &
             & + f%blocks*((level - 1) + (f%order + 1)*(direction - 1)))
       end associate
@@ -218,8 +218,8 @@ contains
       integer, intent(in) :: node
 
       associate (f => self%order_groups(self%layer_slot(1, layer)))
-         mass_of = self%height/3*((node - 1)/self%abreast) + f%first_mass &
-            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%abreast) &
+         mass_of = self%height/3*((node - 1)/self%nodes_per_column) + f%first_mass &
+            & + (self%layer_slot(3, layer) - 1) + mod(node - 1, self%nodes_per_column) &
             & + lanes*((self%layer_slot(2, layer) - 1) + f%blocks*(level - 1))
       end associate
    end function mass_of

@@ -322,7 +322,7 @@ contains
       end associate
    end subroutine check_duplicates
 
-   !> Report things of a kind that nothing refers to; a number of 0 is wrong, which has been told
+   !> Report things of a kind that nothing refers to; a number of 0 is an error of its own
    subroutine check_unused(self, kind, advice)
       class(catalogue_type), intent(inout) :: self
       integer, intent(in) :: kind

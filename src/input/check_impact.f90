@@ -88,7 +88,7 @@ contains
       type(deck_location_type), intent(in) :: place
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
-      !> Whether that has been told
+      !> Whether that has been reported
       logical, intent(out) :: is_off
 
       character(:), allocatable :: who
@@ -118,7 +118,7 @@ contains
       end associate
    end subroutine check_way
 
-   !> An impactor meets the face, not the rim, in time, and no part that the contact leaves out
+   !> An impactor meets the face, not the edge, in time, and no part that the contact leaves out
    subroutine check_approach(model, contact, place, is_off, catalogue)
       type(model_type), intent(in) :: model
       !> The impactor and the face
@@ -137,8 +137,8 @@ contains
       approach = find_approach(model, contact)
       if (.not. approach%is_known) return
       who = "impactor "//text(model%impactors(contact%impactor)%id)
-      if (approach%arrives .and. approach%is_at_rim) then
-         call catalogue%report%refuse(place, who//" meets the rim of the plate first, which " &
+      if (approach%arrives .and. approach%is_at_edge) then
+         call catalogue%report%refuse(place, who//" meets the edge of the plate first, which " &
             & //"contact does not see", "a centre from which it meets the face that FACE of " &
             & //"*CONTACT_IMPACTOR names")
       else if (.not. (approach%arrives .or. is_off) .and. approach%distance > 0.0_wp &

@@ -13,7 +13,7 @@ module plydyn_input_check_joined
    !> Corners of a quad
    integer, parameter :: corners = 4
    !> Share of the size of the mesh within which two nodes are at one place
-   real(wp), parameter :: near = 1.0e-6_wp
+   real(wp), parameter :: tolerance = 1.0e-6_wp
    !> Steps into which the mesh is divided to find them
    real(wp), parameter :: steps = 1.0e9_wp
 
@@ -74,8 +74,9 @@ contains
       order = sorted_order(key)
       do i = 2, size(order)
          do k = i - 1, 1, -1
-            if (key(order(i)) - key(order(k)) > 2.0_wp*near*steps) exit
-            if (norm2(mesh%position(:, order(i)) - mesh%position(:, order(k))) > near*extent) cycle
+            if (key(order(i)) - key(order(k)) > 2.0_wp*tolerance*steps) exit
+            if (norm2(mesh%position(:, order(i)) - mesh%position(:, order(k))) &
+               & > tolerance*extent) cycle
             call catalogue%report%warn(catalogue%location(a_node, maxval(order([i, k]))), "node " &
                & //text(mesh%node_id(maxval(order([i, k]))))//" lies where node " &
                & //text(mesh%node_id(minval(order([i, k]))))//" does: nothing joins them", &

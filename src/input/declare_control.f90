@@ -159,7 +159,7 @@ contains
          & default=0.0_wp, most=1.0_wp)
       keyword%remark = "With IMPL the step may be several times larger, and inertia is added to " &
          & //"the opening of interfaces, with 2 also to stretch and shear through the thickness, " &
-         & //"in proportion to the square of the step; the listing tells how much. DTMAX keeps " &
+         & //"in proportion to the square of the step; the listing says how much. DTMAX keeps " &
          & //"it small. IMPL 2 does not go with *BOUNDARY_FACE_MOTION. See the theory, Locally " &
          & //"implicit operators."
    end function control_layerwise

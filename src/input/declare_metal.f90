@@ -12,7 +12,7 @@ module plydyn_input_declare_metal
    integer, parameter, public :: card_points = 8
    !> Columns of the value and the curve of a table
    integer, parameter :: table_width = 20
-   !> Strain at which LS-DYNA's metals fail unless told otherwise: never
+   !> Strain at which LS-DYNA's metals fail by default: never
    real(wp), parameter :: never_fails(3) = [0.0_wp, 1.0e17_wp, 1.0e21_wp]
    !> Bound of stress that is none
    real(wp), parameter :: no_bound(2) = [0.0_wp, 1.0e28_wp]

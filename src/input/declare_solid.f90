@@ -23,7 +23,7 @@ contains
          & //"both. Bricks take no keyword that needs plies, faces or quads, and no " &
          & //"*DATABASE_PROFILE. Every part of bricks has one material, whose axis angle is that " &
          & //"of the fibres: *MAT_ORTHOTROPIC_ELASTIC with AOPT 2 for each direction; or the " &
-         & //"bricks tell their own in *ELEMENT_SOLID_ORTHO."
+         & //"bricks have their own in *ELEMENT_SOLID_ORTHO."
       call add_brick(keyword)
    end function element_solid
 

@@ -172,7 +172,7 @@ contains
       character(:), allocatable :: name
       integer :: i
 
-      ! bounds of the fields have told of all others
+      ! the bounds of the fields report all others
       call check_cohesive(constants, findings)
       do i = 1, size(findings)
          if (findings(i)%constant /= about_toughness) cycle

@@ -51,7 +51,7 @@ contains
       case ("DATABASE_NODOUT")
          call warn_of_none(size(model%request%nodes), "nodes", "nodes in *DATABASE_HISTORY_NODE")
       case ("DATABASE_SPCFORC")
-         call warn_of_none(size(model%holds) + size(model%motions), "supports", &
+         call warn_of_none(size(model%supports) + size(model%motions), "supports", &
             & "*BOUNDARY_SPC_SET")
       case default
          continue

@@ -9,7 +9,7 @@ module plydyn_input_read_support
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
-   use plydyn_model_support, only : all_planes, bottom_face, hold_type, initial_velocity_type, &
+   use plydyn_model_support, only : all_planes, bottom_face, support_type, initial_velocity_type, &
       & motion_type, one_plane, prescribes_displacement, top_face
    use plydyn_model_model, only : model_type
    implicit none
@@ -31,19 +31,19 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      type(hold_type) :: hold
+      type(support_type) :: support
       integer :: i, nth
 
       do nth = 1, cards%sets()
-         call read_hold(cards, nth, catalogue, hold)
-         hold%name = "spc "//text(cards%integer("NSID", nth))
+         call read_support(cards, nth, catalogue, support)
+         support%name = "spc "//text(cards%integer("NSID", nth))
          do i = 1, size(rotation_names)
-            if (cards%integer(rotation_names(i), nth) == 0 .or. all(hold%direction)) cycle
+            if (cards%integer(rotation_names(i), nth) == 0 .or. all(support%direction)) cycle
             call catalogue%refuse(cards, rotation_names(i), &
-               & "the points of the plate have no rotations to hold", &
+               & "the points of the plate have no rotations to support", &
                & "0, or DOFX = DOFY = DOFZ = 1 to clamp the nodes", nth)
          end do
-         model%holds = [model%holds, hold]
+         model%supports = [model%supports, support]
       end do
    end subroutine read_boundary_spc_set
 
@@ -53,25 +53,26 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      type(hold_type) :: hold
+      type(support_type) :: support
       integer :: nth
 
       do nth = 1, cards%sets()
-         call read_hold(cards, nth, catalogue, hold)
-         hold%face = cards%integer("FACE", nth)
-         hold%height = cards%real("Z", nth)
-         if (hold%face /= one_plane .and. abs(hold%height) > 0.0_wp) then
+         call read_support(cards, nth, catalogue, support)
+         support%face = cards%integer("FACE", nth)
+         support%height = cards%real("Z", nth)
+         if (support%face /= one_plane .and. abs(support%height) > 0.0_wp) then
             call catalogue%refuse(cards, "Z", "Z is given for a face", &
                & "0; a height is for FACE 0 only", nth)
          end if
-         call find_plane(cards, nth, catalogue, model%parts, hold)
-         hold%name = "face "//text(cards%integer("NSID", nth))//face_words(hold%face, hold%height)
-         model%holds = [model%holds, hold]
+         call find_plane(cards, nth, catalogue, model%parts, support)
+         support%name = "face "//text(cards%integer("NSID", nth))&
+            & //face_words(support%face, support%height)
+         model%supports = [model%supports, support]
       end do
    end subroutine read_boundary_face
 
    !> A plane meets thickness nodes; one at a face of the laminate is that face
-   subroutine find_plane(cards, nth, catalogue, parts, hold)
+   subroutine find_plane(cards, nth, catalogue, parts, support)
       type(cards_type), intent(in) :: cards
       !> Which set of cards
       integer, intent(in) :: nth
@@ -79,21 +80,21 @@ contains
       !> All laminates: their points are at the same heights
       type(part_type), intent(in) :: parts(:)
       !> The support
-      type(hold_type), intent(inout) :: hold
+      type(support_type), intent(inout) :: support
 
       type(layers_type) :: layers
 
       ! parts may not be whole where something was refused
-      if (hold%face /= one_plane .or. size(parts) == 0 .or. catalogue%report%has_errors()) return
+      if (support%face /= one_plane .or. size(parts) == 0 .or. catalogue%report%has_errors()) return
       layers = new_layers(parts(1))
-      associate (nearest => layers%nearest_node(hold%height))
-         if (.not. layers%coincide(nearest, hold%height)) then
+      associate (nearest => layers%nearest_node(support%height))
+         if (.not. layers%coincide(nearest, support%height)) then
             call catalogue%refuse(cards, "Z", "no thickness node lies at this height", &
                & "the height of one, such as "//number_words(nearest), nth)
          else if (layers%coincide(nearest, layers%bottom(1))) then
-            hold%face = bottom_face
+            support%face = bottom_face
          else if (layers%coincide(nearest, layers%top(size(layers%top)))) then
-            hold%face = top_face
+            support%face = top_face
          end if
       end associate
    end subroutine find_plane
@@ -121,7 +122,7 @@ contains
             call read_duration(cards, nth, catalogue, motion)
          end if
          call check_jump(cards, nth, catalogue, model%curves, motion)
-         call check_free(cards, nth, catalogue, model%holds, model%motions, motion)
+         call check_free(cards, nth, catalogue, model%supports, model%motions, motion)
          model%motions = [model%motions, motion]
       end do
    end subroutine read_boundary_motion
@@ -194,20 +195,20 @@ contains
    end function face_words
 
    !> Nodes and directions of a support
-   subroutine read_hold(cards, nth, catalogue, hold)
+   subroutine read_support(cards, nth, catalogue, support)
       type(cards_type), intent(in) :: cards
       !> Which set of cards
       integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
       !> The support
-      type(hold_type), intent(out) :: hold
+      type(support_type), intent(out) :: support
 
-      call catalogue%find_set(a_node_set, cards, "NSID", hold%nodes, nth)
-      hold%direction(:) = cards%integers(direction_names, nth) == 1
-      if (any(hold%direction) .or. .not. cards%is_fine("DOFX", nth)) return
+      call catalogue%find_set(a_node_set, cards, "NSID", support%nodes, nth)
+      support%direction(:) = cards%integers(direction_names, nth) == 1
+      if (any(support%direction) .or. .not. cards%is_fine("DOFX", nth)) return
       call catalogue%refuse(cards, "DOFX", "the support holds nothing", &
          & "1 for at least one of DOFX, DOFY, DOFZ", nth)
-   end subroutine read_hold
+   end subroutine read_support
 
    !> Nodes, direction, quantity and factor of a motion
    subroutine read_motion(cards, nth, catalogue, motion)
@@ -243,13 +244,13 @@ contains
    end subroutine check_jump
 
    !> A point cannot be held and moved, or moved twice, in one direction
-   subroutine check_free(cards, nth, catalogue, holds, motions, motion)
+   subroutine check_free(cards, nth, catalogue, supports, motions, motion)
       type(cards_type), intent(in) :: cards
       !> Which set of cards
       integer, intent(in) :: nth
       type(catalogue_type), intent(inout) :: catalogue
       !> All supports
-      type(hold_type), intent(in) :: holds(:)
+      type(support_type), intent(in) :: supports(:)
       !> The motions before this one
       type(motion_type), intent(in) :: motions(:)
       type(motion_type), intent(in) :: motion
@@ -258,10 +259,10 @@ contains
 
       if (motion%direction == 0) return
       node = 0
-      do i = 1, size(holds)
-         if (node > 0 .or. .not. holds(i)%direction(motion%direction)) cycle
-         if (share_points(holds(i)%face, motion%face)) then
-            node = common_node(holds(i)%nodes, motion%nodes)
+      do i = 1, size(supports)
+         if (node > 0 .or. .not. supports(i)%direction(motion%direction)) cycle
+         if (share_points(supports(i)%face, motion%face)) then
+            node = common_node(supports(i)%nodes, motion%nodes)
          end if
       end do
       do i = 1, size(motions)

@@ -22,7 +22,7 @@ module plydyn_io_input_guard
 
 contains
 
-   !> Refuse inputs that a result would replace; the root knows them
+   !> Refuse inputs that a result would replace; the root has their names
    subroutine check_inputs(job, restart, error)
       !> The job with its decks
       type(job_type), intent(in) :: job

@@ -1,7 +1,7 @@
 !> Constants of a material: the elastic ones, which every material has, and those of its law.
 !>
 !> A law extends `law_constants_type` by its own constants. The type says which law the lanes of a
-!> batch get, hands a lane its constants, and answers all that others ask about the material.
+!> batch get, hands a lane its constants, and gives all that others need of the material.
 module plydyn_law_constants
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp

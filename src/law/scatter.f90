@@ -24,7 +24,7 @@ module plydyn_law_scatter
    end type scatter_type
 
    !> Lattice places beyond which weights are dropped, and the largest normal number
-   integer, parameter :: reach = 3
+   integer, parameter :: half_width = 3
    real(wp), parameter :: most = 4.0_wp
    !> Bits of a hash, and its halves
    integer(int64), parameter :: bits = 4294967295_int64, half = 65535_int64
@@ -45,8 +45,8 @@ contains
       first(:) = floor(x)
       total = 0.0_wp
       squares = 0.0_wp
-      do j = first(2) - reach + 1, first(2) + reach
-         do i = first(1) - reach + 1, first(1) + reach
+      do j = first(2) - half_width + 1, first(2) + half_width
+         do i = first(1) - half_width + 1, first(1) + half_width
             weight = exp(-(x(1) - i)**2 - (x(2) - j)**2)
             total = total + weight*normal_number([self%seed, layer, i, j])
             squares = squares + weight**2

@@ -7,7 +7,7 @@ module plydyn_method_accelerations
       & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
       & progress_messages
    use plydyn_method_global_reduction, only : global_reduction_type
-   use plydyn_method_supports, only : add_held_inertia, hold_points, hold_supports
+   use plydyn_method_supports, only : add_held_inertia, fix_points, hold_supports
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_parallel_thread_team, only : inner
    use plydyn_state_state, only : state_type
@@ -151,7 +151,7 @@ contains
 
       associate (chunk => domain%chunks%list(number), force => state%acceleration)
          call add_shared_forces(domain, chunk%shared_nodes, force)
-         call hold_points(domain, chunk%held, force, state%supports%force)
+         call fix_points(domain, chunk%held, force, state%supports%force)
       end associate
       call apply_chunk_masses(domain, number, work, state)
    end subroutine update_chunk

@@ -27,7 +27,7 @@ contains
       type(state_type), intent(inout) :: state
 
       type(prescribed_type) :: motion
-      real(wp) :: push, work
+      real(wp) :: velocity_change, work
       integer :: c
 
       associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
@@ -35,17 +35,17 @@ contains
             if (impactor%motion(c) > 0) then
                motion%curve = impactor%motion(c)
                motion%quantity = impactor%quantity
-               push = prescribed_velocity(domain, motion, state, own%displacement(c), &
+               velocity_change = prescribed_velocity(domain, motion, state, own%displacement(c), &
                   & own%velocity(c)) - own%velocity(c)
             else if (abs(impactor%gravity(c)) > 0.0_wp) then
-               push = 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
+               velocity_change = 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
             else
                cycle
             end if
-            work = impactor%mass*push*(own%velocity(c) + 0.5_wp*push)
+            work = impactor%mass*velocity_change*(own%velocity(c) + 0.5_wp*velocity_change)
             state%energies%external = state%energies%external + work
             if (impactor%motion(c) > 0) own%work = own%work + work
-            own%velocity(c) = own%velocity(c) + push
+            own%velocity(c) = own%velocity(c) + velocity_change
          end do
          own%centre(:) = own%centre + state%step*own%velocity
          own%displacement(:) = own%displacement + state%step*own%velocity

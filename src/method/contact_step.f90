@@ -231,10 +231,10 @@ contains
 
       active(0) = .false.
       active(1:) = is_active(domain%supports%motions, time)
-      do k = 1, size(surface%mover, 2)
+      do k = 1, size(surface%motion, 2)
          do c = 1, 3
             inverse_mass(c, k) = merge(0.0_wp, surface%inverse_mass(c, k), &
-               & active(surface%mover(c, k)))
+               & active(surface%motion(c, k)))
          end do
       end do
    end subroutine hold_prescribed

@@ -3,7 +3,7 @@
 !> Internal forces and loads do the work 1/2 (f_n + f_n+1) . (u_n+1 - u_n) over a step, which the
 !> scheme conserves. The kinetic energy is that of the velocity at the full step,
 !> v_n = v_n-1/2 + 1/2 dt a_n, which is never negative. It exceeds the conserved form by the
-!> half-step correction 1/8 dt^2 a M a: the balance subtracts it, and the stability monitor watches
+!> half-step correction 1/8 dt^2 a M a: the balance subtracts it, and the stability monitor checks
 !> it. Where the step changes, as it does at the start, the correction does too.
 module plydyn_method_energy
    use plydyn_base_precision, only : wp

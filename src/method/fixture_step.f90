@@ -155,7 +155,7 @@ contains
             call fixture%body%find_gap(point, row%gap, row%normal)
             if (row%gap >= 0.0_wp) cycle
             row%inverse_mass(:) = merge(0.0_wp, surface%inverse_mass(:, k), &
-               & is_moved(surface%mover(:, k)))
+               & is_moved(surface%motion(:, k)))
             row%motion(:) = state%step*state%velocity(surface%freedom(:, k)) - motion%increment
             call solve_row(row, fixture%friction, state%step)
             call push_point(domain, surface, k, i, row, motion, state, reduction)
@@ -187,7 +187,7 @@ contains
             row%motion(:) = state%step*state%velocity(surface%freedom(:, k))
             raised = state%displacement(surface%freedom(3, k)) - row%motion(3)
             row%inverse_mass(:) = merge(0.0_wp, surface%inverse_mass(:, k), &
-               & is_moved(surface%mover(:, k)))
+               & is_moved(surface%motion(:, k)))
             if (row%inverse_mass(3) <= 0.0_wp) cycle
             call limit_friction(row, state%step**2*surface%area(k)/fixture%area &
                & *max(0.0_wp, force - fixture%body%upward*raised*fixture%stiffness), &

@@ -1,6 +1,6 @@
 !> Observers of a run: histories, fields, listing, progress line, checkpoints, run control.
 !>
-!> The method knows this abstract type alone. The observers of a run are made in one place,
+!> The method uses this abstract type alone. The observers of a run are made in one place,
 !> `plydyn_run_observers`; each of them is notified of every step, in the order of the list.
 module plydyn_method_observer
    use plydyn_base_error, only : error_type
@@ -255,7 +255,7 @@ contains
       end if
    end subroutine notify_all
 
-   !> Bring all files to the disk, then let all know how far they have been written
+   !> Bring all files to the disk, then set how far they have been written
    subroutine save_all(self, simulation, requests, error)
       class(observers_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation

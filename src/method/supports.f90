@@ -9,7 +9,7 @@ module plydyn_method_supports
    implicit none
    private
 
-   public :: add_held_inertia, add_support_power, hold_points, hold_supports, is_active, &
+   public :: add_held_inertia, add_support_power, fix_points, hold_supports, is_active, &
       & prescribe_motion, prescribed_velocity, support_points
 
 contains
@@ -42,7 +42,7 @@ contains
 
       !$omp do schedule(static)
       do c = size(domain%chunks%list), 1, -1
-         call hold_points(domain, domain%chunks%list(c)%held, force, support_force)
+         call fix_points(domain, domain%chunks%list(c)%held, force, support_force)
       end do
       !$omp end do nowait
       if (size(domain%supports%motions) == 0) return
@@ -64,7 +64,7 @@ contains
    end subroutine hold_supports
 
    !> Take held points out of the free motion, and keep the force they would feel
-   pure subroutine hold_points(domain, runs, force, support_force)
+   pure subroutine fix_points(domain, runs, force, support_force)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Which of its held points: first and last of each run
@@ -81,7 +81,7 @@ contains
             force(place + k) = 0.0_wp
          end do
       end do
-   end subroutine hold_points
+   end subroutine fix_points
 
    !> Add the forces on held points of the inertia that they share with free points of their columns
    pure subroutine add_held_inertia(domain, acceleration, support_force)

@@ -35,7 +35,7 @@ contains
    subroutine prepare_step(domain, contacts, state, motion_is_read, work)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Contacts, which know the chunks that they may change
+      !> Contacts, with the chunks that they may change
       type(contacts_type), intent(in) :: contacts
       !> Has the step
       type(state_type), intent(in) :: state

@@ -2,7 +2,7 @@
 !>
 !> Accelerations of a chunk are in the cache when they are updated: its motion over the next step is
 !> then computed at once, if no observer needs the motion at the end of this step. The bandwidth of
-!> the memory saves the second pass over all points. Only modules of the method know of it.
+!> the memory saves the second pass over all points. Only modules of the method use it.
 module plydyn_method_workspace
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type

@@ -2,7 +2,7 @@
 !>
 !> The impactor flies along a parabola and is advanced by its gap to the plate again and again, so
 !> that it can pass nothing. Its gap to a face is that to the plane of the face where its lowest
-!> point is above the plate, else that to the points of the plate, on the face and on its rim.
+!> point is above the plate, else that to the points of the plate, on the face and on its edge.
 module plydyn_model_approach
    use plydyn_base_precision, only : wp
    use plydyn_model_contact_face, only : contact_face_type, face_points, new_contact_face
@@ -15,8 +15,8 @@ module plydyn_model_approach
 
    !> The first touch
    type, public :: approach_type
-      !> Whether it is known; that before the end time; that of the rim before the face
-      logical :: is_known = .false., arrives = .false., is_at_rim = .false.
+      !> Whether it is known; that before the end time; that of the edge before the face
+      logical :: is_known = .false., arrives = .false., is_at_edge = .false.
       !> Way of the centre until then, or until the end, length
       real(wp) :: distance = 0.0_wp
       !> Centre there, length
@@ -62,7 +62,7 @@ contains
          now = 0.0_wp
          approach%centre(:) = own%centre
          do step = 1, max_steps
-            call find_target_gap(own, approach%centre, target, gap, approach%is_at_rim)
+            call find_target_gap(own, approach%centre, target, gap, approach%is_at_edge)
             approach%arrives = gap <= least_gap*own%body%radius
             if (approach%arrives .or. now >= end_time) exit
             next = min(end_time, now + longest_step*end_time)
@@ -108,26 +108,26 @@ contains
          & - contact%face*sum(model%parts(1)%plies%thickness)
    end function new_target
 
-   !> Gap between an impactor and the plate; whether it is that to the rim
-   pure subroutine find_target_gap(own, centre, target, gap, is_at_rim)
+   !> Gap between an impactor and the plate; whether it is that to the edge
+   pure subroutine find_target_gap(own, centre, target, gap, is_at_edge)
       type(impactor_type), intent(in) :: own
       !> Its centre, length
       real(wp), intent(in) :: centre(3)
       type(target_type), intent(in) :: target
       !> Length
       real(wp), intent(out) :: gap
-      logical, intent(out) :: is_at_rim
+      logical, intent(out) :: is_at_edge
 
       real(wp) :: height(4), normal(3), other, tip(3)
       integer :: h, i
 
-      is_at_rim = .false.
+      is_at_edge = .false.
       tip(:) = centre + own%body%lowest_point(target%side)
       if (target%side*(tip(3) - target%face) >= 0.0_wp .and. is_above(target, tip(:2))) then
          gap = target%side*(tip(3) - target%face)
          return
       end if
-      ! along the edge between face and rim, and where the rim may come nearest
+      ! along the line between face and edge, and where the edge may come nearest
       height(:) = [target%face, clamped(target, centre(3)), clamped(target, tip(3)), target%back]
       gap = huge(1.0_wp)
       do i = 1, size(target%point, 2)
@@ -135,7 +135,7 @@ contains
             call own%body%find_gap(centre - [target%point(:2, i), height(h)], other, normal)
             if (other >= gap) cycle
             gap = other
-            is_at_rim = h > 1 .or. target%side*normal(3) <= least_slope
+            is_at_edge = h > 1 .or. target%side*normal(3) <= least_slope
          end do
       end do
    end subroutine find_target_gap

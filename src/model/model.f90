@@ -10,7 +10,7 @@ module plydyn_model_model
       & pressure_type, segment_load_type
    use plydyn_model_material, only : interface_material_type, material_type
    use plydyn_model_mesh, only : mesh_type
-   use plydyn_model_support, only : hold_type, initial_velocity_type, motion_type
+   use plydyn_model_support, only : support_type, initial_velocity_type, motion_type
    implicit none
    private
 
@@ -29,7 +29,7 @@ module plydyn_model_model
       !> Curves over time
       type(curve_type), allocatable :: curves(:)
       !> Supports
-      type(hold_type), allocatable :: holds(:)
+      type(support_type), allocatable :: supports(:)
       !> Prescribed motions
       type(motion_type), allocatable :: motions(:)
       !> Velocities at time zero; a later one overrides an earlier one

@@ -15,7 +15,7 @@ module plydyn_model_support
    integer, parameter, public :: name_length = 60
 
    !> Points that do not move in some directions
-   type, public :: hold_type
+   type, public :: support_type
       !> Nodes, indices into `mesh%node_id`
       integer, allocatable :: nodes(:)
       !> Held in x, y, z
@@ -26,7 +26,7 @@ module plydyn_model_support
       real(wp) :: height = 0.0_wp
       !> Name among the forces of supports, from the keyword, its set and its face
       character(name_length) :: name = ""
-   end type hold_type
+   end type support_type
 
    !> Points that move as prescribed
    type, public :: motion_type
@@ -44,7 +44,7 @@ module plydyn_model_support
       real(wp) :: birth = 0.0_wp, death = huge(1.0_wp)
       !> Which thickness points
       integer :: face = all_planes
-      !> As in `hold_type`
+      !> As in `support_type`
       character(name_length) :: name = ""
    end type motion_type
 

@@ -20,7 +20,7 @@ module plydyn_parallel_comm
    integer, parameter :: root_tag = 4
 
    !> Numbers of a rank that MPI passes on without asking whether they may come, 4 KB with their
-   !> head; up to so many pieces of that length are faster than one message
+   !> head; up to so many parts of that length are faster than one message
    integer, parameter :: at_once = 496, most_pieces = 4
 
    !> The ranks of a run
@@ -127,9 +127,9 @@ contains
    !> Merge numbers each of which is known to one rank, to the last bit
    subroutine merge_reals(self, is_known, values)
       class(comm_type), intent(in) :: self
-      !> Which numbers this rank knows
+      !> Which numbers this rank has
       logical, intent(in) :: is_known(:)
-      !> These numbers in, all that any rank knows out; 0 where none does
+      !> These numbers in, all that any rank has out; 0 where none does
       real(wp), intent(inout) :: values(:)
 
       integer(int64) :: bits(size(values), 1)

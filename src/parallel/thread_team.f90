@@ -6,7 +6,7 @@
 !> chunk.
 !>
 !> Loops in which all threads share the chunks run from the last chunk down, since thread 0, which
-!> is late, then gets the last chunks in all of them: a chunk adds up the borders to later chunks,
+!> is late, then gets the last chunks in all of them: a chunk sums nodes shared with later chunks,
 !> and the last ones have the fewest.
 module plydyn_parallel_thread_team
    use omp_lib, only : omp_get_max_threads, omp_get_thread_num, omp_init_lock, omp_lock_kind, &

@@ -1,4 +1,4 @@
-!> Watches the ratio of volumes, det F: the step follows the stiffness of compressed layers. Warns
+!> Monitors the ratio of volumes, det F: the step follows the stiffness of compressed layers. Warns
 !> of the first element that is pressed nearly flat, and stops a run in which one is inverted.
 module plydyn_run_volume_monitor
    use plydyn_base_error, only : error_type, exit_run, fail

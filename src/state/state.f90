@@ -80,7 +80,7 @@ module plydyn_state_state
       real(wp) :: power = 0.0_wp
    end type motion_sums_type
 
-   !> Memory of a contact from step to step, in an order that only the contact knows
+   !> Memory of a contact from step to step, in an order of the contact's own
    type, public :: contact_memory_type
       !> Candidate facets, and the facet under each contact node
       integer, allocatable :: places(:)

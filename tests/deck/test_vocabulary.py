@@ -9,6 +9,8 @@ from runs import ROOT
 
 #: Names that were replaced, each with the words of the field that stand for it
 REPLACED = {
+    "abreast": "nodes_per_column, neighbours_at_once",
+    "add_hold": "add_stiffness_forces",
     "add_borders": "add_shared_forces",
     "add_loans": "add_halo",
     "add_up": "sum",
@@ -36,6 +38,7 @@ REPLACED = {
     "hand_over": "take",
     "has_opened": "signal",
     "health": "stability_monitor",
+    "hold_type": "support_type",
     "hopeless": "redundant",
     "idle_push": "compression_tolerance",
     "is_ahead": "predicted",
@@ -49,7 +52,9 @@ REPLACED = {
     "let_wait": "wait",
     "life_line": "progress_monitor",
     "loans": "strain_halo",
+    "maker": "force_chunk",
     "makers": "force_queue",
+    "mover": "update_chunk, motion",
     "movers": "update_queue",
     "name_kind": "register_kind",
     "pull_column": "add_column_correction",
@@ -57,11 +62,14 @@ REPLACED = {
     "quiet": "elastic_path",
     "recall": "stress_at",
     "reckon": "compute",
-    "rim": "free_edge",
+    "resist": "find_point_forces",
+    "rim": "edge, free_edge",
     "ripple": "half_step_correction",
+    "rub": "add_friction",
     "settle": "solve_active_set",
     "site": "output_node",
     "sites": "output nodes",
+    "slab": "hyperslab",
     "slant": "inplane_gradient",
     "sleepers": "search_timers",
     "spot": "location",
@@ -75,7 +83,9 @@ REPLACED = {
     "told": "reported",
     "told_card": "shown_card",
     "travel": "approach_bound",
+    "turning": "moment_force",
     "turns": "work_queue",
+    "unfelt": "mode_shape",
     "unite": "merge",
     "wake": "due_at",
     "watch": "run_control",
@@ -83,6 +93,7 @@ REPLACED = {
 
 #: Words that no text of the solver or of its pages uses, with those of the field
 REPLACED_WORDS = {
+    "abreast": "side by side, at once",
     "borrows": "receives",
     "crew": "threads",
     "culprit": "what is at fault, by name",
@@ -97,6 +108,8 @@ REPLACED_WORDS = {
     "ripple": "half-step correction",
     "sleepers": "timers",
     "tally": "counts, sums",
+    "told": "reported, prescribed",
+    "whoever": "the module or routine, by name",
 }
 
 

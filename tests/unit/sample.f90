@@ -111,7 +111,7 @@ contains
          & order=order(k)), k=1, size(angle))]
       model%parts(1)%joint = spread(faces_tied, 1, size(angle) - 1)
       model%curves(1) = curve_type(id=0, x=[0.0_wp], y=[1.0_wp])
-      allocate (model%holds(0), model%motions(0), model%initial_velocities(0))
+      allocate (model%supports(0), model%motions(0), model%initial_velocities(0))
       allocate (model%initial_damages(0), model%point_loads(0), model%line_loads(0))
       allocate (model%pressures(0), model%segment_loads(0))
       allocate (model%body_loads(0), model%impactors(0), model%contacts(0), &

@@ -56,7 +56,7 @@ contains
       call check(len(bytes_of_file(one, 7_int64, 4)), 0, "but not behind its end")
       call cut_file(one, 4_int64, good)
       call check(good, "a file is cut")
-      call check(bytes(one), 4, "where it is told")
+      call check(bytes(one), 4, "where it is asked to")
       call remove_file(one)
       call cut_file(one, 4_int64, good)
       call check(.not. good, "a file that is not there cannot be cut")

@@ -130,8 +130,8 @@ contains
          if (rebuilt) call others%reset()
          all_rows%count = 0
          rows%count = 0
-         call nodes%collect(candidates%patch, candidates, position, centre, all_rows)
-         call others%collect(lazy%patch, lazy, given, centre, rows)
+         call nodes%make_rows(candidates%patch, candidates, position, centre, all_rows)
+         call others%make_rows(lazy%patch, lazy, given, centre, rows)
          call check(rows%count, all_rows%count, "as many nodes are below the surface")
          call check(all(abs(rows%gap(:rows%count) - all_rows%gap(:rows%count)) <= 0.0_wp), &
             & "as deep")
@@ -151,11 +151,11 @@ contains
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
 
-      call begin("collect")
+      call begin("make_rows")
       call set_ball(surface, flat, candidates, nodes, rows)
       centre(:) = [0.1_wp, 0.2_wp, radius - depth]
       call candidates%update(surface, flat, centre, rebuilt)
-      call nodes%collect(surface, candidates, flat, centre, rows)
+      call nodes%make_rows(surface, candidates, flat, centre, rows)
       call check(rows%count > 0, "rows on a plate that faces the sphere")
       call check(minval(rows%gap(:rows%count)), -depth, 1.0e-12_wp, "as deep as it was moved")
       position(:, :) = flat
@@ -164,7 +164,7 @@ contains
       rows%count = 0
       call nodes%reset()
       call candidates%update(surface, position, centre, rebuilt)
-      call nodes%collect(surface, candidates, position, centre, rows)
+      call nodes%make_rows(surface, candidates, position, centre, rows)
       call check(rows%count, 0, "none on a plate turned over")
    end subroutine check_folded
 
@@ -178,13 +178,13 @@ contains
       real(wp) :: centre(3), position(3, points)
       logical :: rebuilt
 
-      call begin("collect, kink")
+      call begin("make_rows, kink")
       call set_ball(surface, flat, candidates, nodes, rows)
       position(:, :) = flat
       position(3, :) = slope*abs(flat(1, :))
       centre(:) = [aside + depth*slope/along, 0.3_wp, slope*aside - depth/along + radius]
       call candidates%update(surface, position, centre, rebuilt)
-      call nodes%collect(surface, candidates, position, centre, rows)
+      call nodes%make_rows(surface, candidates, position, centre, rows)
       call check(rows%count, 1, "the pole is in the valley")
       call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "normal of the sphere")
       call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")

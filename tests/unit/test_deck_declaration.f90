@@ -1,4 +1,4 @@
-!> Declarations hold what they are told.
+!> Declarations hold what they are given.
 program test_deck_declaration
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : integer_field, keyword_type, new_keyword, extension, &
@@ -23,7 +23,7 @@ program test_deck_declaration
 
    call begin("add_card")
    call check(size(keyword%cards), 2, "a card for each call")
-   call check(keyword%cards(2)%optional .and. .not. keyword%cards(1)%optional, "optional as told")
+   call check(keyword%cards(2)%optional .and. .not. keyword%cards(1)%optional, "as declared")
    call check(size(keyword%cards(1)%fields), 5, "unused fields by their names")
 
    call begin("find_field")
@@ -46,7 +46,7 @@ program test_deck_declaration
       call check(.not. fields(3)%supported, "are not supported when unused")
    end associate
    associate (fields => keyword%cards(2)%fields)
-      call check(all(fields%width == 16), "or as wide as told")
+      call check(all(fields%width == 16), "or as wide as declared")
       call check(fields(1)%zero_is_default .and. .not. fields(1)%required, "have a default")
       call check(fields(2)%required .and. .not. fields(3)%required, &
          & "a list has one member at least")

@@ -21,7 +21,7 @@ program test_deck_layout
    call check(all(spans%last < spans%first), "finds all fields of an empty line blank")
 
    call begin("locate, free format")
-   call check(is_free("1, 2"), "is told by a comma")
+   call check(is_free("1, 2"), "is known by a comma")
    call locate("1, -2.5 ,3", [10, 10, 10], spans, trailing)
    call check(all(spans%first == [1, 4, 10]) .and. all(spans%last == [1, 7, 10]), &
       & "finds values between commas")

@@ -52,7 +52,7 @@ contains
       all_there = .true.
       rises = .true.
       do i = 1, size(position, 2)
-         found = grid%near(position(:, i))
+         found = grid%points_near(position(:, i))
          rises = rises .and. all(found(2:) > found(:size(found) - 1))
          do j = 1, size(position, 2)
             if (norm2(position(:, i) - position(:, j)) > 0.6_wp) cycle

@@ -127,7 +127,7 @@ contains
 
    !> Nodes of the whole model and of a rank are the same ones, side by side in a column or not
    subroutine test_nodes()
-      integer, parameter :: nodes = 21, abreast = 8
+      integer, parameter :: nodes = 21, width = 8
       type(decomposition_type) :: solid
       type(local_to_global_type) :: numbering
       integer :: here(whole%nodes), i, rank
@@ -149,7 +149,7 @@ contains
       solid%column = [1, 2, 3]
       solid%node = solid%column
       allocate (solid%shared_nodes(3, 0))
-      numbering = new_local_to_global(solid, abreast, [0, 1, 0], 0)
+      numbering = new_local_to_global(solid, width, [0, 1, 0], 0)
       call check(all(numbering%node([1, 8, 9, 16, 17, 21]) == [1, 8, 0, 0, 9, 13]), &
          & "the second column is another rank's")
       call check(all(numbering%nodes(nodes) == [(i, i=1, 8), (i, i=17, 21), 21, 21, 21]), &

@@ -2,7 +2,7 @@
 program test_element_brick_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners, new_brick_shape, &
-      & unfelt
+      & mode_shape
    use plydyn_element_brick_kernel, only : add_brick_forces, hourglass_energy
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_plate_layers, only : batch_stiffness
@@ -58,16 +58,16 @@ contains
    end subroutine set_positions
 
    !> A batch of bricks
-   function batch(coefficient, drag) result(bricks)
-      real(wp), intent(in) :: coefficient, drag
+   function batch(coefficient, viscosity) result(bricks)
+      real(wp), intent(in) :: coefficient, viscosity
       type(bricks_type) :: bricks
       integer :: l, n
 
       bricks%points = points
       bricks%shares_volume = points > 1
       bricks%stiffness(:) = batch_stiffness(c)
-      bricks%drag = drag
-      if (drag > 0.0_wp) bricks%histories = 1
+      bricks%viscosity = viscosity
+      if (viscosity > 0.0_wp) bricks%histories = 1
       allocate (bricks%laws(0))
       bricks%shapes = [new_brick_shape(position, lanes - 1, points, coefficient*c)]
       bricks%shape = [1]
@@ -207,7 +207,7 @@ contains
          do i = 0, 2
             u(:) = 0.0_wp
             do n = 1, corners
-               u(1 + 3*lanes*(n - 1) + lanes*i) = unfelt(n, a)
+               u(1 + 3*lanes*(n - 1) + lanes*i) = mode_shape(n, a)
             end do
             call check(hourglass_energy(bricks, 1, .false., u, history) > 1.0e-3_wp, &
                & "every shape is held")
@@ -216,7 +216,7 @@ contains
       ! u_x = xi zeta: strain zeta over the half length 1, stress across is free, that along y not
       u(:) = 0.0_wp
       do n = 1, corners
-         u(1 + 3*lanes*(n - 1)) = unfelt(n, 2)
+         u(1 + 3*lanes*(n - 1)) = mode_shape(n, 2)
       end do
       bent = 0.5_wp*200.0_wp/(1.0_wp - 0.25_wp**2)/3.0_wp
       call check(hourglass_energy(bricks, 1, .false., u, history), bent, 1.0e-12_wp, &

@@ -19,7 +19,7 @@ program test_input_catalogue
    call check(catalogue%report%has_errors(), "an undefined reference is an error")
    call check(index_found, 0, "with index 0")
    call catalogue%find(a_part, cards, "ID", index_found, 2)
-   call check(catalogue%report%count(1), 1, "told once where nothing of the kind is defined")
+   call check(catalogue%report%count(1), 1, "reported once where nothing of the kind is defined")
    catalogue = new_catalogue()
    call catalogue%define(a_node, cards, "ID", 1)
    call catalogue%define(a_node, cards, "ID", 2)
@@ -29,7 +29,7 @@ program test_input_catalogue
    call catalogue%find(a_node, cards, "ID", index_found, 4)
    call check(index_found == 0 .and. catalogue%report%has_errors(), "an undefined one has none")
    call check(index(catalogue%report%findings(1)%right, "from 10 to 30") > 0, &
-      & "and the range is told")
+      & "and the range is reported")
    call check(catalogue%report%findings(1)%place%line, 104, "with the line of the reference")
 
    call begin("find_set")
@@ -47,12 +47,12 @@ program test_input_catalogue
    call catalogue%find(a_node, cards, "ID", index_found, 1)
    call catalogue%check_unused(a_node, "a use")
    call check(catalogue%report%count(1), 1, "one is unused")
-   call check(catalogue%report%findings(1)%place%line, 102, "told where it is defined")
+   call check(catalogue%report%findings(1)%place%line, 102, "reported where it is defined")
    call catalogue%check_duplicates(a_node)
    call check(catalogue%report%count(1), 1, "none is defined twice")
    call catalogue%define(a_node, cards, "ID", 1)
    call catalogue%check_duplicates(a_node)
-   call check(catalogue%report%findings(2)%also, 101, "one is, and both lines are told")
+   call check(catalogue%report%findings(2)%also, 101, "one is, and both lines are reported")
 
    call finish()
 

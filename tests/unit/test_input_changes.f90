@@ -48,7 +48,7 @@ contains
       call read_text("*KEYWORD|*SET_NODE_LIST|2|3,4|*BOUNDARY_SPC_SET|2,0,0,0,1|*END|")
       call check(.not. allocated(error), "it is read, though set 1 is not used any more")
       call check(model%changes%conditions .and. .not. model%changes%end, "supports change")
-      call check(size(model%holds) == 1 .and. all(model%holds(1)%nodes == [3, 4]), &
+      call check(size(model%supports) == 1 .and. all(model%supports(1)%nodes == [3, 4]), &
          & "new supports replace all old ones")
       call check(size(model%point_loads) == 1, "loads stay")
       call check(size(archive%bundles) == 2, "both decks are kept")
@@ -60,7 +60,7 @@ contains
    subroutine again()
       call begin("decks before")
       call read_decks_of_run(archive, "", 0.0_wp, model, messages, error)
-      call check(.not. allocated(error) .and. all(model%holds(1)%nodes == [3, 4]), &
+      call check(.not. allocated(error) .and. all(model%supports(1)%nodes == [3, 4]), &
          & "are read from what is kept")
       call check(.not. model%changes%conditions, "they change nothing any more")
       call read_text("*KEYWORD|*CONTROL_TERMINATION|3.0,|*DATABASE_GLSTAT|0.1,|*END|")
@@ -71,7 +71,7 @@ contains
       call read_text("*KEYWORD|*PARAMETER|R end,3.0|*TITLE|as before|*END|")
       call check(index(messages, "changes.k:6: the deck changes nothing") > 0, "a deck in vain")
       call read_decks_of_run(archive, "", 0.0_wp, model, messages, error)
-      call check(index(messages, "the deck changes nothing") == 0, "is told of once")
+      call check(index(messages, "the deck changes nothing") == 0, "is reported once")
    end subroutine again
 
    !> Decks that change too much

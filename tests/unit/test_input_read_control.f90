@@ -1,4 +1,4 @@
-!> The run is as long and as careful as told.
+!> The run is as long and as careful as the deck says.
 program test_input_read_control
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type

@@ -36,7 +36,7 @@ program test_input_read_interface
       & other => model%interface_materials(model%parts(1)%joint(2)))
       call check(plain%id == 6 .and. other%id == 6, "both are of one material")
       call check(plain%constants%falling_penalty .and. .not. other%constants%falling_penalty, &
-         & "the penalty falls unless it is told to stay")
+         & "the penalty falls unless it is to stay")
       call check(.not. plain%nodal .and. other%nodal, "points")
       call check([plain%constants%friction, other%constants%friction], [0.0_wp, 0.3_wp], 0.0_wp, &
          & "friction")

@@ -1,4 +1,4 @@
-!> Loads act where they are told.
+!> Loads act where the deck says.
 program test_input_read_load
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type

@@ -1,4 +1,4 @@
-!> Sets, boxes and curves hold what they are told.
+!> Sets, boxes and curves hold what the deck says.
 program test_input_read_set
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
@@ -15,18 +15,18 @@ program test_input_read_set
    call begin("read_set_list")
    call read_plate("*SET_NODE_LIST_TITLE|edge|1,|2,1|4,|*BOUNDARY_SPC_SET|1,0,1|")
    call check(.not. allocated(error), "is read")
-   call check(all(model%holds(1)%nodes == [2, 1, 4]), "nodes in their order")
+   call check(all(model%supports(1)%nodes == [2, 1, 4]), "nodes in their order")
    call read_plate("*SET_NODE_LIST|1,|2,1,2|*BOUNDARY_SPC_SET|1,0,1|")
-   call check(size(model%holds(1)%nodes), 2, "a node that is named twice counts once")
+   call check(size(model%supports(1)%nodes), 2, "a node that is named twice counts once")
    call check(index(messages, "1 numbers are in the set twice") > 0, "and makes a warning")
 
    call begin("read_set_node_general")
    call read_plate("*DEFINE_BOX|3,-1.,0.5,-1.,2.,-1.,1.|*SET_NODE_GENERAL|1,|BOX,3|NODE,2,1|" &
       & //"*BOUNDARY_SPC_SET|1,0,1|")
    call check(.not. allocated(error), "is read")
-   call check(all(model%holds(1)%nodes == [1, 2, 4]), "the union of its rules")
+   call check(all(model%supports(1)%nodes == [1, 2, 4]), "the union of its rules")
    call read_plate("*SET_NODE_GENERAL|1,|ALL|*BOUNDARY_SPC_SET|1,0,1|")
-   call check(size(model%holds(1)%nodes), 4, "all nodes")
+   call check(size(model%supports(1)%nodes), 4, "all nodes")
    call read_plate("*SET_NODE_GENERAL|1,|PART,7|*BOUNDARY_SPC_SET|1,0,1|")
    call check_error(error, "'PART' is not a value of OPTION", "an option that is not supported")
    call read_plate("*SET_NODE_GENERAL|1,|NODE|*BOUNDARY_SPC_SET|1,0,1|")

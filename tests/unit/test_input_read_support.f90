@@ -1,4 +1,4 @@
-!> Supports, motions and initial velocities act where they are told.
+!> Supports, motions and initial velocities act where the deck says.
 program test_input_read_support
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
@@ -19,22 +19,23 @@ program test_input_read_support
    call begin("read_boundary_spc_set")
    call read_plate(edge//"*BOUNDARY_SPC_SET_ID|4,clamp|1,0,1,1,1,1,1,1|")
    call check(.not. allocated(error), "is read")
-   call check(all(model%holds(1)%direction), "all directions")
-   call check(model%holds(1)%face, all_planes, "all planes")
-   call check(model%holds(1)%name == "spc 1", "its force has a name")
+   call check(all(model%supports(1)%direction), "all directions")
+   call check(model%supports(1)%face, all_planes, "all planes")
+   call check(model%supports(1)%name == "spc 1", "its force has a name")
    call read_plate(edge//"*BOUNDARY_SPC_SET|1,0,1,0,0,0,1,0|")
    call check_error(error, "DOFRY: the points of the plate have no rotations", "a rotation alone")
 
    call begin("read_boundary_face")
    call read_plate(edge//"*BOUNDARY_FACE|1,-1,0.0,0,0,1|1,0,0.25,1,0,0|")
    call check(.not. allocated(error), "is read")
-   call check(all(model%holds%face == [bottom_face, one_plane]), "faces")
-   call check(model%holds(2)%height, 0.25_wp, 0.0_wp, "height")
-   call check(all(model%holds%name == [character(13) :: "face 1 bottom", "face 1 z 0.25"]), "names")
-   call check(all(model%holds(1)%direction .eqv. [.false., .false., .true.]), "directions")
+   call check(all(model%supports%face == [bottom_face, one_plane]), "faces")
+   call check(model%supports(2)%height, 0.25_wp, 0.0_wp, "height")
+   call check(all(model%supports%name == [character(13) :: "face 1 bottom", "face 1 z 0.25"]), &
+      & "names")
+   call check(all(model%supports(1)%direction .eqv. [.false., .false., .true.]), "directions")
 
    call read_plate(edge//"*BOUNDARY_FACE|1,0,-0.5,0,0,1|1,0,0.5,1,0,0|")
-   call check(all(model%holds%face == [bottom_face, top_face]), "planes at faces are faces")
+   call check(all(model%supports%face == [bottom_face, top_face]), "planes at faces are faces")
    call read_plate(edge//"*BOUNDARY_FACE|1,0,0.3,1,0,0|")
    call check_error(error, "no thickness node lies at this height", "a plane between nodes")
 

@@ -10,7 +10,7 @@ program test_method_implicit_column_inertia
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes, bottom_face, hold_type
+   use plydyn_model_support, only : all_planes, bottom_face, support_type
    use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
    use plydyn_method_supports, only : add_held_inertia
@@ -187,7 +187,7 @@ contains
       type(thread_team_type) :: team
       call begin("thickness vibration")
       model = stack([1], 0.0_wp)
-      model%holds = [hold_type(nodes=[(n, n=1, 15)], direction=[.true., .true., .false.], &
+      model%supports = [support_type(nodes=[(n, n=1, 15)], direction=[.true., .true., .false.], &
          & face=all_planes)]
       domain = built(model)
       allocate (a(domain%columns%forces), u(domain%columns%freedoms), v(domain%columns%freedoms))
@@ -220,7 +220,7 @@ contains
 
       call begin("held")
       model = stack([1], 0.05_wp)
-      model%holds = [hold_type(nodes=[4, 5, 6], direction=[.false., .false., .true.], &
+      model%supports = [support_type(nodes=[4, 5, 6], direction=[.false., .false., .true.], &
          & face=bottom_face)]
       domain = built(model)
       allocate (a(domain%columns%freedoms), v(domain%columns%freedoms))

@@ -66,7 +66,7 @@ module plydyn_contact_search_contact_nodes
       integer, private :: growths = 0
       real(wp), private :: grows_at = 0.0_wp
    contains
-      procedure :: collect
+      procedure :: make_rows
       procedure :: reset
       procedure :: save
       procedure :: restore
@@ -256,7 +256,7 @@ contains
    end subroutine restore
 
    !> Make a row of every node below the surface; only nodes that are due are projected
-   pure subroutine collect(self, surface, candidates, position, centre, rows)
+   pure subroutine make_rows(self, surface, candidates, position, centre, rows)
       !> The nodes
       class(node_set_type), intent(inout) :: self
       !> The surface
@@ -281,7 +281,7 @@ contains
          call project_nodes(self, surface, candidates, position, centre, self%timers%due( &
             & first:min(first + lanes - 1, self%timers%count)), rows)
       end do
-   end subroutine collect
+   end subroutine make_rows
 
    !> Project some nodes, no more than lanes, and make rows of those below the surface
    pure subroutine project_nodes(self, surface, candidates, position, centre, node, rows)

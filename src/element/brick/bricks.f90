@@ -22,18 +22,18 @@ module plydyn_element_brick_bricks
    !> Nodes, and points of full quadrature
    integer, parameter, public :: corners = 8
    !> Shapes that one point does not feel
-   integer, parameter, public :: shapes_unfelt = 4
+   integer, parameter, public :: hourglass_modes = 4
    !> Constants against them: eta 11 13 33, zeta 11 12 22, xi 22 23 33, three shears, one over the
    !> three half lengths, and xi eta zeta 1 2 3
-   integer, parameter, public :: stabilisers = 18
+   integer, parameter, public :: mode_stiffnesses = 18
 
    !> xi, eta, zeta of the nodes
    real(wp), parameter :: xi(corners) = [-1, 1, 1, -1, -1, 1, 1, -1]
    real(wp), parameter :: eta(corners) = [-1, -1, 1, 1, -1, -1, 1, 1]
    real(wp), parameter :: zeta(corners) = [-1, -1, -1, -1, 1, 1, 1, 1]
    !> The shapes at the nodes, (nodes, shapes)
-   real(wp), parameter, public :: unfelt(corners, shapes_unfelt) = reshape([eta*zeta, zeta*xi, &
-      & xi*eta, xi*eta*zeta], [corners, shapes_unfelt])
+   real(wp), parameter, public :: mode_shape(corners, hourglass_modes) = reshape( &
+      & [eta*zeta, zeta*xi, xi*eta, xi*eta*zeta], [corners, hourglass_modes])
 
    !> Geometry of a batch; all zero in lanes without a brick
    type, public :: brick_shape_type
@@ -41,12 +41,12 @@ module plydyn_element_brick_bricks
       real(wp), allocatable :: gradient(:, :, :, :)
       !> Volume of the points, (lanes, points)
       real(wp), allocatable :: volume(:, :)
-      !> Share of the unfelt shapes in the positions, (lanes, 3, 4)
-      real(wp) :: bent(lanes, 3, shapes_unfelt) = 0.0_wp
+      !> Share of the hourglass modes in the positions, (lanes, 3, 4)
+      real(wp) :: bent(lanes, 3, hourglass_modes) = 0.0_wp
       !> Unit vectors along the brick's own axes, (lanes, components, axes)
       real(wp) :: axis(lanes, 3, 3) = 0.0_wp
-      !> Stiffness against unfelt shapes, (lanes, `stabilisers`)
-      real(wp) :: hold(lanes, stabilisers) = 0.0_wp
+      !> Stiffness against hourglass modes, (lanes, `mode_stiffnesses`)
+      real(wp) :: mode_stiffness(lanes, mode_stiffnesses) = 0.0_wp
    end type brick_shape_type
 
    !> All bricks of a part with fibres in one direction, eight side by side
@@ -68,7 +68,7 @@ module plydyn_element_brick_bricks
       !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate_kernels`
       real(wp) :: stiffness(13) = 0.0_wp
       !> Fibre direction, degrees from the x axis; its cosine and sine
-      real(wp) :: angle = 0.0_wp, turn(2) = [1.0_wp, 0.0_wp]
+      real(wp) :: angle = 0.0_wp, cosine_sine(2) = [1.0_wp, 0.0_wp]
       !> Law; none where the part is elastic
       type(block_law_type), allocatable :: laws(:)
       !> History variables of a point; where hourglass control is viscous the last is the energy
@@ -76,8 +76,8 @@ module plydyn_element_brick_bricks
       integer :: histories = 0
       !> Where those of this part begin in the state
       integer :: first_history = 0
-      !> Viscous hourglass force per velocity of an unfelt shape over volume**(2/3); 0 for none
-      real(wp) :: drag = 0.0_wp
+      !> Viscous hourglass force per velocity of an hourglass mode over volume**(2/3); 0 for none
+      real(wp) :: viscosity = 0.0_wp
    end type bricks_type
 
    !> Relative difference below which two geometries are the same
@@ -105,9 +105,9 @@ contains
       do l = 1, count
          call set_gradients(position(:, :, l), points, self%gradient(l, :, :, :), self%volume(l, :))
          if (points > 1) cycle
-         self%bent(l, :, :) = matmul(position(:, :, l), unfelt)/corners
-         call set_hold(position(:, :, l), sum(self%volume(l, :)), local_stiffness, &
-            & self%axis(l, :, :), self%hold(l, :))
+         self%bent(l, :, :) = matmul(position(:, :, l), mode_shape)/corners
+         call set_mode_stiffness(position(:, :, l), sum(self%volume(l, :)), local_stiffness, &
+            & self%axis(l, :, :), self%mode_stiffness(l, :))
       end do
    end function new_brick_shape
 
@@ -154,13 +154,13 @@ contains
       integer, intent(in) :: point
       real(wp) :: slope(corners, 3)
 
-      real(wp) :: gauss(2), reach, x, y, z
+      real(wp) :: gauss(2), abscissa, x, y, z
 
       gauss(:) = gauss_points(2)
-      reach = merge(gauss(2), 0.0_wp, point > 0)
-      x = reach*xi(max(point, 1))
-      y = reach*eta(max(point, 1))
-      z = reach*zeta(max(point, 1))
+      abscissa = merge(gauss(2), 0.0_wp, point > 0)
+      x = abscissa*xi(max(point, 1))
+      y = abscissa*eta(max(point, 1))
+      z = abscissa*zeta(max(point, 1))
       slope(:, 1) = xi*(1.0_wp + eta*y)*(1.0_wp + zeta*z)/corners
       slope(:, 2) = eta*(1.0_wp + xi*x)*(1.0_wp + zeta*z)/corners
       slope(:, 3) = zeta*(1.0_wp + xi*x)*(1.0_wp + eta*y)/corners
@@ -203,10 +203,10 @@ contains
       cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
    end function cross
 
-   !> The brick's own axes, and its stiffness against unfelt shapes there
-   pure subroutine set_hold(position, volume, stiffness, axis, hold)
+   !> The brick's own axes, and its stiffness against hourglass modes there
+   pure subroutine set_mode_stiffness(position, volume, stiffness, axis, mode_stiffness)
       real(wp), intent(in) :: position(3, corners), volume, stiffness(6, 6)
-      real(wp), intent(out) :: axis(3, 3), hold(stabilisers)
+      real(wp), intent(out) :: axis(3, 3), mode_stiffness(mode_stiffnesses)
 
       real(wp) :: c(6, 6), long(3), s(3, 3), unused
       integer :: i
@@ -217,19 +217,19 @@ contains
          axis(:, i) = axis(:, i)/long(i)
       end do
       c(:, :) = turned(stiffness, square(axis))
-      hold(1:3) = reduced(c, 1, 3, 2)/[long(1)**2, long(1)*long(3), long(3)**2]
-      hold(4:6) = reduced(c, 1, 2, 3)/[long(1)**2, long(1)*long(2), long(2)**2]
-      hold(7:9) = reduced(c, 2, 3, 1)/[long(2)**2, long(2)*long(3), long(3)**2]
-      hold(10:12) = [c(4, 4), c(5, 5), c(6, 6)]
-      hold(13:15) = 1.0_wp/long
-      hold(:12) = volume/3.0_wp*hold(:12)
+      mode_stiffness(1:3) = reduced(c, 1, 3, 2)/[long(1)**2, long(1)*long(3), long(3)**2]
+      mode_stiffness(4:6) = reduced(c, 1, 2, 3)/[long(1)**2, long(1)*long(2), long(2)**2]
+      mode_stiffness(7:9) = reduced(c, 2, 3, 1)/[long(2)**2, long(2)*long(3), long(3)**2]
+      mode_stiffness(10:12) = [c(4, 4), c(5, 5), c(6, 6)]
+      mode_stiffness(13:15) = 1.0_wp/long
+      mode_stiffness(:12) = volume/3.0_wp*mode_stiffness(:12)
       if (maxval(abs(c)) <= 0.0_wp) then
-         hold(:) = 0.0_wp
+         mode_stiffness(:) = 0.0_wp
          return
       end if
       call invert(c(:3, :3), s, unused)
-      hold(16:18) = [(volume/(9.0_wp*s(i, i)*long(i)**2), i=1, 3)]
-   end subroutine set_hold
+      mode_stiffness(16:18) = [(volume/(9.0_wp*s(i, i)*long(i)**2), i=1, 3)]
+   end subroutine set_mode_stiffness
 
    !> Axes at right angles that lie close to those of a brick: the third is normal to the first two
    pure function square(axis) result(right)
@@ -302,7 +302,8 @@ contains
          & .and. maxval(abs(one%volume - other%volume)) <= difference*maxval(one%volume)
       if (same) same = maxval(abs(one%axis - other%axis)) <= difference &
          & .and. maxval(abs(one%bent - other%bent))*maxval(abs(one%gradient)) <= difference &
-         & .and. maxval(abs(one%hold - other%hold)) <= difference*maxval(abs(one%hold))
+         & .and. maxval(abs(one%mode_stiffness - other%mode_stiffness)) &
+         & <= difference*maxval(abs(one%mode_stiffness))
    end function same_shape
 
 end module plydyn_element_brick_bricks

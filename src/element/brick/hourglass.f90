@@ -1,26 +1,27 @@
-!> Hourglass control of bricks with one point: forces against the shapes that the point does not
-!> feel. The stiffness is the derivative of an energy of the displacement alone, in the brick's own
-!> axes as the motion has turned and stretched them: it holds no rigid motion, however large.
+!> Hourglass control of bricks with one point: forces against the modes that strain nothing at the
+!> point. The stiffness is the derivative of an energy of the displacement alone, in the brick's own
+!> axes as the motion has rotated and stretched them: no rigid motion meets a force, however large.
 module plydyn_element_brick_hourglass
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick_bricks, only : corners, shapes_unfelt, stabilisers
+   use plydyn_element_brick_bricks, only : corners, hourglass_modes, mode_stiffnesses
    implicit none
    private
 
-   public :: add_drag, add_hold, hold_energy, spread_unfelt, unfelt_motion
+   public :: add_stiffness_forces, add_viscous_forces, mode_amplitudes, modes_to_nodes, &
+      & stiffness_energy
 
 contains
 
-   !> Amounts of the unfelt shapes in a motion
-   pure subroutine unfelt_motion(u, h, bent, q)
+   !> Amounts of the hourglass modes in a motion
+   pure subroutine mode_amplitudes(u, h, bent, q)
       !> Displacement or velocity of the nodes
       real(wp), intent(in) :: u(lanes, corners, 3)
       !> Its derivatives
       real(wp), intent(in) :: h(lanes, 3, 3)
-      !> Share of the unfelt shapes in the positions
-      real(wp), intent(in) :: bent(lanes, 3, shapes_unfelt)
+      !> Share of the hourglass modes in the positions
+      real(wp), intent(in) :: bent(lanes, 3, hourglass_modes)
       !> Amounts, (lanes, directions, shapes)
-      real(wp), intent(out) :: q(lanes, 3, shapes_unfelt)
+      real(wp), intent(out) :: q(lanes, 3, hourglass_modes)
 
       real(wp) :: a, b, c, d, e, f, g, k
       integer :: i, j, l
@@ -42,7 +43,7 @@ contains
             q(l, i, 4) = 0.125_wp*((d - b) + (k - f))
          end do
       end do
-      do j = 1, shapes_unfelt
+      do j = 1, hourglass_modes
          do i = 1, 3
             !$omp simd
             do l = 1, lanes
@@ -51,36 +52,37 @@ contains
             end do
          end do
       end do
-   end subroutine unfelt_motion
+   end subroutine mode_amplitudes
 
    !> Forces that do work on the amounts, and their share in the flux of the point
-   pure subroutine add_hold(hold, axis, h, large, q, force, p)
+   pure subroutine add_stiffness_forces(mode_stiffness, axis, h, large, q, force, p)
       !> Stiffness and axes
-      real(wp), intent(in) :: hold(lanes, stabilisers), axis(lanes, 3, 3)
+      real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
       !> Derivatives of the displacement; 1 for large displacement, else 0
       real(wp), intent(in) :: h(lanes, 3, 3), large
-      !> Amounts of the unfelt shapes
-      real(wp), intent(in) :: q(lanes, 3, shapes_unfelt)
+      !> Amounts of the hourglass modes
+      real(wp), intent(in) :: q(lanes, 3, hourglass_modes)
       !> Force on each amount, (lanes, directions, shapes)
-      real(wp), intent(out) :: force(lanes, 3, shapes_unfelt)
+      real(wp), intent(out) :: force(lanes, 3, hourglass_modes)
       !> First Piola-Kirchhoff stress times volume
       real(wp), intent(inout) :: p(lanes, 3, 3)
 
-      real(wp) :: moved(lanes, 3, 3), pull(lanes, 3, shapes_unfelt), turned(lanes, 3, shapes_unfelt)
+      real(wp) :: moved(lanes, 3, 3)
+      real(wp), dimension(lanes, 3, hourglass_modes) :: mode_force, turned
       integer :: i, j, l
 
-      call turn_axes(axis, h, large, moved)
-      do j = 1, shapes_unfelt
+      call move_axes(axis, h, large, moved)
+      do j = 1, hourglass_modes
          do i = 1, 3
             turned(:, i, j) = moved(:, 1, i)*q(:, 1, j) + moved(:, 2, i)*q(:, 2, j) &
                & + moved(:, 3, i)*q(:, 3, j)
          end do
       end do
-      call find_pull(hold, turned, pull)
-      do j = 1, shapes_unfelt
+      call find_mode_force(mode_stiffness, turned, mode_force)
+      do j = 1, hourglass_modes
          do i = 1, 3
-            force(:, i, j) = moved(:, i, 1)*pull(:, 1, j) + moved(:, i, 2)*pull(:, 2, j) &
-               & + moved(:, i, 3)*pull(:, 3, j)
+            force(:, i, j) = moved(:, i, 1)*mode_force(:, 1, j) &
+               & + moved(:, i, 2)*mode_force(:, 2, j) + moved(:, i, 3)*mode_force(:, 3, j)
          end do
       end do
       if (large < 0.5_wp) return
@@ -89,8 +91,8 @@ contains
          do i = 1, 3
             !$omp simd
             do l = 1, lanes
-               moved(l, i, j) = q(l, i, 1)*pull(l, j, 1) + q(l, i, 2)*pull(l, j, 2) &
-                  & + q(l, i, 3)*pull(l, j, 3) + q(l, i, 4)*pull(l, j, 4)
+               moved(l, i, j) = q(l, i, 1)*mode_force(l, j, 1) + q(l, i, 2)*mode_force(l, j, 2) &
+                  & + q(l, i, 3)*mode_force(l, j, 3) + q(l, i, 4)*mode_force(l, j, 4)
             end do
          end do
       end do
@@ -100,10 +102,10 @@ contains
                & + moved(:, i, 3)*axis(:, j, 3)
          end do
       end do
-   end subroutine add_hold
+   end subroutine add_stiffness_forces
 
    !> The brick's axes as the motion has turned and stretched them
-   pure subroutine turn_axes(axis, h, large, moved)
+   pure subroutine move_axes(axis, h, large, moved)
       real(wp), intent(in) :: axis(lanes, 3, 3), h(lanes, 3, 3), large
       real(wp), intent(out) :: moved(lanes, 3, 3)
       integer :: i, k
@@ -114,12 +116,12 @@ contains
                & + h(:, i, 2)*axis(:, 2, k) + h(:, i, 3)*axis(:, 3, k))
          end do
       end do
-   end subroutine turn_axes
+   end subroutine move_axes
 
    !> Forces on the amounts in the brick's own axes
-   pure subroutine find_pull(k, u, w)
-      real(wp), intent(in) :: k(lanes, stabilisers), u(lanes, 3, shapes_unfelt)
-      real(wp), intent(out) :: w(lanes, 3, shapes_unfelt)
+   pure subroutine find_mode_force(k, u, w)
+      real(wp), intent(in) :: k(lanes, mode_stiffnesses), u(lanes, 3, hourglass_modes)
+      real(wp), intent(out) :: w(lanes, 3, hourglass_modes)
 
       real(wp) :: eta, xi, zeta
       integer :: l
@@ -142,54 +144,54 @@ contains
          w(l, 2, 4) = k(l, 17)*u(l, 2, 4)
          w(l, 3, 4) = k(l, 18)*u(l, 3, 4)
       end do
-   end subroutine find_pull
+   end subroutine find_mode_force
 
-   !> Energy stored in the unfelt shapes of each lane
-   pure function hold_energy(hold, axis, h, large, q) result(energy)
-      !> As in `add_hold`
-      real(wp), intent(in) :: hold(lanes, stabilisers), axis(lanes, 3, 3)
-      real(wp), intent(in) :: h(lanes, 3, 3), large, q(lanes, 3, shapes_unfelt)
+   !> Energy stored in the hourglass modes of each lane
+   pure function stiffness_energy(mode_stiffness, axis, h, large, q) result(energy)
+      !> As in `add_stiffness_forces`
+      real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
+      real(wp), intent(in) :: h(lanes, 3, 3), large, q(lanes, 3, hourglass_modes)
       real(wp) :: energy(lanes)
 
-      real(wp) :: force(lanes, 3, shapes_unfelt), p(lanes, 3, 3)
+      real(wp) :: force(lanes, 3, hourglass_modes), p(lanes, 3, 3)
 
       p(:, :, :) = 0.0_wp
-      call add_hold(hold, axis, h, large, q, force, p)
+      call add_stiffness_forces(mode_stiffness, axis, h, large, q, force, p)
       energy(:) = 0.5_wp*sum(sum(force*q, 3), 2)
-   end function hold_energy
+   end function stiffness_energy
 
    !> Viscous forces on the amounts, and the energy that they take
-   pure subroutine add_drag(drag, volume, step, q, force, taken)
+   pure subroutine add_viscous_forces(viscosity, volume, step, q, force, taken)
       !> Force per velocity over volume**(2/3)
-      real(wp), intent(in) :: drag
+      real(wp), intent(in) :: viscosity
       !> Volume of the brick; time step
       real(wp), intent(in) :: volume(lanes), step
       !> Velocities of the amounts
-      real(wp), intent(in) :: q(lanes, 3, shapes_unfelt)
+      real(wp), intent(in) :: q(lanes, 3, hourglass_modes)
       !> Force on each amount
-      real(wp), intent(out) :: force(lanes, 3, shapes_unfelt)
+      real(wp), intent(out) :: force(lanes, 3, hourglass_modes)
       !> Energy taken so far
       real(wp), intent(inout) :: taken(lanes)
 
       real(wp) :: rate(lanes)
       integer :: j
 
-      rate(:) = drag*real(corners**2, wp)*volume**(2.0_wp/3.0_wp)
-      do j = 1, shapes_unfelt
+      rate(:) = viscosity*real(corners**2, wp)*volume**(2.0_wp/3.0_wp)
+      do j = 1, hourglass_modes
          force(:, 1, j) = rate*q(:, 1, j)
          force(:, 2, j) = rate*q(:, 2, j)
          force(:, 3, j) = rate*q(:, 3, j)
       end do
       taken(:) = taken + step*sum(sum(force*q, 3), 2)
-   end subroutine add_drag
+   end subroutine add_viscous_forces
 
    !> Forces on the amounts to forces on the nodes; what they owe to the derivatives goes to the
    !> flux
-   pure subroutine spread_unfelt(force, bent, p, f)
+   pure subroutine modes_to_nodes(force, bent, p, f)
       !> Force on each amount
-      real(wp), intent(in) :: force(lanes, 3, shapes_unfelt)
-      !> Share of the unfelt shapes in the positions
-      real(wp), intent(in) :: bent(lanes, 3, shapes_unfelt)
+      real(wp), intent(in) :: force(lanes, 3, hourglass_modes)
+      !> Share of the hourglass modes in the positions
+      real(wp), intent(in) :: bent(lanes, 3, hourglass_modes)
       !> First Piola-Kirchhoff stress times volume
       real(wp), intent(inout) :: p(lanes, 3, 3)
       !> Forces of the nodes
@@ -225,6 +227,6 @@ contains
             f(l, 8, i) = ((a - b) - c) - d
          end do
       end do
-   end subroutine spread_unfelt
+   end subroutine modes_to_nodes
 
 end module plydyn_element_brick_hourglass

@@ -1,11 +1,11 @@
 !> Internal forces of bricks, eight side by side.
 module plydyn_element_brick_kernel
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick_bricks, only : brick_shape_type, bricks_type, corners, shapes_unfelt
-   use plydyn_element_brick_hourglass, only : add_drag, add_hold, hold_energy, spread_unfelt, &
-      & unfelt_motion
+   use plydyn_element_brick_bricks, only : brick_shape_type, bricks_type, corners, hourglass_modes
+   use plydyn_element_brick_hourglass, only : add_stiffness_forces, add_viscous_forces, &
+      & mode_amplitudes, modes_to_nodes, stiffness_energy
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
-      & turn_strain, turn_stress
+      & rotate_strain, rotate_stress
    use plydyn_element_plate_layers, only : c33
    use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, volume_ratio
    implicit none
@@ -42,7 +42,7 @@ contains
          associate (shape => bricks%shapes(bricks%shape(b)))
             if (bricks%points > 1) then
                call full_forces(bricks, shape, total, step, u, history(:, :, :, b), f)
-            else if (size(bricks%laws) == 0 .and. bricks%drag <= 0.0_wp) then
+            else if (size(bricks%laws) == 0 .and. bricks%viscosity <= 0.0_wp) then
                call elastic_forces(bricks%stiffness, shape, total, u, f)
             else
                call point_forces(bricks, b, total, step, u, velocity, history(:, :, 1, b), f)
@@ -116,17 +116,17 @@ contains
       type(brick_shape_type), intent(in) :: shape
       real(wp), intent(out) :: f(lanes, corners, 3)
 
-      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), pull(lanes, 3, shapes_unfelt)
-      real(wp) :: q(lanes, 3, shapes_unfelt), s(lanes, 6)
+      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), mode_force(lanes, 3, hourglass_modes)
+      real(wp) :: q(lanes, 3, hourglass_modes), s(lanes, 6)
 
       call gradient_of(u, shape%gradient(:, :, :, 1), h)
       call strain_of(h, large, e)
       call elastic_stress(c, e, s)
       call to_flux(h, large, shape%volume(:, 1), s, p)
       if (large > 0.0_wp) call add_barrier(c(c33), shape%volume(:, 1), h, p)
-      call unfelt_motion(u, h, shape%bent, q)
-      call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
-      call spread_unfelt(pull, shape%bent, p, f)
+      call mode_amplitudes(u, h, shape%bent, q)
+      call add_stiffness_forces(shape%mode_stiffness, shape%axis, h, large, q, mode_force, p)
+      call modes_to_nodes(mode_force, shape%bent, p, f)
       call integrate(p, shape%gradient(:, :, :, 1), f)
    end subroutine elastic_forces
 
@@ -138,8 +138,8 @@ contains
       real(wp), intent(inout) :: history(lanes, bricks%histories)
       real(wp), intent(out) :: f(lanes, corners, 3)
 
-      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), pull(lanes, 3, shapes_unfelt)
-      real(wp) :: q(lanes, 3, shapes_unfelt), rate(lanes, 3, 3), s(lanes, 6), v(lanes, corners, 3)
+      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), mode_force(lanes, 3, hourglass_modes)
+      real(wp) :: q(lanes, 3, hourglass_modes), rate(lanes, 3, 3), s(lanes, 6), v(lanes, corners, 3)
 
       associate (shape => bricks%shapes(bricks%shape(batch)))
          call gradient_of(u, shape%gradient(:, :, :, 1), h)
@@ -147,17 +147,17 @@ contains
          call find_stress(bricks, step, e, history, s)
          call to_flux(h, large, shape%volume(:, 1), s, p)
          if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, 1), h, p)
-         if (bricks%drag > 0.0_wp) then
+         if (bricks%viscosity > 0.0_wp) then
             call gather(bricks%place(:, :, batch), velocity, v)
             call gradient_of(v, shape%gradient(:, :, :, 1), rate)
-            call unfelt_motion(v, rate, shape%bent, q)
-            call add_drag(bricks%drag, shape%volume(:, 1), step, q, pull, &
+            call mode_amplitudes(v, rate, shape%bent, q)
+            call add_viscous_forces(bricks%viscosity, shape%volume(:, 1), step, q, mode_force, &
                & history(:, bricks%histories))
          else
-            call unfelt_motion(u, h, shape%bent, q)
-            call add_hold(shape%hold, shape%axis, h, large, q, pull, p)
+            call mode_amplitudes(u, h, shape%bent, q)
+            call add_stiffness_forces(shape%mode_stiffness, shape%axis, h, large, q, mode_force, p)
          end if
-         call spread_unfelt(pull, shape%bent, p, f)
+         call modes_to_nodes(mode_force, shape%bent, p, f)
          call integrate(p, shape%gradient(:, :, :, 1), f)
       end associate
    end subroutine point_forces
@@ -252,9 +252,9 @@ contains
          return
       end if
       s(:, :) = 0.0_wp
-      call turn_strain(bricks%turn, e)
+      call rotate_strain(bricks%cosine_sine, e)
       call bricks%laws(1)%law%update(step, e, history, s)
-      call turn_stress(bricks%turn, s)
+      call rotate_stress(bricks%cosine_sine, s)
    end subroutine find_stress
 
    !> Add the flux of a point to the forces of the nodes
@@ -285,17 +285,18 @@ contains
       real(wp), intent(in) :: displacement(*)
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
 
-      real(wp) :: h(lanes, 3, 3), q(lanes, 3, shapes_unfelt), u(lanes, corners, 3)
+      real(wp) :: h(lanes, 3, 3), q(lanes, 3, hourglass_modes), u(lanes, corners, 3)
 
-      if (bricks%drag > 0.0_wp) then
+      if (bricks%viscosity > 0.0_wp) then
          energy = sum(history(:, bricks%histories, 1, b))
          return
       end if
       associate (shape => bricks%shapes(bricks%shape(b)))
          call gather(bricks%place(:, :, b), displacement, u)
          call gradient_of(u, shape%gradient(:, :, :, 1), h)
-         call unfelt_motion(u, h, shape%bent, q)
-         energy = sum(hold_energy(shape%hold, shape%axis, h, merge(1.0_wp, 0.0_wp, large), q))
+         call mode_amplitudes(u, h, shape%bent, q)
+         energy = sum(stiffness_energy(shape%mode_stiffness, shape%axis, h, &
+            & merge(1.0_wp, 0.0_wp, large), q))
       end associate
    end function hourglass_energy
 

@@ -79,7 +79,7 @@ contains
 
       self%part = model%mesh%brick_part(first)
       self%angle = model%mesh%brick_angle(first)
-      self%turn(:) = [cos(self%angle*degree), sin(self%angle*degree)]
+      self%cosine_sine(:) = [cos(self%angle*degree), sin(self%angle*degree)]
       self%brick = members
       stiffness(:, :) = model_stiffness(model, self%part, self%angle)
       self%stiffness(:) = batch_stiffness(stiffness)
@@ -91,7 +91,7 @@ contains
          self%laws = new_laws(model%materials, spread(spread(material, 1, lanes), 2, 1))
          if (size(self%laws) > 0) self%histories = self%laws(1)%law%histories
          if (self%points == 1 .and. section%control == hourglass_viscous) then
-            self%drag = section%coefficient*sqrt(brick_density(model, self%part) &
+            self%viscosity = section%coefficient*sqrt(brick_density(model, self%part) &
                & *stiffness_of_waves(stiffness))/4.0_wp
             self%histories = self%histories + 1
          end if

@@ -5,7 +5,7 @@ module plydyn_element_brick_point
    implicit none
    private
 
-   public :: elastic_stress, gradient_of, strain_of, to_flux, turn_strain, turn_stress
+   public :: elastic_stress, gradient_of, strain_of, to_flux, rotate_strain, rotate_stress
 
 contains
 
@@ -118,17 +118,17 @@ contains
    end subroutine to_flux
 
    !> Strain in ply axes, in place
-   pure subroutine turn_strain(turn, e)
+   pure subroutine rotate_strain(cosine_sine, e)
       !> Cosine and sine of the fibre direction
-      real(wp), intent(in) :: turn(2)
+      real(wp), intent(in) :: cosine_sine(2)
       !> Strain with engineering shear
       real(wp), intent(inout) :: e(lanes, 6)
 
       real(wp) :: c, s, x, y, z
       integer :: l
 
-      c = turn(1)
-      s = turn(2)
+      c = cosine_sine(1)
+      s = cosine_sine(2)
       !$omp simd private(x, y, z)
       do l = 1, lanes
          x = e(l, 1)
@@ -141,20 +141,20 @@ contains
          e(l, 5) = c*x + s*e(l, 6)
          e(l, 6) = c*e(l, 6) - s*x
       end do
-   end subroutine turn_strain
+   end subroutine rotate_strain
 
    !> Stress from ply axes to those of the model, in place
-   pure subroutine turn_stress(turn, t)
+   pure subroutine rotate_stress(cosine_sine, t)
       !> Cosine and sine of the fibre direction
-      real(wp), intent(in) :: turn(2)
+      real(wp), intent(in) :: cosine_sine(2)
       !> Stress
       real(wp), intent(inout) :: t(lanes, 6)
 
       integer :: l
       real(wp) :: c, s, x, y, z
 
-      c = turn(1)
-      s = turn(2)
+      c = cosine_sine(1)
+      s = cosine_sine(2)
       !$omp simd private(x, y, z)
       do l = 1, lanes
          x = t(l, 1)
@@ -167,6 +167,6 @@ contains
          t(l, 5) = c*x - s*t(l, 6)
          t(l, 6) = s*x + c*t(l, 6)
       end do
-   end subroutine turn_stress
+   end subroutine rotate_stress
 
 end module plydyn_element_brick_point

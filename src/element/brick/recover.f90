@@ -4,7 +4,7 @@ module plydyn_element_brick_recover
    use plydyn_element_brick_bricks, only : bricks_type, corners
    use plydyn_element_brick_kernel, only : gather, mean_volume_strain
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
-      & turn_strain, turn_stress
+      & rotate_strain, rotate_stress
    use plydyn_element_recover, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
    use plydyn_element_plate_layers, only : c33
@@ -71,7 +71,7 @@ contains
 
       values(:, :) = 0.0_wp
       turned(:, :) = e
-      call turn_strain(bricks%turn, turned)
+      call rotate_strain(bricks%cosine_sine, turned)
       values(:, strain_at + 1:stress_at) = e
       values(:, ply_strain_at + 1:ply_stress_at) = turned
       call elastic_stress(bricks%stiffness, e, s)
@@ -79,7 +79,7 @@ contains
          associate (law => bricks%laws(k)%law)
             s(:, :) = 0.0_wp
             call law%stress_at(turned, history, s)
-            call turn_stress(bricks%turn, s)
+            call rotate_stress(bricks%cosine_sine, s)
             do l = 1, lanes
                values(l, scalars_at + 1:) = law%output_variables(l, history)
             end do
@@ -88,7 +88,7 @@ contains
       turned(:, :) = s
       ! the rotation of strain with half the shear is that of stress
       turned(:, 4:) = 2.0_wp*turned(:, 4:)
-      call turn_strain(bricks%turn, turned)
+      call rotate_strain(bricks%cosine_sine, turned)
       turned(:, 4:) = 0.5_wp*turned(:, 4:)
       values(:, ply_stress_at + 1:scalars_at) = turned
       if (large) call to_cauchy(bricks%stiffness(c33), h, s)

@@ -63,8 +63,8 @@ contains
             end do
          end do
          rate(l) = certified_bound(k(:, :, l), power_iteration(k(:, :, l)))
-         if (bricks%drag > 0.0_wp) then
-            rate(l) = with_drag(rate(l), bricks%drag*real(corners, wp)**2 &
+         if (bricks%viscosity > 0.0_wp) then
+            rate(l) = with_viscosity(rate(l), bricks%viscosity*real(corners, wp)**2 &
                & *sum(mass(:corners)/brick_density(model, bricks%part))**(2.0_wp/3.0_wp) &
                & /(real(corners, wp)*minval(mass)))
          end if
@@ -73,12 +73,12 @@ contains
 
    !> The eigenvalue whose step is that of an oscillator with damping of the velocity half a step
    !> before: dt**2 rate/4 + dt damping/2 = 1
-   pure real(wp) function with_drag(rate, damping) result(effective)
+   pure real(wp) function with_viscosity(rate, damping) result(effective)
       !> Eigenvalue; damping over mass
       real(wp), intent(in) :: rate, damping
 
       effective = 4.0_wp*(0.25_wp*damping + sqrt((0.25_wp*damping)**2 + 0.25_wp*rate))**2
-   end function with_drag
+   end function with_viscosity
 
    !> Stiffness of the bricks of a batch, column by column through the kernel; freedoms run over
    !> nodes, then directions
@@ -91,7 +91,7 @@ contains
       type(bricks_type) :: alone
       integer :: c, j, l, n
 
-      ! nodes of its own for every lane; elastic, without drag
+      ! nodes of its own for every lane; elastic, without viscosity
       alone%points = bricks%points
       alone%shares_volume = bricks%shares_volume
       alone%stiffness(:) = bricks%stiffness

@@ -4,7 +4,7 @@ module plydyn_element_interface_axes
    implicit none
    private
 
-   public :: find_axes, turn_back, turn_in
+   public :: find_axes, rotate_back, rotate_in
 
 contains
 
@@ -108,7 +108,7 @@ contains
    end subroutine normalise
 
    !> Components in the axes of the face, in place
-   pure subroutine turn_in(points, axes, vector)
+   pure subroutine rotate_in(points, axes, vector)
       !> Number of points
       integer, intent(in) :: points
       !> Axes
@@ -130,11 +130,11 @@ contains
             end do
          end do
       end do
-   end subroutine turn_in
+   end subroutine rotate_in
 
    !> Components along x, y, z from those in the axes of the face, in place
-   pure subroutine turn_back(points, axes, vector)
-      !> As in `turn_in`
+   pure subroutine rotate_back(points, axes, vector)
+      !> As in `rotate_in`
       integer, intent(in) :: points
       real(wp), intent(in) :: axes(lanes, 3, 3, points)
       real(wp), intent(inout) :: vector(lanes, 3, points)
@@ -153,6 +153,6 @@ contains
             end do
          end do
       end do
-   end subroutine turn_back
+   end subroutine rotate_back
 
 end module plydyn_element_interface_axes

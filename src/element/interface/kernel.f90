@@ -3,9 +3,9 @@
 module plydyn_element_interface_kernel
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface_interfaces, only : face_type, interface_type
-   use plydyn_element_interface_axes, only : find_axes, turn_back, turn_in
+   use plydyn_element_interface_axes, only : find_axes, rotate_back, rotate_in
    use plydyn_element_interface_points, only : to_nodes, to_points
-   use plydyn_element_interface_rotation, only : find_turning
+   use plydyn_element_interface_rotation, only : find_moment_forces
    implicit none
    private
 
@@ -39,17 +39,17 @@ contains
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
          if (.not. self%nodal) call to_points(self%side, self%gauss_abscissa, jump)
          if (large) then
-            call add_turned_forces(self, e, displacement, history(1, row, 1), jump, force)
+            call add_corotational_forces(self, e, displacement, history(1, row, 1), jump, force)
             cycle
          end if
-         call resist(self, e, history(1, row, 1), jump)
+         call find_point_forces(self, e, history(1, row, 1), jump)
          if (.not. self%nodal) call to_nodes(self%side, self%gauss_abscissa, jump)
          call scatter(self, self%target(:, e), jump, jump, force)
       end do
    end subroutine add_face_forces
 
    !> The same over a quad with large displacement: the law works in axes that turn with the face
-   pure subroutine add_turned_forces(self, quad, displacement, history, jump, force)
+   pure subroutine add_corotational_forces(self, quad, displacement, history, jump, force)
       !> The interfaces
       type(interface_type), intent(in) :: self
       !> The quad
@@ -64,35 +64,35 @@ contains
       real(wp), intent(inout), contiguous :: force(:)
 
       real(wp) :: axes(lanes, 3, 3, most), stretch(lanes, 3, most)
-      real(wp), dimension(lanes, 3, most) :: middle, pull, turning
+      real(wp), dimension(lanes, 3, most) :: middle, point_force, moment_force
       integer :: c, l, q
 
       associate (side => self%side, metric => self%metric(:, :, quad))
          call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
          if (.not. self%nodal) call to_points(side, self%gauss_abscissa, middle)
          call find_axes(side, metric, middle, axes, stretch)
-         call turn_in(side**2, axes, jump)
-         pull(:, :, :side**2) = jump(:, :, :side**2)
-         call resist(self, quad, history, pull)
-         call find_turning(side, metric, axes, stretch, jump, pull, turning)
-         call turn_back(side**2, axes, pull)
-         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, pull)
-         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, turning)
+         call rotate_in(side**2, axes, jump)
+         point_force(:, :, :side**2) = jump(:, :, :side**2)
+         call find_point_forces(self, quad, history, point_force)
+         call find_moment_forces(side, metric, axes, stretch, jump, point_force, moment_force)
+         call rotate_back(side**2, axes, point_force)
+         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, point_force)
+         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, moment_force)
          do q = 1, side**2
             do c = 1, 3
                !$omp simd
                do l = 1, lanes
-                  middle(l, c, q) = pull(l, c, q) + turning(l, c, q)
-                  jump(l, c, q) = pull(l, c, q) - turning(l, c, q)
+                  middle(l, c, q) = point_force(l, c, q) + moment_force(l, c, q)
+                  jump(l, c, q) = point_force(l, c, q) - moment_force(l, c, q)
                end do
             end do
          end do
       end associate
       call scatter(self, self%target(:, quad), middle, jump, force)
-   end subroutine add_turned_forces
+   end subroutine add_corotational_forces
 
    !> Openings at the points to tractions times area
-   pure subroutine resist(self, quad, history, jump)
+   pure subroutine find_point_forces(self, quad, history, jump)
       !> The interfaces
       type(interface_type), intent(in) :: self
       !> The quad
@@ -119,7 +119,7 @@ contains
             end do
          end do
       end do
-   end subroutine resist
+   end subroutine find_point_forces
 
    !> Displacement of the upper face plus or minus that of the lower, at the nodes of a quad
    pure subroutine gather(self, node, sign, displacement, both)

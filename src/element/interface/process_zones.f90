@@ -66,7 +66,7 @@ contains
             end do
          end do
          do p = 1, size(model%parts)
-            if (any(model%parts(p)%joint == material)) call judge_quads(model, p, material, zone)
+            if (any(model%parts(p)%joint == material)) call assess_quads(model, p, material, zone)
          end do
       end associate
    end function new_process_zone
@@ -85,7 +85,7 @@ contains
    end function fitted_strength
 
    !> Count the quads of a part that are too coarse, and find the highest strengths of all
-   pure subroutine judge_quads(model, p, material, zone)
+   pure subroutine assess_quads(model, p, material, zone)
       type(model_type), intent(in) :: model
       !> Indices of the part and of the interface material
       integer, intent(in) :: p, material
@@ -111,7 +111,7 @@ contains
             where (length < real(least_points, wp)*spacing) zone%coarse = zone%coarse + 1
          end do
       end associate
-   end subroutine judge_quads
+   end subroutine assess_quads
 
    !> Square of the strength of a law over that of each point of some quads, where strengths are
    !> fitted to the mesh or scatter, (lanes, points, quads); none where all are as the law's, the

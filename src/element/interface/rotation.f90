@@ -9,51 +9,51 @@ module plydyn_element_interface_rotation
    implicit none
    private
 
-   public :: find_turning
+   public :: find_moment_forces
 
 contains
 
    !> Forces by which tractions across an opening turn the mid-face, for the displacements of each
    !> of both faces at the points of a quad
-   pure subroutine find_turning(side, metric, axes, stretch, opening, traction, turning)
+   pure subroutine find_moment_forces(side, metric, axes, stretch, opening, traction, moment_force)
       !> Points along a side
       integer, intent(in) :: side
       !> Geometry of the points; see `quad_metric`
       real(wp), intent(in) :: metric(5, side, side)
       !> Axes of the face, and the stretch in them; see `find_axes`
       real(wp), intent(in) :: axes(lanes, 3, 3, side, side), stretch(lanes, 3, side, side)
-      !> Opening, and traction times area that resists it, both in these axes
+      !> Opening, and traction times area against it, both in these axes
       real(wp), intent(in) :: opening(lanes, 3, side, side), traction(lanes, 3, side, side)
       !> Force along x, y, z that is to be subtracted on both faces
-      real(wp), intent(out) :: turning(lanes, 3, side, side)
+      real(wp), intent(out) :: moment_force(lanes, 3, side, side)
 
       real(wp) :: along(lanes, 3, side, side), up(lanes, 3, side, side)
       integer :: i, j
 
       do j = 1, side
          do i = 1, side
-            call point_turning(metric(:, i, j), axes(:, :, :, i, j), stretch(:, :, i, j), &
+            call point_moment_forces(metric(:, i, j), axes(:, :, :, i, j), stretch(:, :, i, j), &
                & opening(:, :, i, j), traction(:, :, i, j), along(:, :, i, j), up(:, :, i, j))
          end do
       end do
-      turning(:, :, :, :) = 0.0_wp
+      moment_force(:, :, :, :) = 0.0_wp
       if (side == 2) then
-         turning(:, :, 1, :) = turning(:, :, 1, :) - along(:, :, 1, :) - along(:, :, 2, :)
-         turning(:, :, 2, :) = turning(:, :, 2, :) + along(:, :, 1, :) + along(:, :, 2, :)
-         turning(:, :, :, 1) = turning(:, :, :, 1) - up(:, :, :, 1) - up(:, :, :, 2)
-         turning(:, :, :, 2) = turning(:, :, :, 2) + up(:, :, :, 1) + up(:, :, :, 2)
+         moment_force(:, :, 1, :) = moment_force(:, :, 1, :) - along(:, :, 1, :) - along(:, :, 2, :)
+         moment_force(:, :, 2, :) = moment_force(:, :, 2, :) + along(:, :, 1, :) + along(:, :, 2, :)
+         moment_force(:, :, :, 1) = moment_force(:, :, :, 1) - up(:, :, :, 1) - up(:, :, :, 2)
+         moment_force(:, :, :, 2) = moment_force(:, :, :, 2) + up(:, :, :, 1) + up(:, :, :, 2)
          return
       end if
       do i = 1, 3
          call add_slopes(along(:, :, 1, i), along(:, :, 2, i), along(:, :, 3, i), &
-            & turning(:, :, 1, i), turning(:, :, 2, i), turning(:, :, 3, i))
+            & moment_force(:, :, 1, i), moment_force(:, :, 2, i), moment_force(:, :, 3, i))
          call add_slopes(up(:, :, i, 1), up(:, :, i, 2), up(:, :, i, 3), &
-            & turning(:, :, i, 1), turning(:, :, i, 2), turning(:, :, i, 3))
+            & moment_force(:, :, i, 1), moment_force(:, :, i, 2), moment_force(:, :, i, 3))
       end do
-   end subroutine find_turning
+   end subroutine find_moment_forces
 
    !> What the moment at a point does to the slopes of the sum of both displacements
-   pure subroutine point_turning(metric, axes, stretch, d, t, along, up)
+   pure subroutine point_moment_forces(metric, axes, stretch, d, t, along, up)
       real(wp), intent(in) :: metric(5), axes(lanes, 3, 3), stretch(lanes, 3)
       real(wp), intent(in) :: d(lanes, 3), t(lanes, 3)
       !> Forces for the derivatives along xi and eta
@@ -84,7 +84,7 @@ contains
             end do
          end do
       end associate
-   end subroutine point_turning
+   end subroutine point_moment_forces
 
    !> The transposed of the derivatives along a line of three points in `find_axes`
    pure subroutine add_slopes(g1, g2, g3, first, middle, last)

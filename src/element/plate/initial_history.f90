@@ -61,11 +61,11 @@ contains
 
    !> Widths of the crack band at a Gauss point of the plane for fibres and for matrix, (lanes, 2);
    !> 0 in lanes that do not soften
-   pure function band_lengths(plate, turn, law, q, quad) result(length)
+   pure function band_lengths(plate, fibre_axis, law, q, quad) result(length)
       !> The plate
       type(plate_type), intent(in) :: plate
       !> Cosine and sine of the fibre direction of each lane
-      real(wp), intent(in) :: turn(lanes, 2)
+      real(wp), intent(in) :: fibre_axis(lanes, 2)
       !> The law of the lanes
       class(law_type), intent(in) :: law
       !> Gauss point of the plane, and quad
@@ -82,9 +82,10 @@ contains
       length(:, :) = 0.0_wp
       do l = 1, lanes
          if (law%band_rule(l) == 0) cycle
-         length(l, 1) = band_length(law%band_rule(l), jacobian, turn(l, :), weight, share, area)
-         length(l, 2) = band_length(law%band_rule(l), jacobian, [-turn(l, 2), turn(l, 1)], weight, &
-            & share, area)
+         length(l, 1) = band_length(law%band_rule(l), jacobian, fibre_axis(l, :), weight, share, &
+            & area)
+         length(l, 2) = band_length(law%band_rule(l), jacobian, &
+            & [-fibre_axis(l, 2), fibre_axis(l, 1)], weight, share, area)
          ! quads far wider than the ellipse average nothing
          length(l, :) = max(length(l, :), share_average*law%radius(l, :))
          if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
@@ -92,11 +93,11 @@ contains
    end function band_lengths
 
    !> Lengths of the own cell of a Gauss point of the plane along the fibres and across them
-   pure function cell_lengths(plate, turn, q, quad) result(length)
+   pure function cell_lengths(plate, fibre_axis, q, quad) result(length)
       !> The plate
       type(plate_type), intent(in) :: plate
       !> Cosine and sine of the fibre direction
-      real(wp), intent(in) :: turn(2)
+      real(wp), intent(in) :: fibre_axis(2)
       !> Gauss point of the plane, and quad
       integer, intent(in) :: q, quad
       real(wp) :: length(2)
@@ -105,9 +106,9 @@ contains
 
       weight(:) = point_weights(plate%side, q)
       jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
-      length(1) = band_length(rule_gauss_point, jacobian, turn, weight, 1.0_wp, 1.0_wp)
-      length(2) = band_length(rule_gauss_point, jacobian, [-turn(2), turn(1)], weight, 1.0_wp, &
-         & 1.0_wp)
+      length(1) = band_length(rule_gauss_point, jacobian, fibre_axis, weight, 1.0_wp, 1.0_wp)
+      length(2) = band_length(rule_gauss_point, jacobian, [-fibre_axis(2), fibre_axis(1)], weight, &
+         & 1.0_wp, 1.0_wp)
    end function cell_lengths
 
    !> Gauss weights of a point of the plane along xi and along eta
@@ -121,15 +122,15 @@ contains
       weight(:) = [line(1 + mod(q - 1, side)), line(1 + (q - 1)/side)]
    end function point_weights
 
-   !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice the reach
-   pure function point_jacobian(reach, metric) result(jacobian)
-      real(wp), intent(in) :: reach, metric(4)
+   !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice `gauss_abscissa`
+   pure function point_jacobian(gauss_abscissa, metric) result(jacobian)
+      real(wp), intent(in) :: gauss_abscissa, metric(4)
       !> dx/dxi, dy/dxi in the first column
       real(wp) :: jacobian(2, 2)
 
       real(wp) :: inverse(4)
 
-      inverse(:) = 2.0_wp*reach*metric
+      inverse(:) = 2.0_wp*gauss_abscissa*metric
       jacobian(:, :) = reshape([inverse(4), -inverse(3), -inverse(2), inverse(1)], [2, 2]) &
          & /(inverse(1)*inverse(4) - inverse(2)*inverse(3))
    end function point_jacobian

@@ -122,7 +122,7 @@ contains
       type(plane_shares_type), intent(in) :: at_nodes
       !> Quad of the plate, layer and its levels
       type(layer_place_type), intent(in) :: place
-      !> Large displacement; whether strain or stress is asked for
+      !> Large displacement; whether strain or stress is requested
       logical, intent(in) :: large, has_tensors
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)

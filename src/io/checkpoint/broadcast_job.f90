@@ -1,4 +1,4 @@
-!> What the root knows of a job that goes on, told to the other ranks that write its files with it.
+!> Broadcast of the data of a job that goes on from the root to the ranks that write its files.
 module plydyn_io_checkpoint_broadcast_job
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp

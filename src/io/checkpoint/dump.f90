@@ -145,7 +145,7 @@ contains
          part = self%parts%part(name)
          allocate (band(part%counted%count), source=0.0_wp)
          call part%counted%gather(values, band)
-         call self%file%write_values(state_group//"/"//name, band, store_double, part%slab())
+         call self%file%write_values(state_group//"/"//name, band, store_double, part%hyperslab())
       else
          call self%file%write_values(state_group//"/"//name, values, store_double)
       end if

@@ -23,7 +23,7 @@ module plydyn_io_checkpoint_state_layout
       !> Places that this rank counts, and all that it has
       type(distributed_array_type) :: counted, had
    contains
-      procedure :: slab
+      procedure :: hyperslab
    end type part_type
 
    !> Arrays of the whole model, by their names in `exchange_state`
@@ -127,11 +127,11 @@ contains
    end function part
 
    !> The band of this rank
-   pure type(hyperslab_type) function slab(self)
+   pure type(hyperslab_type) function hyperslab(self)
       class(part_type), intent(in) :: self
 
-      slab = hyperslab_type(whole=self%had%whole, first=self%had%first, count=self%had%count)
-   end function slab
+      hyperslab = hyperslab_type(whole=self%had%whole, first=self%had%first, count=self%had%count)
+   end function hyperslab
 
    !> Places of supports in the list of the whole model: held points column by column, then those of
    !> each motion

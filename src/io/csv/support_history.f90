@@ -61,7 +61,7 @@ contains
          if (model%request%support_interval < 0.0_wp) return
          self%reads_motion = .false.
          call find_names(model, names, number)
-         self%sum = sums_of_supports(simulation%domain, number, size(model%holds))
+         self%sum = sums_of_supports(simulation%domain, number, size(model%supports))
          self%sums = new_exact_sums(3 + 3*size(names))
          allocate (self%row(4 + 3*size(names)))
          call open_table(self, job, simulation, names, error)
@@ -75,11 +75,11 @@ contains
       !> Supports, then motions
       integer, allocatable, intent(out) :: number(:)
 
-      character(name_length) :: all(size(model%holds) + size(model%motions))
+      character(name_length) :: all(size(model%supports) + size(model%motions))
       integer :: i, k
 
-      all(:size(model%holds)) = model%holds%name
-      all(size(model%holds) + 1:) = model%motions%name
+      all(:size(model%supports)) = model%supports%name
+      all(size(model%supports) + 1:) = model%motions%name
       allocate (names(0), number(size(all)))
       do i = 1, size(all)
          do k = 1, size(names)
@@ -129,7 +129,7 @@ contains
    !> of their own, beside the table that ends there
    subroutine choose_table(job, header, is_changed, ending, ended, error)
       type(job_type), intent(in) :: job
-      !> Heads of the columns
+      !> Headers of the columns
       character(*), intent(in) :: header
       !> Whether a deck of a restart may have brought other supports
       logical, intent(in) :: is_changed
@@ -187,12 +187,12 @@ contains
    end function table_ending
 
    !> Which sum each held and prescribed freedom is a part of, 0 where this rank does not count it
-   pure function sums_of_supports(domain, number, holds) result(sum)
+   pure function sums_of_supports(domain, number, supports) result(sum)
       type(domain_type), intent(in) :: domain
       !> Number of the name of each support and motion
       integer, intent(in) :: number(:)
       !> How many of them are supports
-      integer, intent(in) :: holds
+      integer, intent(in) :: supports
       integer, allocatable :: sum(:)
 
       integer :: direction(domain%columns%freedoms)
@@ -200,10 +200,10 @@ contains
 
       direction(:) = directions_counted(domain)
       sum = direction(domain%supports%held)
-      where (sum > 0) sum = sum + 3*number(domain%supports%holder)
+      where (sum > 0) sum = sum + 3*number(domain%supports%support)
       do m = 1, size(domain%supports%motions)
          associate (places => domain%supports%motions(m)%freedom)
-            sum = [sum, merge(direction(places) + 3*number(holds + m), 0, direction(places) > 0)]
+            sum = [sum, merge(direction(places) + 3*number(supports + m), 0, direction(places) > 0)]
          end associate
       end do
    end function sums_of_supports

@@ -143,12 +143,12 @@ contains
       logical, intent(out) :: good
 
       integer(hid_t) :: dataset
-      type(c_ptr) :: room
+      type(c_ptr) :: buffer
       integer :: status(3)
 
-      room = address
+      buffer = address
       call h5dopen_f(id, name, dataset, status(1))
-      call h5dread_f(dataset, type_in_memory(number), room, status(2))
+      call h5dread_f(dataset, type_in_memory(number), buffer, status(2))
       call h5dclose_f(dataset, status(3))
       good = all(status >= 0)
    end subroutine read_all

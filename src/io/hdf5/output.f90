@@ -2,8 +2,8 @@
 !>
 !> Arrays keep the order of their memory: `values(components, rows)` here is a table of rows by
 !> components for C and Python. Objects inside a file are named by their path, such as
-!> `VTKHDF/Steps/Values`. Where each rank has a band of the rows it says so by a slab, and the root
-!> receives the bands in pieces; without a slab it writes what it has itself.
+!> `VTKHDF/Steps/Values`. Where each rank has a band of the rows it says so by a hyperslab, and the
+!> root receives the bands in parts; without a hyperslab it writes what it has itself.
 module plydyn_io_hdf5_output
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
@@ -48,7 +48,7 @@ module plydyn_io_hdf5_output
 contains
 
    !> Dataset of a list of integers; a real holds every one of them exactly
-   subroutine write_integer_list(self, name, values, storage, slab)
+   subroutine write_integer_list(self, name, values, storage, hyperslab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
@@ -57,13 +57,13 @@ contains
       !> One of `store_…`
       integer, intent(in) :: storage
       !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
-      call self%write_values(name, real(values, wp), storage, slab)
+      call self%write_values(name, real(values, wp), storage, hyperslab)
    end subroutine write_integer_list
 
    !> Dataset of a list of reals
-   subroutine write_real_list(self, name, values, storage, slab)
+   subroutine write_real_list(self, name, values, storage, hyperslab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
@@ -72,13 +72,14 @@ contains
       !> One of `store_…`
       integer, intent(in) :: storage
       !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
-      call write_table(self, name, values, 1, [rows_of_all(size(values), slab)], storage, slab)
+      call write_table(self, name, values, 1, [rows_of_all(size(values), hyperslab)], storage, &
+         & hyperslab)
    end subroutine write_real_list
 
    !> Dataset of a table of reals
-   subroutine write_real_table(self, name, values, storage, slab)
+   subroutine write_real_table(self, name, values, storage, hyperslab)
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
       character(*), intent(in) :: name
@@ -87,24 +88,24 @@ contains
       !> One of `store_…`
       integer, intent(in) :: storage
       !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
       call write_table(self, name, reshape(values, [size(values)]), size(values, 1), &
-         & [size(values, 1), rows_of_all(size(values, 2), slab)], storage, slab)
+         & [size(values, 1), rows_of_all(size(values, 2), hyperslab)], storage, hyperslab)
    end subroutine write_real_table
 
    !> Rows that all ranks write
-   pure integer function rows_of_all(rows, slab)
+   pure integer function rows_of_all(rows, hyperslab)
       !> Rows of this rank
       integer, intent(in) :: rows
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
       rows_of_all = rows
-      if (present(slab)) rows_of_all = slab%whole*slab%levels
+      if (present(hyperslab)) rows_of_all = hyperslab%whole*hyperslab%levels
    end function rows_of_all
 
    !> Make a dataset and write it
-   subroutine write_table(self, name, values, width, extent, storage, slab)
+   subroutine write_table(self, name, values, width, extent, storage, hyperslab)
       type(hdf5_output_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> Rows of this rank, one behind the other
@@ -114,7 +115,7 @@ contains
       !> Extent of what all ranks write
       integer, intent(in) :: extent(:)
       integer, intent(in) :: storage
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
       type(handle_type) :: dataset
       logical :: good
@@ -124,7 +125,7 @@ contains
          if (good) call open_dataset(self%handle, name, dataset, good)
          call self%note(good, name)
       end if
-      call gather_rows(self, name, dataset, 0_int64, values, width, slab)
+      call gather_rows(self, name, dataset, 0_int64, values, width, hyperslab)
       if (.not. self%writes()) return
       call close_dataset(dataset, good)
       call self%note(good, name)
@@ -189,7 +190,7 @@ contains
    end subroutine make_series
 
    !> Add numbers to a list
-   subroutine append_list(self, name, values, slab)
+   subroutine append_list(self, name, values, hyperslab)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
@@ -197,13 +198,13 @@ contains
       !> What to add
       real(wp), intent(in), contiguous :: values(:)
       !> Where the numbers of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
-      call append_rows(self, name, values, 1, slab)
+      call append_rows(self, name, values, 1, hyperslab)
    end subroutine append_list
 
    !> Add rows to a table
-   subroutine append_table(self, name, values, slab)
+   subroutine append_table(self, name, values, hyperslab)
       !> The file
       class(hdf5_output_type), intent(inout) :: self
       !> Path of the dataset in the file
@@ -211,19 +212,19 @@ contains
       !> What to add, (width, rows)
       real(wp), intent(in), contiguous :: values(:, :)
       !> Where the rows of this rank go
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
-      call append_rows(self, name, reshape(values, [size(values)]), size(values, 1), slab)
+      call append_rows(self, name, reshape(values, [size(values)]), size(values, 1), hyperslab)
    end subroutine append_table
 
    !> Add rows to a list or a table
-   subroutine append_rows(self, name, values, width, slab)
+   subroutine append_rows(self, name, values, width, hyperslab)
       type(hdf5_output_type), intent(inout) :: self
       character(*), intent(in) :: name
       real(wp), intent(in), contiguous :: values(:)
       !> Numbers in a row
       integer, intent(in) :: width
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
       integer(int64) :: before
       type(handle_type) :: dataset
@@ -233,17 +234,17 @@ contains
       if (self%writes()) then
          call open_dataset(self%handle, name, dataset, good)
          if (good) call extend_dataset(dataset, &
-            & int(rows_of_all(size(values)/width, slab), int64), before, good)
+            & int(rows_of_all(size(values)/width, hyperslab), int64), before, good)
          call self%note(good, name)
       end if
-      call gather_rows(self, name, dataset, before, values, width, slab)
+      call gather_rows(self, name, dataset, before, values, width, hyperslab)
       if (.not. self%writes()) return
       call close_dataset(dataset, good)
       call self%note(good, name)
    end subroutine append_rows
 
-   !> Send the rows of each rank to the root in pieces, which writes them
-   subroutine gather_rows(self, name, dataset, before, values, width, slab)
+   !> Send the rows of each rank to the root in parts, which writes them
+   subroutine gather_rows(self, name, dataset, before, values, width, hyperslab)
       type(hdf5_output_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> The dataset and the rows in it before those of all ranks, on the root
@@ -252,7 +253,7 @@ contains
       !> Rows of this rank
       real(wp), intent(in), contiguous, target :: values(:)
       integer, intent(in) :: width
-      type(hyperslab_type), intent(in), optional :: slab
+      type(hyperslab_type), intent(in), optional :: hyperslab
 
       real(wp), allocatable, target :: piece(:)
       type(hyperslab_type) :: all
@@ -260,10 +261,10 @@ contains
       integer :: band(2), done, level, most, r, rows
 
       all = hyperslab_type(whole=size(values)/width, count=size(values)/width)
-      if (present(slab)) all = slab
+      if (present(hyperslab)) all = hyperslab
       most = max(1, numbers_at_once/width)
       allocate (piece(width*most))
-      do r = 0, merge(self%comm%ranks - 1, 0, present(slab))
+      do r = 0, merge(self%comm%ranks - 1, 0, present(hyperslab))
          if (r /= self%comm%rank .and. .not. self%comm%is_root()) cycle
          band(:) = [all%first, all%count]
          call self%comm%send_to_root(r, band)

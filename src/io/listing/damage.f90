@@ -128,7 +128,7 @@ contains
       end do
    end subroutine write_modes
 
-   !> Heads of the table of modes
+   !> Headers of the table of modes
    subroutine start_table(unit, units, table)
       integer, intent(in) :: unit
       type(units_type), intent(in) :: units

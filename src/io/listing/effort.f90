@@ -232,7 +232,7 @@ contains
             & + size(model%fixtures)*fixture*lines(request%fixture_interval) &
             & + size(request%nodes)*node*faces*lines(request%node_interval)
          if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
-            & *support*(1 + size(model%holds) + size(model%motions))
+            & *support*(1 + size(model%supports) + size(model%motions))
          if (size(failing_interfaces(domain)) > 0) bytes = bytes &
             & + lines(request%delamination_interval) &
             & *(3 + interface*size(failing_interfaces(domain)))

@@ -1,4 +1,4 @@
-!> The part of the listing that tells of interfaces: their law and the mesh, and what they lost.
+!> The part of the listing on interfaces: their law, the mesh, and the energy they dissipated.
 module plydyn_io_listing_interfaces
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -104,7 +104,7 @@ contains
       end do
    end subroutine write_modes
 
-   !> Heads of the table of modes
+   !> Headers of the table of modes
    subroutine start_table(table, unit, units)
       type(table_type), intent(inout) :: table
       integer, intent(in) :: unit

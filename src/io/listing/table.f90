@@ -82,7 +82,7 @@ contains
       self%columns = [self%columns, column_type(head, max(width, len_trim(head)), form)]
    end subroutine add_column
 
-   !> Write the heads and a line under them
+   !> Write the headers and a line under them
    subroutine write_heads(self)
       !> The table
       class(table_type), intent(inout) :: self

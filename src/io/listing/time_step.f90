@@ -1,4 +1,4 @@
-!> The part of the listing that tells where the time step comes from.
+!> The part of the listing on the origin of the time step.
 module plydyn_io_listing_time_step
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
@@ -128,7 +128,7 @@ contains
       end if
    end subroutine write_added
 
-   !> Largest inertia per area that resists the relative motion of both faces of a layer, linear
+   !> Largest inertia per area against the relative motion of both faces of a layer, linear
    !> between them
    pure real(wp) function largest_stretch(domain, direction) result(largest)
       type(domain_type), intent(in) :: domain

@@ -10,7 +10,7 @@ module plydyn_io_vtkhdf_components
    !> Numbers of a symmetric tensor
    integer, parameter, public :: tensor_components = 6
 
-   !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in ours
+   !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in that of the recovered values
    integer, parameter :: vtk_order(6) = [1, 2, 3, 4, 6, 5]
    !> From engineering shear to tensor shear
    real(wp), parameter, public :: tensor_share(6) = [1.0_wp, 1.0_wp, 1.0_wp, 0.5_wp, 0.5_wp, 0.5_wp]

@@ -27,7 +27,7 @@ module plydyn_io_vtkhdf_element_grid
       integer, allocatable :: levels(:), below(:)
       !> Part of each element of the family in the mesh
       integer, allocatable :: part(:)
-      !> Sites of the elements of this rank, nodes in the order of the group
+      !> Output nodes of the elements of this rank, nodes in the order of the group
       type(accumulators_type) :: accumulators
       !> Group and number in it of each of these, (2, elements), as the accumulators have them
       integer, allocatable :: place(:, :)
@@ -124,7 +124,7 @@ contains
 
    !> Rows of a list that a rank writes
    pure type(hyperslab_type) function band_of_rows(domain, rows) result(band)
-      !> The domain, which knows the rank
+      !> The domain, with the rank
       type(domain_type), intent(in) :: domain
       !> Rows of the list
       integer, intent(in) :: rows
@@ -168,7 +168,7 @@ contains
    pure subroutine make_cells(domain, cell, output_node, self, piece)
       type(domain_type), intent(in) :: domain
       type(cell_type), intent(in) :: cell
-      !> Sites of all elements
+      !> Output nodes of all elements
       integer, intent(in) :: output_node(:, :)
       type(grid_type), intent(inout) :: self
       type(piece_type), intent(inout) :: piece

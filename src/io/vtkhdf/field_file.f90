@@ -10,7 +10,7 @@ module plydyn_io_vtkhdf_field_file
    implicit none
    private
 
-   !> A file of fields; an extension knows its grid and its values
+   !> A file of fields; an extension has its grid and its values
    type, public, abstract :: field_file_type
       !> The file; not open where the domain has nothing to show in it
       type(vtkhdf_type) :: file

@@ -36,7 +36,7 @@ module plydyn_io_vtkhdf_interface_fields
       integer, allocatable :: layer(:), ply(:)
       !> Group and lane of each interface over each element set, 0 for none, (2, interfaces, sets)
       integer, allocatable :: batch(:, :, :)
-      !> Sites of the quads of this rank, nodes in tensor order
+      !> Output nodes of the quads of this rank, nodes in tensor order
       type(accumulators_type) :: accumulators
       !> Group and number in it of each of these, (2, quads)
       integer, allocatable :: place(:, :)
@@ -132,7 +132,7 @@ contains
    pure subroutine make_cells(domain, mesh, output_node, self, piece)
       type(domain_type), intent(in) :: domain
       type(mesh_type), intent(in) :: mesh
-      !> Sites of all quads
+      !> Output nodes of all quads
       integer, intent(in) :: output_node(:, :)
       type(interface_fields_type), intent(inout) :: self
       type(piece_type), intent(inout) :: piece

@@ -4,7 +4,7 @@ module plydyn_io_vtkhdf_interface_values
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface_interfaces, only : history_size, interface_type
    use plydyn_element_interface_group, only : interface_group_type
-   use plydyn_element_interface_axes, only : find_axes, turn_in
+   use plydyn_element_interface_axes, only : find_axes, rotate_in
    use plydyn_element_quad, only : quad_node_metric
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
       & normal, share_at, shear
@@ -91,7 +91,7 @@ contains
          if (domain%control%kinematics == total_lagrangian) then
             call find_axes(batch%side, quad_node_metric(batch%side, &
                & domain%position(1:2, node)), middle, axes, stretch)
-            call turn_in(size(node), axes, jump)
+            call rotate_in(size(node), axes, jump)
          end if
          do q = 1, size(node)
             opening = stiffness(normal)*max(jump(1, 3, q), 0.0_wp)**2

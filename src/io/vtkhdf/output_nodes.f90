@@ -72,7 +72,7 @@ contains
    function new_accumulators(comm, output_node, element, levels) result(self)
       !> The ranks
       type(comm_type), intent(in) :: comm
-      !> Sites of all elements of the model, (nodes of an element, elements)
+      !> Output nodes of all elements of the model, (nodes of an element, elements)
       integer, intent(in) :: output_node(:, :)
       !> Elements of this rank, in rising order
       integer, intent(in) :: element(:)

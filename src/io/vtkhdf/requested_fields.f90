@@ -11,7 +11,7 @@ module plydyn_io_vtkhdf_requested_fields
    implicit none
    private
 
-   !> A file of motion, strain, stress and scalars of laws; an extension knows the points
+   !> A file of motion, strain, stress and scalars of laws; an extension has the points
    type, public, abstract, extends(field_file_type) :: point_fields_type
    contains
       procedure :: write => write_fields

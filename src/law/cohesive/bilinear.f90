@@ -107,7 +107,7 @@ contains
       end associate
    end function consistent_stiffness
 
-   !> Traction on the upper face that resists an opening, and the history with it
+   !> Traction on the upper face at an opening, and the history with it
    pure subroutine update(self, opening, history, traction)
       class(cohesive_type), intent(in) :: self
       !> Displacement of the upper face over the lower: sliding along x and y, opening along z
@@ -137,7 +137,7 @@ contains
       real(wp), intent(in), optional :: weakness(lanes, points)
 
       real(wp) :: across, along, beyond(lanes), highest, load(lanes, most_points)
-      real(wp) :: weak(lanes, most_points)
+      real(wp) :: point_weakness(lanes, most_points)
       integer :: l, q
 
       beyond(:) = 0.0_wp
@@ -154,9 +154,9 @@ contains
          end do
       end do
       if (self%histories == 0) return
-      weak(:, :points) = 1.0_wp
+      point_weakness(:, :points) = 1.0_wp
       if (present(weakness)) then
-         weak(:, :points) = weakness
+         point_weakness(:, :points) = weakness
          load(:, :points) = load(:, :points)*weakness
          beyond(:) = maxval(load(:, :points), 2) - 1.0_wp
       end if
@@ -172,11 +172,11 @@ contains
          highest = max(highest, beyond(l))
       end do
       if (highest <= 0.0_wp) return
-      call update_damaged(self, points, pitch, opening, load, weak, history, traction)
+      call update_damaged(self, points, pitch, opening, load, point_weakness, history, traction)
    end subroutine update_points
 
    !> Damage, dissipated energies and degraded tractions
-   pure subroutine update_damaged(self, points, pitch, opening, load, weak, history, traction)
+   pure subroutine update_damaged(self, points, pitch, opening, load, weakness, history, traction)
       class(cohesive_type), intent(in) :: self
       !> As in `update_points`
       integer, intent(in) :: points, pitch
@@ -184,7 +184,7 @@ contains
       !> Square of the load of the intact interface, 1 at the onset
       real(wp), intent(inout) :: load(lanes, most_points)
       !> Square of the strength of the law over that of each point
-      real(wp), intent(in) :: weak(lanes, most_points)
+      real(wp), intent(in) :: weakness(lanes, most_points)
       real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Tractions, of the intact interface in
       real(wp), intent(inout) :: traction(lanes, 3, points)
@@ -195,17 +195,17 @@ contains
 
       gain(:, :points) = 1.0_wp
       if (self%pressure_gain > 0.0_wp) then
-         call resist_under_pressure(self, points, history(1, 1, damage_at), traction, weak, gain)
+         call find_pressure_gain(self, points, history(1, 1, damage_at), traction, weakness, gain)
          load(:, :points) = load(:, :points)/gain(:, :points)
       end if
       if (self%by_work) then
          call detect_growth_by_work(points, pitch, load, history(1, 1, 1), before, grows)
       else
-         call self%detect_growth(points, load, weak, history(1, 1, damage_at), before, grows)
+         call self%detect_growth(points, load, weakness, history(1, 1, damage_at), before, grows)
       end if
       do q = 1, points
          if (.not. grows(q)) cycle
-         call grow(self, opening(:, :, q), traction(:, :, q), weak(:, q), gain(:, q), &
+         call grow(self, opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
             & history(:, q, :self%histories))
          if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
             call release_penalty(self%stiffness(normal), self%floor, before(:, q), &
@@ -225,29 +225,29 @@ contains
    end subroutine update_damaged
 
    !> Let damage grow at a point, by the mode of its opening or by the work of both modes
-   pure subroutine grow(self, opening, traction, weak, gain, history)
+   pure subroutine grow(self, opening, traction, weakness, gain, history)
       class(cohesive_type), intent(in) :: self
       !> As in `grow_damage`
-      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), weak(lanes), gain(lanes)
+      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), weakness(lanes), gain(lanes)
       !> History of the point
       real(wp), intent(inout) :: history(lanes, self%histories)
 
       if (self%by_work) then
-         call grow_by_work(self, opening, traction, weak, gain, history(:, :fracture_only), &
+         call grow_by_work(self, opening, traction, weakness, gain, history(:, :fracture_only), &
             & history(:, self%histories - 1:))
       else
-         call self%grow_damage(opening, traction, weak, gain, history(:, :fracture_only))
+         call self%grow_damage(opening, traction, weakness, gain, history(:, :fracture_only))
       end if
    end subroutine grow
 
    !> Square of the shear strength of pressed points over that without pressure
-   pure subroutine resist_under_pressure(self, points, damage, traction, weak, gain)
+   pure subroutine find_pressure_gain(self, points, damage, traction, weakness, gain)
       class(cohesive_type), intent(in) :: self
       !> Number of points
       integer, intent(in) :: points
       !> Damage, tractions of the intact interface, and weakness
       real(wp), intent(in) :: damage(lanes, points), traction(lanes, 3, points)
-      real(wp), intent(in) :: weak(lanes, most_points)
+      real(wp), intent(in) :: weakness(lanes, most_points)
       !> The square, 1 where the faces are apart
       real(wp), intent(inout) :: gain(lanes, most_points)
 
@@ -258,10 +258,10 @@ contains
          !$omp simd private(pressure)
          do l = 1, lanes
             pressure = max(1.0_wp - damage(l, q), self%floor)*max(-traction(l, 3, q), 0.0_wp)
-            gain(l, q) = (1.0_wp + self%pressure_gain*pressure*sqrt(weak(l, q)))**2
+            gain(l, q) = (1.0_wp + self%pressure_gain*pressure*sqrt(weakness(l, q)))**2
          end do
       end do
-   end subroutine resist_under_pressure
+   end subroutine find_pressure_gain
 
    !> Tractions of the damaged interface from those of the intact one
    pure subroutine degrade_traction(damage, floor, traction)

@@ -24,7 +24,7 @@ module plydyn_law_cohesive_softening
    !> History of a point, zero for an intact one: damage from 0 to 1; energy per area lost in
    !> fracture, and its share of the toughness, 1 where the damage is 1; energies released by a
    !> falling penalty, and lost in friction; slip of
-   !> the failed faces along x and y; elastic part of the sliding that friction resists. A law has
+   !> the failed faces along x and y; elastic part of the sliding under friction. A law has
    !> the first of them, as many as it needs; where damage grows by work it has all, and behind them
    !> the energies per area lost in opening and in sliding
    integer, parameter, public :: damage_at = 1, fracture_at = 2, share_at = 3, closing_at = 4, &
@@ -134,7 +134,7 @@ contains
       class(softening_type), intent(in) :: self
       !> Opening, and traction of the intact interface
       real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3)
-      !> The share, from 0 to 1; the square of the load with the strengths of the law, 1 at the onset
+      !> The share, from 0 to 1; square of the load with the strengths of the law, 1 at the onset
       real(wp), intent(out) :: mix(lanes), load(lanes)
 
       real(wp) :: across, along

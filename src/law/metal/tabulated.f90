@@ -135,32 +135,32 @@ contains
       call self%rate%set_lane(lane, reference, power, basis)
    end subroutine set_rate
 
-   !> Make room for segments and curves; what is there stays
+   !> Enlarge the arrays for segments and curves, which keep their values
    pure subroutine reserve(self, segments, curves)
       class(plastic_curve_type), intent(inout) :: self
       !> Segments and curves that a lane needs
       integer, intent(in) :: segments, curves
 
       type(plastic_curve_type) :: old
-      integer :: room(2)
+      integer :: extent(2)
 
-      room(:) = [segments, curves]
+      extent(:) = [segments, curves]
       if (allocated(self%slope)) then
          old = self
-         room(:) = max(room, [size(old%slope, 2), size(old%slope, 3)])
+         extent(:) = max(extent, [size(old%slope, 2), size(old%slope, 3)])
          deallocate (self%start, self%offset, self%slope, self%from, self%inverse_length)
       end if
-      allocate (self%start(lanes, room(1)), source=never)
-      allocate (self%offset(lanes, room(1), room(2)), source=1.0_wp)
-      allocate (self%slope(lanes, room(1), room(2)), source=0.0_wp)
-      allocate (self%from(lanes, room(2)), self%inverse_length(lanes, room(2)), source=0.0_wp)
+      allocate (self%start(lanes, extent(1)), source=never)
+      allocate (self%offset(lanes, extent(1), extent(2)), source=1.0_wp)
+      allocate (self%slope(lanes, extent(1), extent(2)), source=0.0_wp)
+      allocate (self%from(lanes, extent(2)), self%inverse_length(lanes, extent(2)), source=0.0_wp)
       if (.not. allocated(old%slope)) return
-      room(:) = [size(old%slope, 2), size(old%slope, 3)]
-      self%start(:, :room(1)) = old%start
-      self%offset(:, :room(1), :room(2)) = old%offset
-      self%slope(:, :room(1), :room(2)) = old%slope
-      self%from(:, :room(2)) = old%from
-      self%inverse_length(:, :room(2)) = old%inverse_length
+      extent(:) = [size(old%slope, 2), size(old%slope, 3)]
+      self%start(:, :extent(1)) = old%start
+      self%offset(:, :extent(1), :extent(2)) = old%offset
+      self%slope(:, :extent(1), :extent(2)) = old%slope
+      self%from(:, :extent(2)) = old%from
+      self%inverse_length(:, :extent(2)) = old%inverse_length
    end subroutine reserve
 
    !> Cut a curve at strains among which are all of its own

@@ -28,7 +28,7 @@ module plydyn_law_ply_batch_shear
       real(wp) :: straight(lanes) = 0.0_wp
       !> Stress that an exponential tends to, 0 for other shapes, the rate at which it does,
       !> modulus/asymptote, and 1 over that
-      real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp, reach(lanes) = 0.0_wp
+      real(wp) :: asymptote(lanes) = 0.0_wp, rate(lanes) = 0.0_wp, yield_strain(lanes) = 0.0_wp
       !> Ramberg and Osgood
       real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
       !> Strains where a table bends, and change of its slope there, (lanes, points)
@@ -74,7 +74,7 @@ contains
       case (shape_exponential)
          self%asymptote(lane) = curve%asymptote
          self%rate(lane) = modulus/curve%asymptote
-         self%reach(lane) = curve%asymptote/modulus
+         self%yield_strain(lane) = curve%asymptote/modulus
       case (shape_table)
          call set_table(self, lane, curve%strain, curve%stress)
       case default
@@ -185,7 +185,7 @@ contains
             !$omp simd
             do l = 1, lanes
                set(l, m) = max(peak(l, m) &
-                  & - self%reach(l)*one_minus_exp(self%rate(l)*peak(l, m)), 0.0_wp)
+                  & - self%yield_strain(l)*one_minus_exp(self%rate(l)*peak(l, m)), 0.0_wp)
             end do
          end do
       end if

@@ -17,7 +17,7 @@ from runs import Results, run
 
 SIDE, HEIGHT = 1.0, 0.1
 AREA = SIDE**2
-# Plies a thousand times as stiff as the bond, without Poisson's ratio: the faces move as told
+# Plies a thousand times as stiff as the bond, without Poisson's ratio: the faces move as prescribed
 YOUNG = 1.0e7
 STIFF = isotropic(1.0e-9, YOUNG, 0.0)
 DURATION, STATES = 2.0e-5, 200

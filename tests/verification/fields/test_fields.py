@@ -56,7 +56,7 @@ def expected(linear: bool, ply: Ply) -> dict[str, Array]:
 
 
 def moved(nodes: int, linear: bool, folder: Path) -> Results:
-    """Run a plate whose nodes all move as told."""
+    """Run a plate whose nodes all move as prescribed."""
     mesh = distorted(regular(8.0, 6.0, 3, 2, nodes), 0.4)
     motion = (gradient(linear) - np.eye(3))[:2, :2]
     deck = Deck("known strain", END)

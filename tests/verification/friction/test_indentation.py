@@ -1,4 +1,4 @@
-"""A ball that moves as told: quasi-static indentation of a plate."""
+"""A ball that moves as prescribed: quasi-static indentation of a plate."""
 
 from __future__ import annotations
 
