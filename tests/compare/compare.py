@@ -29,6 +29,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 
 from cases import ROOT, THREADS, Case, all_cases, recorded_cases
 from differences import compare_folders
+from known_names import NEW_CASES, reason
 from recorder import record
 from report import Report
 from runner import Build, RunError
@@ -70,7 +71,7 @@ def main(words: Sequence[str] | None = None) -> int:
         for outcome in pool.map(lambda case: compare(case, old, new, folder), chosen):
             outcomes.append(outcome)
             _say("\n".join(outcome.lines))
-    return _tell_end(outcomes, time.monotonic() - start)
+    return _report_end(outcomes, time.monotonic() - start)
 
 
 def _say(text: str) -> None:
@@ -108,6 +109,9 @@ def compare(case: Case, old: Build, new: Build, folder: Path) -> Outcome:
         case.write(deck)
     except ValueError as error:
         return Outcome([f"FAILED {case.name}: {error}"], [], 0, len(case.ways), 0)
+    if (why := reason(NEW_CASES, case.name)) and _is_refused(case, deck, old):
+        shutil.rmtree(deck)
+        return Outcome([f"new    {case.name}: {why}"], [], 0, 0, 0)
     for way in case.ways:
         report = _compare_way(case, deck, way, old, new)
         numbers += report.numbers
@@ -119,11 +123,20 @@ def compare(case: Case, old: Build, new: Build, folder: Path) -> Outcome:
             if len(report.differences) > SHOWN:
                 lines.append(f"    and {len(report.differences) - SHOWN} more")
         else:
-            told = f"{report.files} files, {report.numbers} numbers"
-            lines.append(f"passed {case.name} {way}: {told}")
+            counts = f"{report.files} files, {report.numbers} numbers"
+            lines.append(f"passed {case.name} {way}: {counts}")
     if failed == 0:
         _clear(case, deck, old, new)
     return Outcome(lines, notes, len(case.ways) - failed, failed, numbers)
+
+
+def _is_refused(case: Case, deck: Path, build: Build) -> bool:
+    """Whether a build refuses the deck of a case."""
+    try:
+        build.results(case.name, deck, THREADS)
+    except RunError as error:
+        return "exit code 2" in str(error)
+    return False
 
 
 def _compare_way(case: Case, deck: Path, way: str, old: Build, new: Build) -> Report:
@@ -131,7 +144,7 @@ def _compare_way(case: Case, deck: Path, way: str, old: Build, new: Build) -> Re
     try:
         before = old.results(case.name, deck, way)
         after = new.results(case.name, deck, way)
-        report = compare_folders(before, after)
+        report = compare_folders(before, after, case.name)
     except (RunError, OSError, TimeoutExpired) as error:
         report = Report()
         report.differ(case.name, way, "", "a run", f"none: {error}")
@@ -158,7 +171,7 @@ def _clear(case: Case, deck: Path, old: Build, new: Build) -> None:
                 shutil.rmtree(build.folder / name, ignore_errors=True)
 
 
-def _tell_end(outcomes: Sequence[Outcome], seconds: float) -> int:
+def _report_end(outcomes: Sequence[Outcome], seconds: float) -> int:
     """Print changes of names, each once, and the count."""
     counts: dict[str, int] = {}
     for outcome in outcomes:

@@ -16,9 +16,9 @@ WORDS = (".out", ".k", ".screen")
 _RESTART = re.compile(r"\.(dump|runrsf)\d*$")
 
 
-def compare_folders(old: Path, new: Path) -> Report:
+def compare_folders(old: Path, new: Path, case: str = "") -> Report:
     """Compare the histories, fields and restart files of a job."""
-    report = Report()
+    report = Report(case)
     olds, news = _results(old), _results(new)
     if not olds:
         report.differ(old.name, "", "", "no results", f"{len(news)} files")
@@ -83,9 +83,9 @@ def compare_tables(old: Path, new: Path, report: Report) -> None:
     mine = _kept(first, old, known_names.DROPPED_COLUMNS, "is written no longer", report)
     others = _kept(second, new, known_names.ADDED_COLUMNS, "is new", report)
     if len(mine) != len(others):
-        _tell_columns(old.name, first.heads, second.heads, report)
+        _report_columns(old.name, first.heads, second.heads, report)
         return
-    others = _in_order(first, mine, second, others, old)
+    others = _in_order(first, mine, second, others, old.name)
     for i, j in zip(mine, others, strict=True):
         if first.heads[i] != second.heads[j]:
             report.note(f"{old.name}: column {first.heads[i]!r} is called {second.heads[j]!r}")
@@ -97,12 +97,11 @@ def compare_tables(old: Path, new: Path, report: Report) -> None:
         _compare_words(old.name, heads, first.words(mine), second.words(others), report)
 
 
-def _in_order(old: _Table, mine: list[int], new: _Table, others: list[int], path: Path) -> list[int]:
-    """Columns of the new table in the order of the old: those of another header, then the rest."""
+def _in_order(old: _Table, mine: list[int], new: _Table, others: list[int], file: str) -> list[int]:
+    """Columns of the new table in the order of the old: moved ones by header, others by place."""
     moved = {}
     for i in mine:
-        name = f"{path.name}: {old.heads[i]}"
-        head = renamed(known_names.RENAMED_COLUMNS, name).partition(": ")[2]
+        head = renamed(known_names.RENAMED_COLUMNS, f"{file}: {old.heads[i]}").partition(": ")[2]
         if head != old.heads[i] and head in new.heads:
             moved[i] = new.heads.index(head)
     rest = iter([j for j in others if j not in moved.values()])
@@ -122,7 +121,7 @@ def _kept(
     return kept
 
 
-def _tell_columns(name: str, old: list[str], new: list[str], report: Report) -> None:
+def _report_columns(name: str, old: list[str], new: list[str], report: Report) -> None:
     """Headers that only one of two histories has."""
     gone = [head for head in old if head not in new]
     fresh = [head for head in new if head not in old]
@@ -134,18 +133,29 @@ def _compare_words(
 ) -> None:
     """The first number of each column that differs."""
     for column, head in enumerate(heads):
+        most = _round_off(f"{report.case} {name}: {head}", report)
         for row, (mine, other) in enumerate(zip(old, new, strict=False)):
-            if not _same_number(mine[column], other[column]):
+            if not _same_number(mine[column], other[column], most):
                 place = f"row {row + 1} ({heads[0]} {mine[0]})"
                 report.differ(name, head, place, mine[column], other[column])
                 break
 
 
-def _same_number(one: str, other: str) -> bool:
-    """Whether two words are the same number, however they are written."""
+def _round_off(name: str, report: Report) -> float:
+    """Largest difference of the numbers of a column, `case file: header`."""
+    for key, (most, why) in known_names.ROUNDED_COLUMNS.items():
+        if re.fullmatch(key, name):
+            report.note(f"{name} may differ by {most:g}: {why}")
+            return most
+    return 0.0
+
+
+def _same_number(one: str, other: str, most: float) -> bool:
+    """Whether two words are the same number, however written, or differ by `most` above 0."""
     if one == other:
         return True
     try:
-        return float(one).hex() == float(other).hex()
+        first, second = float(one), float(other)
     except ValueError:
         return False
+    return first.hex() == second.hex() or 0.0 < abs(first - second) <= most

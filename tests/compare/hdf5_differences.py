@@ -27,7 +27,7 @@ def compare_hdf5(old: Path, new: Path, report: Report) -> None:
             _compare(old.name, name, mine.pop(name), others.pop(other), report)
     _pair_by_content(old.name, mine, others, report)
     _pair_by_shape(old.name, mine, others, report)
-    _tell_rest(old.name, mine, others, report)
+    _report_rest(old.name, mine, others, report)
 
 
 def _read(path: Path, report: Report) -> Data:
@@ -161,7 +161,7 @@ def _alike(name: str, values: np.ndarray, other: str, their: np.ndarray) -> bool
     return _group(name) == _group(other) and same_form
 
 
-def _tell_rest(file: str, mine: Data, others: Data, report: Report) -> None:
+def _report_rest(file: str, mine: Data, others: Data, report: Report) -> None:
     """What only one of the builds has."""
     for name, values in sorted(mine.items()):
         if why := reason(known_names.DROPPED_DATA, name):

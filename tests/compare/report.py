@@ -25,6 +25,7 @@ class Difference:
 class Report:
     """Differences, changes of names, and how much was compared."""
 
+    case: str = ""
     differences: list[Difference] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     files: int = 0

@@ -110,7 +110,7 @@ def test_a_difference_is_found(case: str, tmp_path: Path) -> None:
     assert found[0].old != found[0].new
 
 
-def test_values_of_both_are_told(tmp_path: Path) -> None:
+def test_values_of_both_are_reported(tmp_path: Path) -> None:
     """So that the size of a difference can be seen."""
     old, new = results(tmp_path / "old"), results(tmp_path / "new")
     flip(new / "job.dump01", "state/sums")
@@ -128,7 +128,7 @@ def test_the_same_has_no_difference(tmp_path: Path) -> None:
     assert (report.files, report.numbers) == (3, 6 + (6 + 6 + 3 + 2) + (6 + 2 + 1))
 
 
-def test_other_names_pass_and_are_told(tmp_path: Path) -> None:
+def test_other_names_pass_and_are_reported(tmp_path: Path) -> None:
     """Headers by their place, arrays and attributes by their content."""
     old, new = results(tmp_path / "old"), results(tmp_path / "new")
     rewrite(new / "job.energy.csv", "ripple", "half-step correction")
@@ -153,7 +153,7 @@ def test_a_bit_is_found_under_another_name(tmp_path: Path) -> None:
 
 
 def test_what_is_gone_or_new_must_be_known(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is a difference until it stands in the table, and is told then too."""
+    """It is a difference until it stands in the table, and is reported then too."""
     old, new = results(tmp_path / "old"), results(tmp_path / "new")
     with h5py.File(new / "job.dump01", "r+") as file:
         del file["state/clock"]
@@ -207,3 +207,49 @@ def test_every_deck_and_recipe_is_a_case() -> None:
             name = f"deck/{path.parent.name}"
             assert (name in names) != (name in known_names.CHANGED_CASES)
     assert {case.name.split("/")[0] for case in cases if case.quick} == {"made", "deck", "recipe"}
+
+
+@pytest.mark.parametrize(("most", "rows"), [(1.0e-7, []), (1.0e-8, ["row 2 (cycle [-] 11)"])])
+def test_a_column_may_be_rounded(
+    most: float, rows: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of one case, by no more than the table says: the last digit is worth 1e-7."""
+    old, new = results(tmp_path / "old"), results(tmp_path / "new")
+    rewrite(new / "job.energy.csv", "1.600250001E+02", "1.6002500019E+02")
+    name = r"deck/one .*energy\.csv: ripple.*"
+    monkeypatch.setitem(known_names.ROUNDED_COLUMNS, name, (most, "a reason"))
+    assert [one.place for one in compare_folders(old, new, "deck/one").differences] == rows
+    assert compare_folders(old, new, "deck/other").differences
+
+
+def test_a_column_may_move(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is found by its header, and another takes its place."""
+    old, new = results(tmp_path / "old"), results(tmp_path / "new")
+    add_column(old / "job.energy.csv")
+    rewrite(old / "job.energy.csv", "[mJ],0", "[mJ],loss")
+    lines = (old / "job.energy.csv").read_text().splitlines()
+    rows = [line.split(",") for line in lines]
+    moved = [[row[0], row[1], row[3], row[2]] for row in rows]
+    (new / "job.energy.csv").write_text("".join(",".join(row) + "\n" for row in moved))
+    assert compare_folders(old, new).differences
+    rewrite(new / "job.energy.csv", "ripple", "half-step correction")
+    key, value = r"(.*energy\.csv: )ripple(.*)", r"\1half-step correction\2"
+    monkeypatch.setitem(known_names.RENAMED_COLUMNS, key, value)
+    assert compare_folders(old, new).differences == []
+
+
+@pytest.mark.parametrize("right", [True, False])
+def test_an_array_may_be_widened(
+    right: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The old values must follow each other among the new ones."""
+    old, new = results(tmp_path / "old"), results(tmp_path / "new")
+    monkeypatch.setitem(known_names.WIDENED_DATA, "state/sums", "a new variable")
+    with h5py.File(new / "job.dump01", "r+") as file:
+        values = file["state/sums"][()]
+        if not right:
+            values[[1, 4]] = values[[4, 1]]
+        del file["state/sums"]
+        file["state/sums"] = np.insert(values, 2, [8.0, 9.0])
+    found = compare_folders(old, new).differences
+    assert [one.data for one in found] == ([] if right else ["state/sums"])
