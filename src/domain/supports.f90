@@ -60,7 +60,7 @@ contains
       type(layers_type), intent(in) :: layers
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The places, and the first support that supports each of them
+      !> The places, and the first support of each of them
       integer, allocatable, intent(out) :: held(:), support(:)
 
       integer, allocatable :: nodes(:), points(:, :)

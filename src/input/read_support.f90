@@ -40,7 +40,7 @@ contains
          do i = 1, size(rotation_names)
             if (cards%integer(rotation_names(i), nth) == 0 .or. all(support%direction)) cycle
             call catalogue%refuse(cards, rotation_names(i), &
-               & "the points of the plate have no rotations to support", &
+               & "the points of the plate have no rotations to hold", &
                & "0, or DOFX = DOFY = DOFZ = 1 to clamp the nodes", nth)
          end do
          model%supports = [model%supports, support]

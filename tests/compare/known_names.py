@@ -24,9 +24,8 @@ NEW_CASES: dict[str, str] = {
 ROUNDED_COLUMNS: dict[str, tuple[float, str]] = {
     r"deck/implicit_supports .*\.energy\.csv: error.*": (
         1.0e-14,
-        "a product that was rounded before it was added is fused with the sum: one rounding in "
-        "each of 9 columns, 2**-53 of a free motion with 10 times the energy that the error is a share "
-        "of; this kinetic energy is printed, and no step uses it",
+        "a product is no longer rounded before it is added: 2**-53 in each of 9 columns, of a free "
+        "motion with 10 times the reference energy; no step uses the kinetic energy",
     ),
 }
 
