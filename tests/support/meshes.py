@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,8 +72,13 @@ def without(mesh: Mesh, cut: NDArray[np.bool_]) -> Mesh:
     return Mesh(mesh.points[used], number.reshape(quads.shape))
 
 
-def disc(n: int, rings: int, radius: float, core: float) -> Mesh:
-    """A square core of n x n quads of nine nodes, and rings of 4 n quads up to the circle."""
+def disc(
+    n: int, rings: int, radius: float, core: float, outer: Sequence[float] = ()
+) -> Mesh:
+    """A square core of n x n quads of nine nodes, rings of 4 n quads up to the circle.
+
+    More rings of 4 n quads end at the radii `outer`.
+    """
     places: dict[tuple[float, float], int] = {}
     quads: list[list[int]] = []
 
@@ -97,6 +104,14 @@ def disc(n: int, rings: int, radius: float, core: float) -> Mesh:
             return turn @ ((1.0 - s) * core * np.array([0.5, t - 0.5]) + s * outer)
 
         block(between, rings, n)
+        for inner, end in pairwise((radius, *outer)):
+
+            def around(s: float, t: float, turn: Array = turn, ring: Array = (inner, end)) -> Array:
+                angle = 0.5 * np.pi * (t - 0.5)
+                here = ring[0] + s * (ring[1] - ring[0])
+                return turn @ (here * np.array([np.cos(angle), np.sin(angle)]))
+
+            block(around, 1, n)
     return Mesh(np.array(list(places)), np.array(quads))
 
 
