@@ -9,8 +9,8 @@ clamped ends, or one half-wave of a plate on simple supports, from crest to cres
 
     U ~ sin(pi x / length),  V, W ~ cos(pi x / length).
 
-The plate is compressed by a strain along x alone, free to become wider: stresses s_x and s_y of every ply. Small
-motion about that state has the energy (Washizu 1968, initial stress problems)
+The plate is compressed by a strain along x alone, free to become wider: stresses s_x and s_y of
+every ply. Small motion about that state has the energy (Washizu 1968, initial stress problems)
 
     K - strain G,  G = int -s_x (U_x^2 + V_x^2 + W_x^2) - s_y k^2 (U^2 + V^2 + W^2)
 

@@ -72,9 +72,7 @@ def without(mesh: Mesh, cut: NDArray[np.bool_]) -> Mesh:
     return Mesh(mesh.points[used], number.reshape(quads.shape))
 
 
-def disc(
-    n: int, rings: int, radius: float, core: float, outer: Sequence[float] = ()
-) -> Mesh:
+def disc(n: int, rings: int, radius: float, core: float, outer: Sequence[float] = ()) -> Mesh:
     """A square core of n x n quads of nine nodes, rings of 4 n quads up to the circle.
 
     More rings of 4 n quads end at the radii `outer`.

@@ -1,13 +1,14 @@
 """Buckling loads of compressed cross-plies, found from how their frequency falls with the load.
 
-A plate that is compressed by a strain e swings with omega^2 = min (K - e G) / M (`loaded_plate.py`),
-which is nothing at the buckling strain. Where buckling and vibration have one mode, omega^2 falls
-along a line; with clamped ends it is concave, and a line through two points near its zero meets the
-axis beyond it by less than 0.1 % (asserted). So two runs of some milliseconds find the load, which
-slow loading would see only through an imperfection.
+A plate that is compressed by e swings with omega^2 = min (K - e G) / M (`loaded_plate.py`), which
+is nothing at the buckling strain. Where buckling and vibration have one mode, omega^2 falls along
+a line; with clamped ends it is concave, and a line through two points near its zero meets the axis
+beyond it by less than 0.3 % (asserted). So two runs of some milliseconds find the load, which slow
+loading would see only through an imperfection.
 
-The solver's strain is that of Green: a shortening d of the length L is E = d/L - (d/L)^2/2. What else
-is of the order of the strain (0.5 %) is left in the tolerance: the plate becomes thicker and wider.
+The solver's strain is that of Green: a shortening d of the length L is d/L - (d/L)^2/2. What else
+is of the order of the strain (0.5 %) is left in the tolerance: the plate becomes thicker and
+wider.
 """
 
 from __future__ import annotations
@@ -105,7 +106,9 @@ def test_buckling_load(
     assert zero_of_line(strains, line) == pytest.approx(exact, rel=3e-3)
     squares = [swinging(plate, strain, quads, tmp_path / f"{strain}") ** 2 for strain in strains]
     found = zero_of_line(strains, np.array(squares))
-    compare.number("buckling stress", found * plate.stress, exact * plate.stress, unit="MPa", rel=0.02)
+    compare.number(
+        "buckling stress", found * plate.stress, exact * plate.stress, unit="MPa", rel=0.02
+    )
     over = np.linspace(0.0, 1.0, 21)[:-1]
     khz = 1.0e-3 / (2.0 * np.pi)
     compare.curves(
@@ -122,9 +125,9 @@ def test_buckling_load(
 
 
 def test_transverse_shear_lowers_the_load(compare: Comparison) -> None:
-    """The solid beside Kirchhoff's plate, thick and thin: N b^2 / pi^2 of one half-wave a x b is
+    """The solid beside Kirchhoff's plate, thick and thin.
 
-    D11 (b/a)^2 + 2 (D12 + 2 D66) + D22 (a/b)^2.
+    N b^2 / pi^2 of one half-wave a x b is D11 (b/a)^2 + 2 (D12 + 2 D66) + D22 (a/b)^2.
     """
     for share, bounds in ((1.0, (-0.04, -0.01)), (0.1, (-5.0e-4, 0.0))):
         plies = tuple(Ply(T700, share * ply.thickness, ply.angle) for ply in STACK)

@@ -1,15 +1,20 @@
 """A thin layer that buckles over a round delamination, when the solid below is compressed.
 
-The layer, thickness t, is clamped along a circle of radius R and compressed alike in all directions.
-It buckles at the strain 1.2235 (t/R)^2 / (1 + nu) (14.68 D / R^2), and then opens by
+The layer, thickness t, is clamped along a circle of radius R and compressed alike in all
+directions. It buckles at the strain 1.2235 (t/R)^2 / (1 + nu) (14.68 D / R^2), and then opens in
+the middle by
 
-    (w / t)^2 = (strain / critical - 1) / (0.2473 (1 + nu) + 0.2231 (1 - nu^2))
+    (w / t)^2 = (strain / critical - 1) / (0.2473 (1 + nu) + 0.2231 (1 - nu^2)),
 
-in the middle, an expansion about the onset (Hutchinson, Thouless and Liniger, Acta Metall. Mater. 40
-(1992) 295-308). A pressure gives the sense; it bends the uncompressed layer by P t. The equation of
-one mode, (strain / critical - 1) w - a w^3 / t^2 + P t = 0, takes it out of the strains. Both numbers
-are those of an expansion of the first order whose next term is a few percent at these openings; the
-root of the layer turns in the solid, which makes R longer by less than t, t/R = 2.5 %.
+an expansion about the onset (Hutchinson, Thouless and Liniger, Acta Metall. Mater. 40 (1992)
+295-308). A pressure gives the sense; it bends the uncompressed layer by P t. The equation of one
+mode, (strain / critical - 1) w - a w^3 / t^2 + P t = 0, takes it out of the strains. Both numbers
+are those of an expansion of the first order whose next term is a few percent at these openings;
+the root of the layer turns in the solid, which makes R longer by less than t, t/R = 2.5 %.
+
+A strip that has buckled over a delamination of length 2 b releases, with s the strain and c =
+pi^2/12 (t/b)^2 that of buckling, E t s^2 / 2 (1 - nu^2) (1 - c/s) (1 + 3 c/s) per area of growth
+(Hutchinson and Suo, Adv. Appl. Mech. 29 (1992) 63-191).
 """
 
 from __future__ import annotations
@@ -20,12 +25,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 from comparison import Comparison
-from decks import BOTTOM, TOP, Bond, Deck, Ply, ramp
+from decks import BOTTOM, Bond, Deck, Ply, ramp
 from elasticity import Array, isotropic
 from meshes import Mesh, disc, regular, without
 from runs import run
 
-# Poisson's ratio is low, since one linear layer in bending cannot become thinner: (1 - nu)^2/(1 - 2 nu)
+# One linear layer in bending cannot become thinner and is stiffer by (1 - nu)^2/(1 - 2 nu), 1 %
 SHEET = isotropic(2.7e-9, 70.0e3, 0.1)
 RADIUS, OUTER, FILM, SOLID = 20.0, 26.0, 0.5, 0.5
 POISSON = SHEET.poisson[0]
@@ -80,7 +85,9 @@ def opening(folder: Path) -> tuple[Array, Array]:
     deck.histories([middle], time / 300.0)
     table = run(deck, folder).table("nodes")
     later = (table["time"] / time - SHARE) / (1.0 - SHARE)
-    return FIRST + (LAST - FIRST) * later, table[f"n{middle + 1} top uz"] / FILM
+    slow = later >= 0.0
+    opened = table[f"n{middle + 1} top uz"] / FILM
+    return FIRST + (LAST - FIRST) * later[slow], opened[slow]
 
 
 def test_onset(compare: Comparison, tmp_path: Path) -> None:
@@ -144,7 +151,8 @@ def strip(folder: Path) -> tuple[Array, Array]:
     deck.intervals(delam=time / 400.0)
     table = run(deck, folder).table("delamination")
     strain = least + (most - least) * (table["time"] - first) / (time - first)
-    return strain, table["failed sum"] / QUAD
+    slow = strain >= least
+    return strain[slow], table["failed sum"][slow] / QUAD
 
 
 def test_growth(compare: Comparison, tmp_path: Path) -> None:
@@ -155,7 +163,10 @@ def test_growth(compare: Comparison, tmp_path: Path) -> None:
     """
     strain, half = strip(tmp_path)
     lengths = np.array([HALF + 1.5, HALF + 3.0, HALF + 6.0, HALF + 9.0])
-    exact = [float(brentq(lambda e, b=b: release(e, b) - TOUGHNESS, 1.2 * euler(b), 1.0)) for b in lengths]
+    exact = [
+        float(brentq(lambda e, b=b: release(e, b) - TOUGHNESS, 1.2 * euler(b), 1.0))
+        for b in lengths
+    ]
     found = [float(strain[np.argmax(half >= length)]) for length in lengths]
     for length, own, theory in zip(lengths, found, exact, strict=True):
         compare.number(f"strain at which {length:g} mm have failed", own, theory, rel=0.03)

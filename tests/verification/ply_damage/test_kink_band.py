@@ -69,7 +69,9 @@ def test_work(
     for quads in (3, 5, 9):
         way, found, fibres = bar(nodes, quads, plateau, tmp_path / f"{quads}")
         compare.number(f"work, {quads} quads", found[-1], work, unit="mJ/mm2", rel=close)
-        compare.number(f"spent on fibres, {quads} quads", fibres[-1], spent, unit="mJ/mm2", rel=close)
+        compare.number(
+            f"spent on fibres, {quads} quads", fibres[-1], spent, unit="mJ/mm2", rel=close
+        )
         drawn[f"{quads} quads"] = (way, found)
     after = np.linspace(0.6, 1.0, 3) * SHORTENING
     compare.curves(
