@@ -5,7 +5,7 @@
 !> all defaults.
 module plydyn_element_output_group
    use plydyn_base_precision, only : wp
-   use plydyn_element_recover, only : recovered
+   use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : columns_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type

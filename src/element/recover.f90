@@ -3,21 +3,14 @@ module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : layer_scalars, point_history
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
+      & strain_at, stress_at
    use plydyn_law_ply_elastic, only : strain_rotation
-   use plydyn_law_law, only : scalars
    use plydyn_law_compression_barrier, only : barrier_stress, volume_ratio
    implicit none
    private
 
    public :: gauss_metric, layer_values
-
-   !> Where each kind of recovered values begins, less one: strain and stress in the axes of the
-   !> plate, then of the ply, each xx, yy, zz, xy, xz, yz with engineering shear; the scalars that
-   !> laws show
-   integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
-      & ply_stress_at = 18, scalars_at = 24
-   !> How many there are
-   integer, parameter, public :: recovered = scalars_at + scalars
 
 contains
 

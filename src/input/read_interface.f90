@@ -5,7 +5,7 @@ module plydyn_input_read_interface
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
+   use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law

@@ -6,7 +6,7 @@ program test_element_brick_bricks
    use plydyn_element_brick_kernel, only : add_brick_forces, hourglass_energy
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_plate_layers, only : batch_stiffness
-   use plydyn_element_recover, only : stress_at
+   use plydyn_element_recovered, only : stress_at
    use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
    use testing, only : begin, check, finish
    implicit none

@@ -14,7 +14,7 @@ module plydyn_element_brick_group
    use plydyn_element_group, only : element_group_type
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : cell_type
-   use plydyn_element_recover, only : recovered
+   use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_mesh, only : mesh_type

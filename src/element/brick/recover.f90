@@ -5,7 +5,7 @@ module plydyn_element_brick_recover
    use plydyn_element_brick_kernel, only : gather, mean_volume_strain
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
       & rotate_strain, rotate_stress
-   use plydyn_element_recover, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
+   use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
    use plydyn_element_plate_layers, only : c33
    use plydyn_law_compression_barrier, only : barrier_stress

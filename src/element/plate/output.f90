@@ -5,7 +5,8 @@ module plydyn_element_plate_output
    use plydyn_element_output_group, only : cell_type
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : tensor_order
-   use plydyn_element_recover, only : layer_values, recovered, scalars_at
+   use plydyn_element_recover, only : layer_values
+   use plydyn_element_recovered, only : recovered, scalars_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_columns, only : columns_type

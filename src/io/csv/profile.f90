@@ -9,7 +9,8 @@ module plydyn_io_csv_profile
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_plate_group, only : plate_group_type
    use plydyn_element_quad, only : plane_table
-   use plydyn_element_recover, only : layer_values, ply_stress_at, recovered, strain_at, stress_at
+   use plydyn_element_recover, only : layer_values
+   use plydyn_element_recovered, only : ply_stress_at, recovered, strain_at, stress_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_expansion, only : lagrange

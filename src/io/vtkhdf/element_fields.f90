@@ -4,7 +4,7 @@ module plydyn_io_vtkhdf_element_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_recover, only : recovered
+   use plydyn_element_recovered, only : recovered
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_components, only : field_components, tensor_components
    use plydyn_io_vtkhdf_element_grid, only : grid_type, new_grid

@@ -3,7 +3,8 @@ module plydyn_io_vtkhdf_requested_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_recover, only : ply_strain_at, ply_stress_at, scalars_at, strain_at, stress_at
+   use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, scalars_at, strain_at, &
+      & stress_at
    use plydyn_law_law, only : scalar_names
    use plydyn_io_vtkhdf_components, only : tensor, tensor_share
    use plydyn_io_vtkhdf_field_file, only : field_file_type

@@ -2,7 +2,8 @@
 module plydyn_law_cohesive_check
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
+   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive
+   use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
    implicit none
