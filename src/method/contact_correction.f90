@@ -7,6 +7,7 @@ module plydyn_method_contact_correction
    use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
+   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, coefficients_of_step
    use plydyn_method_supports, only : prescribed_velocity
    use plydyn_model_impactor, only : impactor_type
    use plydyn_state_state, only : energies_type, impactor_state_type, state_type
@@ -56,8 +57,8 @@ contains
    end subroutine move_impactor
 
    !> Add the correction to the plate; the impulse does its work at the mean of the velocities
-   !> before and after it, of which the first is the velocity at the full step. Points that share
-   !> their inertia with the corrected points follow
+   !> before the step and after the impulse. Points that share their inertia with the corrected
+   !> points follow
    pure subroutine correct_plate(domain, surface, inverse_mass, correction, impactor, state, &
       & reduction, motion)
       !> The domain
@@ -77,16 +78,19 @@ contains
       !> Has the multipliers of rows that slide; not without friction
       type(step_motion_type), optional, intent(in) :: motion
 
-      real(wp) :: jump, mass, move, power, work
+      type(leapfrog_coefficients_type) :: coefficients
+      real(wp) :: damping, jump, mass, mean, move, power, work
       integer :: c, i, k
 
+      coefficients = coefficients_of_step(domain%control%damping, state)
       do i = 1, correction%count
          k = correction%point(i)
          if (surface%freedom(1, k) == 0) cycle
          if (present(motion) .and. surface%own(k)) then
             call reduction%bodies%add(impactor, friction_work(surface%freedom(:, k), &
-               & motion%point_force(:, k), correction%displacement(:, k), state))
+               & motion%point_force(:, k), correction%displacement(:, k), coefficients, state))
          end if
+         damping = 0.0_wp
          power = 0.0_wp
          work = 0.0_wp
          do c = 1, 3
@@ -97,7 +101,9 @@ contains
                & a => state%acceleration(surface%freedom(c, k)))
                mass = 1.0_wp/inverse_mass(c, k)
                jump = move/state%step
-               work = work + mass*jump*(v - 0.5_wp*state%step*a + 0.5_wp*jump)
+               mean = coefficients%mean_velocity(v, a)
+               work = work + mass*jump*(mean + 0.5_wp*jump)
+               damping = damping + coefficients%damping*mass*jump*mean
                power = power + mass*a*jump
                v = v + jump
                u = u + move
@@ -110,20 +116,24 @@ contains
          if (.not. surface%own(k)) cycle
          call reduction%contact_work%add(work)
          call reduction%contact_power%add(power)
+         call reduction%contact_damping%add(damping)
       end do
    end subroutine correct_plate
 
    !> Work taken by friction at a point of the plate
-   pure real(wp) function friction_work(place, force, correction, state)
+   pure real(wp) function friction_work(place, force, correction, coefficients, &
+      & state)
       !> Places of the point in the arrays of motion
       integer, intent(in) :: place(3)
       !> Multiplier of the rows that slide, mass times length, and correction of the point, length
       real(wp), intent(in) :: force(3), correction(3)
+      !> Of the step
+      type(leapfrog_coefficients_type), intent(in) :: coefficients
       !> Velocity and acceleration before the correction
       type(state_type), intent(in) :: state
 
-      friction_work = -dot_product(force/state%step, state%velocity(place) &
-         & - 0.5_wp*state%step*state%acceleration(place) + 0.5_wp*correction/state%step)
+      friction_work = -dot_product(force/state%step, coefficients%mean_velocity( &
+         & state%velocity(place), state%acceleration(place)) + 0.5_wp*correction/state%step)
    end function friction_work
 
    !> Add the correction to the impactor. Where its motion is prescribed it does the work of the

@@ -42,6 +42,7 @@ contains
          e%external = e%external + 0.5_wp*step*(outside_before + outside) &
             & + reduction%prescribed_work%value()
          e%contact = e%contact - reduction%contact_work%value()
+         e%damping = e%damping + reduction%contact_damping%value()
       end associate
       call state%energies%raise_reference()
    end subroutine update_energies

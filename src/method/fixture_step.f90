@@ -9,6 +9,7 @@ module plydyn_method_fixture_step
    use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
    use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
+   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, coefficients_of_step
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
@@ -219,17 +220,24 @@ contains
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: middle(3), move(3)
+      type(leapfrog_coefficients_type) :: coefficients
+      real(wp) :: mean(3), middle(3), move(3)
       integer :: c, first
 
       first = size(state%impactors) + sums*(i - 1)
       move(:) = row%inverse_mass*row%multiplier
       associate (v => state%velocity, u => state%displacement, a => state%acceleration, &
          & places => surface%freedom(:, k))
-         ! the mean of the velocities before and after, of which the first is that of the full step
-         middle(:) = v(places) - 0.5_wp*state%step*a(places) + 0.5_wp*move/state%step
-         if (surface%own(k)) call count_row(first, row, middle, motion%increment/state%step, &
-            & surface%area(k), a(places), state%step, reduction)
+         ! the mean of the velocities before the step and after the multiplier
+         coefficients = coefficients_of_step(domain%control%damping, state)
+         mean(:) = coefficients%mean_velocity(v(places), a(places))
+         middle(:) = mean + 0.5_wp*move/state%step
+         if (surface%own(k)) then
+            call count_row(first, row, middle, motion%increment/state%step, surface%area(k), &
+               & a(places), state%step, reduction)
+            call reduction%contact_damping%add(coefficients%damping &
+               & *dot_product(row%multiplier/state%step, mean))
+         end if
          do c = 1, 3
             v(places(c)) = v(places(c)) + move(c)/state%step
             u(places(c)) = u(places(c)) + move(c)

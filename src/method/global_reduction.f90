@@ -22,6 +22,8 @@ module plydyn_method_global_reduction
       type(exact_sum_type) :: prescribed_work
       !> Work of contact on the plate, and its change of the power at the beginning of the step
       type(exact_sum_type) :: contact_work, contact_power
+      !> Work of the damping force along the velocity that contact adds
+      type(exact_sum_type) :: contact_damping
    end type step_sums_type
 
    !> Sums, maximum and requests of a step

@@ -15,6 +15,8 @@ module plydyn_method_leapfrog_coefficients
       real(wp) :: mean_step = 0.0_wp
       !> The step
       real(wp) :: step = 0.0_wp
+   contains
+      procedure :: mean_velocity
    end type leapfrog_coefficients_type
 
 contains
@@ -46,5 +48,15 @@ contains
       self%mean_step = mean_step/(1.0_wp + self%damping)
       self%step = step
    end function new_leapfrog_coefficients
+
+   !> Mean of the velocities before a step and after it, without contact: the velocity that damping
+   !> sees
+   elemental real(wp) function mean_velocity(self, after, acceleration)
+      class(leapfrog_coefficients_type), intent(in) :: self
+      !> Velocity after the step, and acceleration in it
+      real(wp), intent(in) :: after, acceleration
+
+      mean_velocity = (after - 0.5_wp*self%step*acceleration)/(1.0_wp - self%damping)
+   end function mean_velocity
 
 end module plydyn_method_leapfrog_coefficients
