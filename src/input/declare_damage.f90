@@ -6,7 +6,7 @@ module plydyn_input_declare_damage
    implicit none
    private
 
-   public :: mat_ply_codam2, mat_codam2
+   public :: add_band_rule, add_fibre_toughnesses, add_normal_strengths, mat_ply_codam2, mat_codam2
 
    !> Shear strain at which an exponential curve reaches the strength, unless a card says more
    real(wp), parameter, public :: usual_shear_strain = 0.05_wp
@@ -35,19 +35,11 @@ contains
       !> The keyword of the material
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_card()
-      call keyword%add_real("XT", "stress", "strength of fibres in tension", above=0.0_wp)
-      call keyword%add_real("XC", "stress", "strength of fibres in compression", above=0.0_wp)
-      call keyword%add_real("YT", "stress", "strength of matrix in tension", above=0.0_wp)
-      call keyword%add_real("YC", "stress", "strength of matrix in compression", above=0.0_wp)
+      call add_normal_strengths(keyword)
       call keyword%add_real("SL", "stress", "shear strength in the plane 1-2", above=0.0_wp)
       call keyword%add_real("ST", "stress", "shear strength in the plane 2-3; needed for MCOMP 1", &
          & default=0.0_wp, least=0.0_wp)
-      call keyword%add_card()
-      call keyword%add_real("G1T", "energy/length2", "fracture energy of fibres in tension", &
-         & above=0.0_wp)
-      call keyword%add_real("G1C", "energy/length2", "fracture energy of fibres in compression", &
-         & above=0.0_wp)
+      call add_fibre_toughnesses(keyword)
       call keyword%add_real("G2T", "energy/length2", "fracture energy of matrix in tension", &
          & above=0.0_wp)
       call keyword%add_real("G2C", "energy/length2", "fracture energy of matrix in compression", &
@@ -60,6 +52,41 @@ contains
       call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
          & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
    end subroutine add_strength_cards
+
+   !> Card that begins with the strengths along the fibres and across them
+   subroutine add_normal_strengths(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_real("XT", "stress", "strength of fibres in tension", above=0.0_wp)
+      call keyword%add_real("XC", "stress", "strength of fibres in compression", above=0.0_wp)
+      call keyword%add_real("YT", "stress", "strength of matrix in tension", above=0.0_wp)
+      call keyword%add_real("YC", "stress", "strength of matrix in compression", above=0.0_wp)
+   end subroutine add_normal_strengths
+
+   !> Card that begins with the toughnesses of fibres
+   subroutine add_fibre_toughnesses(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card()
+      call keyword%add_real("G1T", "energy/length2", "fracture energy of fibres in tension", &
+         & above=0.0_wp)
+      call keyword%add_real("G1C", "energy/length2", "fracture energy of fibres in compression", &
+         & above=0.0_wp)
+   end subroutine add_fibre_toughnesses
+
+   !> Rule for the width of the crack band
+   subroutine add_band_rule(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_integer("LRULE", "width of the crack band: 0 share of the length of the " &
+         & //"quad along the direction, 13/18 with 9 nodes; 1 length of the Gauss point along " &
+         & //"it; 2 root of the area of the Gauss point; 3 root of the area of the quad", &
+         & default=0, allowed=[0, 1, 2, 3])
+   end subroutine add_band_rule
 
    !> Curve of shear
    subroutine add_shear_card(keyword)
@@ -87,10 +114,7 @@ contains
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_card(optional=.true.)
-      call keyword%add_integer("LRULE", "width of the crack band: 0 share of the length of the " &
-         & //"quad along the direction, 13/18 with 9 nodes; 1 length of the Gauss point along " &
-         & //"it; 2 root of the area of the Gauss point; 3 root of the area of the quad", &
-         & default=0, allowed=[0, 1, 2, 3])
+      call add_band_rule(keyword)
       call keyword%add_integer("SNAP", "where the crack band is too wide for the toughness: 0 " &
          & //"start damage early, the toughness stays right; 1 refuse the mesh; 2 let the stress " &
          & //"drop at once from the strength", default=0, allowed=[0, 1, 2])

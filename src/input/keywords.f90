@@ -9,6 +9,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2
    use plydyn_input_declare_fixture, only : fixture_bar, fixture_clamp, fixture_plane, &
       & fixture_punch, fixture_ring
+   use plydyn_input_declare_fracture, only : mat_ply_fracture_3d
    use plydyn_input_declare_impact, only : contact_impactor, database, database_field, &
       & database_history_node, database_history_node_set, database_profile, database_spcforc
    use plydyn_input_declare_impactor, only : impactor_cone, impactor_cylinder, impactor_sphere, &
@@ -41,6 +42,7 @@ module plydyn_input_keywords
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
    use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
       & read_fixture_plane, read_fixture_punch, read_fixture_ring
+   use plydyn_input_read_fracture, only : read_mat_ply_fracture_3d
    use plydyn_input_read_impact, only : read_contact_impactor, read_impactor_cone, &
       & read_impactor_cylinder, read_impactor_sphere, read_impactor_tup
    use plydyn_input_read_initial, only : read_initial_damage
@@ -164,6 +166,7 @@ contains
       call list%add(define_table_2d(), read_define_table_2d, stage_table)
       call list%add(mat_ply_codam2(), read_mat_ply_codam2, stage_material)
       call list%add(mat_codam2(), read_mat_codam2, stage_material)
+      call list%add(mat_ply_fracture_3d(), read_mat_ply_fracture_3d, stage_material)
    end subroutine add_material_rows
 
    !> Bricks

@@ -8,6 +8,7 @@ module plydyn_input_read_damage
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
@@ -21,10 +22,11 @@ module plydyn_input_read_damage
    implicit none
    private
 
-   public :: read_mat_codam2, read_mat_ply_codam2
+   public :: check_strengths, choice, read_mat_codam2, read_mat_ply_codam2
 
    !> Numbers of the card to those of the law, which begin where the card says 0
-   integer, parameter :: rules(0:3) = [rule_band, rule_gauss_point, rule_root_point, rule_root_quad]
+   integer, parameter, public :: rules(0:3) = [rule_band, rule_gauss_point, rule_root_point, &
+      & rule_root_quad]
    integer, parameter :: snaps(0:2) = [snap_reduce, snap_refuse, snap_drop]
    integer, parameter :: onsets(0:1) = [onset_quadratic, onset_hashin]
    !> Shapes of the shear curve as on the card
@@ -64,8 +66,11 @@ contains
 
    !> A strain of onset of 1 and more is a strength in other units than its modulus
    subroutine check_strengths(cards, ply, catalogue)
+      !> The keyword
       type(cards_type), intent(in) :: cards
-      type(ply_constants_type), intent(in) :: ply
+      !> The ply
+      class(law_constants_type), intent(in) :: ply
+      !> Gets the findings
       type(catalogue_type), intent(inout) :: catalogue
 
       character(2), parameter :: names(5) = ["XT", "XC", "YT", "YC", "SL"]
@@ -137,6 +142,7 @@ contains
 
    !> Number of a choice; 0 where the deck says none, or what cannot be
    pure integer function choice(cards, name)
+      !> The keyword
       type(cards_type), intent(in) :: cards
       !> Name of the field
       character(*), intent(in) :: name

@@ -86,6 +86,33 @@ def test_constants_of_another_shear_curve(shear: str, names: list[str], tmp_path
     assert said.count("card 5") == len(names)
 
 
+FRACTURED = """*MAT_PLY_FRACTURE_3D
+1,1.6e-9,153000.,10300.,10300.,0.3,0.3,0.4
+6000.,6000.,3700.
+2537.,1580.,82.,236.,90.
+91.6,79.9,0.22,1.1,{width}
+{shear}
+0.3,0.0,{rule}
+"""
+
+
+@pytest.mark.parametrize(
+    ("shear", "names"),
+    [
+        ("0,1.0e-12,5.4,60.0,0.05", ["ALPHA", "N", "SP", "KP"]),
+        ("3,1.0e-12,5.4,60.0,0.05", ["SP", "KP"]),
+        ("4,1.0e-12,5.4,60.0,0.05", ["ALPHA", "N"]),
+    ],
+    ids=["none", "power", "hardening"],
+)
+def test_constants_of_another_permanent_shear(shear: str, names: list[str], tmp_path: Path) -> None:
+    """Each kind of permanent shear has constants of its own; LSTAR goes before LRULE."""
+    text = FRACTURED.format(width=0.1, shear=shear, rule=1)
+    said = checked(tmp_path, ["mesh", "part", "run"], text)
+    assert [name for name in ("ALPHA", "N", "SP", "KP") if f" {name} is without" in said] == names
+    assert "LRULE is without effect" in said
+
+
 def test_rule_of_a_width_that_is_given(tmp_path: Path) -> None:
     """LSTAR goes before LRULE."""
     said = checked(tmp_path, ["mesh", "part", "run"], DAMAGED.format(shear="0"))

@@ -47,18 +47,23 @@ def impact(
     order: int = 1,
     failing: bool = False,
     closing: bool = False,
+    fracture: bool = False,
     radii: tuple[float, float] = (0.0, 0.0),
 ) -> Deck:
     """A ball on a cross-ply plate; it touches at once. What can fail does so soon.
 
-    Radii let averages over neighbours drive the damage; cracks may close.
+    Radii let averages over neighbours drive the damage; cracks may close, or be on planes of
+    fracture.
     """
     mesh = regular(SIDE, SIDE, 6, 6, 9)
     deck = Deck("impact to be broken off", end)
     deck.add("CONTROL_LAYERWISE", (int(not linear), 0.05, implicit))
     deck.add("DAMPING_GLOBAL", (0, 100.0))
     deck.mesh(mesh)
-    if failing:
+    if fracture:
+        cracked_ply(deck)
+        weak_laminate(deck)
+    elif failing:
         weak_plies(deck, radii, closing=closing)
     else:
         deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES], order)
@@ -127,6 +132,19 @@ def weak_plies(
 ) -> None:
     """The same plies, with damage of fibres and matrix."""
     weak_ply(deck, radii, closing=closing)
+    weak_laminate(deck)
+
+
+def cracked_ply(deck: Deck) -> None:
+    """Material 1, the same ply with planes of fracture, permanent strain and debris."""
+    head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
+    strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
+    shear, contact = (4, 0, 0, 20.0, 0.05), (0.3, 0.2, 0, 150.0, 0.01, 0.2)
+    deck.add("MAT_PLY_FRACTURE_3D", head, CARBON.shear, strength, toughness, shear, contact)
+
+
+def weak_laminate(deck: Deck) -> None:
+    """A part with plies of material 1."""
     plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate(ANGLES)]
     deck.add("PART_COMPOSITE_LONG", "laminate", (1, 0), *plies)
     deck.add("SECTION_LAYERWISE", (1, 0, 1))
@@ -193,6 +211,7 @@ KINDS: dict[str, Callable[[], Deck]] = {
     "implicit thickness": lambda: impact(2, "springs", implicit=2),
     "failing interfaces": lambda: impact(1, "cohesive"),
     "failing plies": lambda: impact(1, "springs", failing=True),
+    "planes of fracture": lambda: impact(1, "springs", fracture=True),
     "averages over neighbours": averaged,
     "metal": metal,
     "bricks of one point": lambda: bricks(1),

@@ -7,6 +7,8 @@ module plydyn_io_listing_damage
    use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
    use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
       & rule_root_quad
+   use plydyn_io_listing_fracture, only : write_fracture
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
@@ -38,9 +40,14 @@ contains
                & domain%averaging%neighbours(:, i), units)
             select type (law)
             class is (ply_constants_type)
-               call write_bands(unit, law, band, units)
+               call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
+                  & band, units)
                call write_modes(unit, law, band, units)
                call write_snap_back(unit, law, band)
+            class is (fracture_constants_type)
+               call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
+                  & band, units)
+               call write_fracture(unit, law, band, units)
             class is (strain_constants_type)
                call write_strains(unit, law, band, units)
             end select
@@ -63,13 +70,14 @@ contains
    end subroutine write_average
 
    !> Rule and widths of the crack band
-   subroutine write_bands(unit, ply, band, units)
+   subroutine write_bands(unit, rule, band, units)
       integer, intent(in) :: unit
-      class(ply_constants_type), intent(in) :: ply
+      !> The rule in words
+      character(*), intent(in) :: rule
       type(crack_band_type), intent(in) :: band
       type(units_type), intent(in) :: units
 
-      write (unit, "(2a)") "width of the crack band       ", rule_words(ply)
+      write (unit, "(2a)") "width of the crack band       ", rule
       write (unit, "(a,2(es12.5,a))") "  across broken fibres       ", band%narrowest(1), " to", &
          & band%widest(1), " "//trim(units%length)
       write (unit, "(a,2(es12.5,a),/)") "  across matrix cracks       ", band%narrowest(2), " to", &
@@ -77,18 +85,22 @@ contains
    end subroutine write_bands
 
    !> The rule in words
-   function rule_words(ply) result(words)
-      class(ply_constants_type), intent(in) :: ply
+   function rule_words(averages, rule, width) result(words)
+      !> Whether averages drive damage
+      logical, intent(in) :: averages
+      !> Rule for the width; the width itself, 0: by the rule
+      integer, intent(in) :: rule
+      real(wp), intent(in) :: width
       character(:), allocatable :: words
 
-      if (ply%band_width > 0.0_wp) then
+      if (width > 0.0_wp) then
          words = "given (LSTAR)"
          return
-      else if (ply%averages()) then
+      else if (averages) then
          words = "1.4 radii of the average, or what the quad has where that is wider"
          return
       end if
-      select case (ply%band_rule)
+      select case (rule)
       case (rule_gauss_point); words = "length of the Gauss point along the direction"
       case (rule_root_point); words = "root of the area of the Gauss point"
       case (rule_root_quad); words = "root of the area of the quad"

@@ -1,0 +1,98 @@
+!> Keyword of the ply whose matrix cracks on planes of fracture.
+module plydyn_input_declare_fracture
+   use plydyn_base_precision, only : wp
+   use plydyn_deck_declaration, only : extension, keyword_type, new_keyword
+   use plydyn_input_declare_damage, only : add_band_rule, add_fibre_toughnesses, &
+      & add_normal_strengths
+   use plydyn_input_declare_part, only : add_ply_elastic_cards
+   implicit none
+   private
+
+   public :: mat_ply_fracture_3d
+
+contains
+
+   !> Ply with cracks on planes of fracture
+   function mat_ply_fracture_3d() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("MAT_PLY_FRACTURE_3D", extension, "Ply with matrix cracks on planes " &
+         & //"of fracture, found by all six stresses, friction of closed cracks, and permanent " &
+         & //"shear.", suffixes="TITLE")
+      keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. The matrix cracks " &
+         & //"on the plane through the fibres that is most exposed to tension, shear and " &
+         & //"pressure, and softens there over the width of the crack band; closed cracks bear " &
+         & //"pressure and rub. Where the band is too wide for a toughness, damage starts early " &
+         & //"and the toughness stays right. DEBRIS and SHARE are fitted to a test of the dent."
+      call add_ply_elastic_cards(keyword)
+      call add_strength_cards(keyword)
+      call add_shear_card(keyword)
+      call add_contact_card(keyword)
+   end function mat_ply_fracture_3d
+
+   !> Strengths, toughnesses, width of the crack band, largest damage
+   subroutine add_strength_cards(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call add_normal_strengths(keyword)
+      call keyword%add_real("SL", "stress", "shear strength along the fibres", above=0.0_wp)
+      call keyword%add_real("ALPHA0", "degrees", "angle of the plane of fracture in compression " &
+         & //"across, above 45 and at most 60; with YC it gives the shear strength across", &
+         & default=53.0_wp, above=45.0_wp, most=60.0_wp)
+      call keyword%zero_is_default()
+      call add_fibre_toughnesses(keyword)
+      call keyword%add_real("G2T", "energy/length2", "fracture energy of opened matrix cracks", &
+         & above=0.0_wp)
+      call keyword%add_real("G2S", "energy/length2", "fracture energy of sheared matrix cracks", &
+         & above=0.0_wp)
+      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
+         & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
+      call keyword%zero_is_default()
+      call keyword%add_real("BK", "-", "exponent of Benzeggagh and Kenane between G2T and G2S", &
+         & default=1.45_wp, above=0.0_wp)
+      call keyword%zero_is_default()
+   end subroutine add_strength_cards
+
+   !> Permanent shear
+   subroutine add_shear_card(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card(optional=.true.)
+      call keyword%add_integer("SHEAR", "permanent shear 12, 13 and 23 until the matrix cracks: " &
+         & //"0 none; 3 of Ramberg and Osgood, ALPHA stress**N; 4 linear hardening from SP on. " &
+         & //"That of 23 is at stresses in the ratio of the shear strengths", default=0, &
+         & allowed=[0, 3, 4])
+      call keyword%add_real("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("N", "-", "exponent of Ramberg and Osgood, above 1", default=0.0_wp, &
+         & least=0.0_wp)
+      call keyword%add_real("SP", "stress", "shear stress 12 at first yield, below SL", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("KP", "-", "slope of the yield stress over the permanent strain, as " &
+         & //"a share of the shear modulus", default=0.0_wp, least=0.0_wp)
+   end subroutine add_shear_card
+
+   !> Cracks that close, crushing, width of the band
+   subroutine add_contact_card(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_card(optional=.true.)
+      call keyword%add_real("FRIC", "-", "coefficient of friction of closed matrix cracks", &
+         & default=0.0_wp, least=0.0_wp, most=1.0_wp)
+      call keyword%add_real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to " &
+         & //"below 1", default=0.0_wp, least=0.0_wp, most=0.99_wp)
+      call add_band_rule(keyword)
+      call keyword%add_real("PCRUSH", "stress", "pressure through the thickness that crushes the " &
+         & //"ply; 0 for none", default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("DEBRIS", "-", "largest opening of cracks, as a strain, that debris " &
+         & //"holds; 0 for none. Fitted", default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("SHARE", "-", "share of the largest opening that debris holds, up to " &
+         & //"DEBRIS. Fitted", default=0.0_wp, least=0.0_wp, most=1.0_wp)
+   end subroutine add_contact_card
+
+end module plydyn_input_declare_fracture

@@ -1,0 +1,210 @@
+!> Constants of a ply whose matrix cracks on planes of fracture.
+module plydyn_law_ply_fracture_constants
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_precision, only : wp
+   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage, &
+      & shows_plastic_strain, shows_shear_damage
+   use plydyn_law_ply_crack_band, only : longest_length, modes, rule_band
+   use plydyn_law_ply_elastic, only : is_stable, ply_stiffness
+   implicit none
+   private
+
+   !> Permanent shear: none; Ramberg and Osgood; linear hardening
+   integer, parameter, public :: shear_elastic = 1, shear_power = 2, shear_hardening = 3
+
+   !> Least ratio of the strains at the end and at the onset of softening in uniaxial stress
+   real(wp), parameter, public :: snap_ratio = 1.05_wp
+   !> Permanent shear strain that is neglected below the first yield stress of a power curve
+   real(wp), parameter :: neglected_strain = 1.0e-6_wp
+   !> A stress that nothing reaches
+   real(wp), parameter, public :: out_of_reach = 1.0e30_wp
+   real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+   !> Angles of the plane of fracture in transverse compression lie between these
+   real(wp), parameter, public :: least_angle = 45.0_wp, most_angle = 60.0_wp
+
+   !> Constants of a ply, besides the elastic ones
+   type, public, extends(law_constants_type) :: fracture_constants_type
+      !> XT, XC; YT, YC; S12
+      real(wp) :: fibre_strength(2) = 0.0_wp, matrix_strength(2) = 0.0_wp
+      real(wp) :: shear_strength = 0.0_wp
+      !> Angle of the plane of fracture in transverse compression, degrees from the plane 1-3
+      real(wp) :: fracture_angle = 53.0_wp
+      !> Energies per area of crack: of fibres in tension and compression, of the matrix when it is
+      !> opened and when it is sheared
+      real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
+      !> Exponent of Benzeggagh and Kenane
+      real(wp) :: mode_exponent = 1.45_wp
+      !> Coefficient of friction of closed cracks
+      real(wp) :: friction = 0.0_wp
+      !> Share of the strength that crushed fibres keep in compression
+      real(wp) :: plateau = 0.0_wp
+      !> Least integrity
+      real(wp) :: residual = 1.0e-3_wp
+      !> Rule for the width of the crack band; the width itself, 0: by the rule
+      integer :: band_rule = rule_band
+      real(wp) :: band_width = 0.0_wp
+      !> One of the kinds of permanent shear
+      integer :: shear_curve = shear_elastic
+      !> Permanent strain = coefficient*stress**exponent in 12 and 13
+      real(wp) :: coefficient = 0.0_wp, exponent = 1.0_wp
+      !> First yield stress in 12, and slope of the yield stress over the permanent strain, as a
+      !> share of the modulus
+      real(wp) :: first_yield = 0.0_wp, hardening = 0.0_wp
+      !> Pressure that crushes the ply through its thickness; 0: none does
+      real(wp) :: crush_stress = 0.0_wp
+      !> Share of the largest opening of a crack that debris holds, and most opening strain that it
+      !> holds
+      real(wp) :: debris_share = 0.0_wp, debris_limit = 0.0_wp
+   contains
+      procedure :: new_batch
+      procedure :: set_lane
+      procedure :: shows
+      procedure :: check
+      procedure :: cross_strength
+      procedure :: pressure_gain
+      procedure :: first_yields
+      procedure :: softening_ratio
+      procedure :: longest_lengths
+      procedure :: snaps_back
+   end type fracture_constants_type
+
+   ! the law of a batch uses these constants: a submodule can use the law
+   interface
+      !> Give a lane its ply
+      pure module subroutine set_lane(self, lane, law)
+         implicit none
+         class(fracture_constants_type), intent(in) :: self
+         integer, intent(in) :: lane
+         class(law_type), intent(inout) :: law
+      end subroutine set_lane
+
+      !> A law without lanes
+      module subroutine new_batch(self, law)
+         implicit none
+         class(fracture_constants_type), intent(in) :: self
+         class(law_type), allocatable, intent(out) :: law
+      end subroutine new_batch
+   end interface
+
+contains
+
+   !> Scalars that the law has for the fields
+   pure function shows(self)
+      class(fracture_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows(shows_plastic_strain) = .true.
+      shows(shows_fibre_damage:shows_shear_damage) = .true.
+      shows(shows_dissipated) = .true.
+   end function shows
+
+   !> Refuse constants that no ply has
+   subroutine check(self, error)
+      class(fracture_constants_type), intent(in) :: self
+      !> Says what is wrong
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. is_stable(self%young, self%poisson, self%shear)) then
+         call fail(error, exit_input, "the elastic constants are not those of a stable material")
+      else if (any([self%fibre_strength, self%matrix_strength, self%shear_strength, &
+         & self%fibre_toughness, self%matrix_toughness, self%mode_exponent] <= 0.0_wp)) then
+         call fail(error, exit_input, "strengths, toughnesses and the exponent of mixed modes " &
+            & //"must be above 0")
+      else if (self%fracture_angle <= least_angle .or. self%fracture_angle > most_angle) then
+         call fail(error, exit_input, "the angle of fracture must be above 45 and at most 60 " &
+            & //"degrees")
+      else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp .or. self%plateau < 0.0_wp &
+         & .or. self%plateau >= 1.0_wp) then
+         call fail(error, exit_input, "shares of stiffness and strength that remain must lie " &
+            & //"between 0 and 1")
+      end if
+   end subroutine check
+
+   !> Shear strength across the fibres that gives YC and its angle of fracture (Davila and Camanho,
+   !> 2003)
+   pure real(wp) function cross_strength(self) result(strength)
+      class(fracture_constants_type), intent(in) :: self
+
+      associate (angle => self%fracture_angle*degree)
+         strength = self%matrix_strength(2)*cos(angle)*(sin(angle) + cos(angle)/tan(2.0_wp*angle))
+      end associate
+   end function cross_strength
+
+   !> Shear strength gained per pressure on the plane, over the strength: the same for shear along
+   !> the fibres and across them (Puck and Schuermann, 1998; Davila and Camanho, 2003)
+   pure real(wp) function pressure_gain(self) result(gain)
+      class(fracture_constants_type), intent(in) :: self
+
+      associate (angle => self%fracture_angle*degree)
+         gain = -cos(2.0_wp*angle)/(self%matrix_strength(2)*cos(angle)**2)
+      end associate
+   end function pressure_gain
+
+   !> First yield stresses in 12, 13, 23; out of reach without permanent shear. The curve of 23 is
+   !> that of 12 with stresses in the ratio of the strengths
+   pure function first_yields(self) result(yields)
+      class(fracture_constants_type), intent(in) :: self
+      real(wp) :: yields(3)
+
+      real(wp) :: first
+
+      select case (self%shear_curve)
+      case (shear_power)
+         first = (neglected_strain/self%coefficient)**(1.0_wp/self%exponent)
+      case (shear_hardening)
+         first = self%first_yield
+      case default
+         first = out_of_reach
+      end select
+      yields(:) = first*[1.0_wp, 1.0_wp, self%cross_strength()/self%shear_strength]
+   end function first_yields
+
+   !> Least ratio of tractions at the end and at the onset of softening, were the ply not free to
+   !> contract: that leaves `snap_ratio` in uniaxial stress
+   pure real(wp) function softening_ratio(self) result(ratio)
+      class(fracture_constants_type), intent(in) :: self
+
+      real(wp) :: c(6, 6)
+
+      c(:, :) = ply_stiffness(self%young, self%poisson, self%shear)
+      ratio = snap_ratio*max(c(2, 2)/self%young(2), c(3, 3)/self%young(3))
+   end function softening_ratio
+
+   !> Widest crack band of each mode in uniaxial stress at which softening starts at the strength
+   pure function longest_lengths(self) result(longest)
+      class(fracture_constants_type), intent(in) :: self
+      real(wp) :: longest(modes)
+
+      real(wp) :: sheared
+
+      ! on its plane of fracture, transverse compression is shear over friction
+      associate (angle => self%fracture_angle*degree, gii => self%matrix_toughness(2))
+         sheared = self%matrix_strength(2)*cos(angle)*(sin(angle) - self%friction*cos(angle))
+         longest(1:2) = longest_length(self%young(1), self%fibre_toughness, self%fibre_strength) &
+            & /snap_ratio
+         longest(2) = longest(2)/(1.0_wp - self%plateau)**2
+         longest(3) = longest_length(self%young(2), self%matrix_toughness(1), &
+            & self%matrix_strength(1))/snap_ratio
+         longest(4) = longest_length(self%shear(3), gii, max(sheared, tiny(sheared))) &
+            & /self%softening_ratio()
+         longest(5) = longest_length(self%shear(1), gii, self%shear_strength) &
+            & /self%softening_ratio()
+      end associate
+   end function longest_lengths
+
+   !> Modes in which a crack band is so wide that damage starts early
+   pure function snaps_back(self, length) result(snaps)
+      class(fracture_constants_type), intent(in) :: self
+      !> Widths of the band for broken fibres and for matrix cracks
+      real(wp), intent(in) :: length(2)
+      logical :: snaps(modes)
+
+      real(wp) :: longest(modes)
+
+      longest(:) = self%longest_lengths()
+      snaps(:) = [length(1) > longest(:2), length(2) > longest(3:)]
+   end function snaps_back
+
+end module plydyn_law_ply_fracture_constants

@@ -1,0 +1,257 @@
+!> Crack of the matrix on its plane of fracture: onset, growth of the cracked share of the plane,
+!> and what the faces of the cracked share do.
+!>
+!> The plane is an intact and a cracked share at the same strain (as Alfano and Sacco, 2006, have it
+!> for interfaces). The cracked share has a strain of its own, its slip: opened, it is free of
+!> traction; closed, it bears pressure and slides under Coulomb's friction.
+module plydyn_law_ply_fracture_crack
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_history, only : held_opening, histories, matrix_damage, &
+      & matrix_width, plane_cosine, plane_sine, slip
+   use plydyn_law_ply_fracture_plane, only : exposure_bound, find_plane, plane_exposure, &
+      & plane_stiffness, plane_traction, refine_plane
+   implicit none
+   private
+
+   public :: crack_matrix, crack_strain
+
+   !> Crack after a step
+   type, public :: crack_type
+      !> Whether any lane has a plane of fracture; 1 in lanes that do, else 0
+      logical :: any = .false.
+      real(wp) :: has(lanes)
+      !> Of the angle of the plane; that of the plane 1-3 without one
+      real(wp) :: cosine(lanes), sine(lanes)
+      !> Cracked share; its slip, and the traction on it
+      real(wp) :: damage(lanes), slip(lanes, 3), contact(lanes, 3)
+      !> Traction on the plane were it whole; stiffness of the plane, as in `plane_stiffness`
+      real(wp) :: whole(lanes, 3), stiffness(lanes, 4)
+      !> Opening that debris holds
+      real(wp) :: held(lanes)
+   end type crack_type
+
+   !> Square of the exposures below which no plane is looked for; 1 less room for round-off
+   real(wp), parameter :: far_limit = 0.99_wp
+   !> Exposure of the best plane tried below which no plane reaches 1: none is farther than 7.5
+   !> degrees from one tried, which is 1 - cos(15 degrees) of the shear over its strength, and that
+   !> is less than 4.4
+   real(wp), parameter :: coarse_limit = 0.85_wp
+   !> Keeps divisors off zero in lanes without tractions
+   real(wp), parameter :: small = 1.0e-30_wp
+
+contains
+
+   !> Crack after a step
+   pure subroutine crack_matrix(ply, stress, left, h, crack)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
+      !> Stress of the ply without a crack
+      real(wp), intent(in) :: stress(lanes, 6)
+      !> Integrity of the fibres
+      real(wp), intent(in) :: left(lanes)
+      !> History of the point
+      real(wp), intent(in) :: h(lanes, histories)
+      !> The crack
+      type(crack_type), intent(out) :: crack
+
+      real(wp) :: bound, energy(lanes), most, strength(lanes)
+      integer :: l
+
+      crack%sine(:) = h(:, plane_sine)
+      crack%has(:) = merge(1.0_wp, 0.0_wp, abs(h(:, plane_cosine)) + abs(crack%sine) > 0.0_wp)
+      crack%cosine(:) = h(:, plane_cosine) + (1.0_wp - crack%has)
+      crack%damage(:) = h(:, matrix_damage)
+      crack%held(:) = h(:, held_opening)
+      crack%slip(:, :) = h(:, slip:slip + 2)
+      call exposure_bound(ply, stress, left, strength, energy)
+      most = 0.0_wp
+      !$omp simd private(bound) reduction(max:most)
+      do l = 1, lanes
+         bound = max(strength(l), h(l, matrix_width)*energy(l))
+         most = max(most, (1.0_wp - crack%has(l))*bound)
+      end do
+      crack%any = maxval(crack%has) > 0.0_wp
+      if (most >= far_limit) call begin_crack(ply, stress, left, h, crack)
+      if (.not. crack%any) return
+      call plane_stiffness(ply, crack%cosine, crack%sine, left, crack%stiffness)
+      call plane_traction(crack%cosine, crack%sine, stress, crack%whole)
+      call grow(ply, h(:, matrix_width), crack)
+      call slide(ply, crack)
+   end subroutine crack_matrix
+
+   !> Give a plane to the lanes whose most exposed plane cracks
+   pure subroutine begin_crack(ply, stress, left, h, crack)
+      type(fracture_batch_type), intent(in) :: ply
+      real(wp), intent(in) :: stress(lanes, 6), left(lanes), h(lanes, histories)
+      type(crack_type), intent(inout) :: crack
+
+      real(wp) :: cosine(lanes), driver(lanes), exposure(lanes), sine(lanes)
+      integer :: l
+
+      call find_plane(ply, stress, cosine, sine, exposure)
+      call drive_plane(ply, cosine, sine, stress, left, h(:, matrix_width), driver)
+      if (maxval(driver*(1.0_wp - crack%has)) < coarse_limit) return
+      call refine_plane(ply, stress, cosine, sine, exposure)
+      call drive_plane(ply, cosine, sine, stress, left, h(:, matrix_width), driver)
+      do l = 1, lanes
+         if (driver(l) < 1.0_wp .or. max(crack%has(l), 1.0_wp - ply%own(l)) > 0.0_wp) cycle
+         crack%any = .true.
+         crack%has(l) = 1.0_wp
+         crack%cosine(l) = cosine(l)
+         crack%sine(l) = sine(l)
+      end do
+   end subroutine begin_crack
+
+   !> What would make a crack grow on some plane
+   pure subroutine drive_plane(ply, cosine, sine, stress, left, width, driver)
+      type(fracture_batch_type), intent(in) :: ply
+      !> Of the angle of the plane
+      real(wp), intent(in) :: cosine(lanes), sine(lanes)
+      real(wp), intent(in) :: stress(lanes, 6), left(lanes)
+      !> Width of the crack band
+      real(wp), intent(in) :: width(lanes)
+      !> Exposure, 1 at onset
+      real(wp), intent(out) :: driver(lanes)
+
+      real(wp) :: softening(lanes), stiffness(lanes, 4), traction(lanes, 3)
+
+      call plane_stiffness(ply, cosine, sine, left, stiffness)
+      call plane_traction(cosine, sine, stress, traction)
+      call drive(ply, width, traction, stiffness, driver, softening)
+   end subroutine drive_plane
+
+   !> Let the cracked share grow; it never heals
+   pure subroutine grow(ply, width, crack)
+      type(fracture_batch_type), intent(in) :: ply
+      !> Width of the crack band
+      real(wp), intent(in) :: width(lanes)
+      type(crack_type), intent(inout) :: crack
+
+      real(wp) :: damage, driver(lanes), softening(lanes)
+      integer :: l
+
+      call drive(ply, width, crack%whole, crack%stiffness, driver, softening)
+      !$omp simd private(damage)
+      do l = 1, lanes
+         damage = (driver(l) - 1.0_wp)*softening(l)/max(driver(l)*(softening(l) - 1.0_wp), small)
+         damage = max(crack%damage(l), min(damage, ply%most_damage(l)))
+         crack%damage(l) = merge(damage, crack%damage(l), driver(l) > 1.0_wp &
+            & .and. crack%has(l) > 0.0_wp)
+      end do
+   end subroutine grow
+
+   !> What makes a crack grow: the tractions of a whole plane over those of onset on the same ray,
+   !> and over them those at which nothing is left. Where the band is too wide for the toughness,
+   !> onset is early
+   pure subroutine drive(ply, width, traction, stiffness, driver, softening)
+      type(fracture_batch_type), intent(in) :: ply
+      !> Width of the crack band
+      real(wp), intent(in) :: width(lanes)
+      !> Traction of a whole plane, and its stiffness
+      real(wp), intent(in) :: traction(lanes, 3), stiffness(lanes, 4)
+      !> Exposure, 1 at onset; ratio of tractions at the end of softening to those of onset
+      real(wp), intent(out) :: driver(lanes), softening(lanes)
+
+      real(wp) :: energy(lanes), shared(lanes), toughness
+      integer :: l
+
+      call plane_exposure(ply, traction, driver)
+      call find_energy(ply, traction, stiffness, energy, shared)
+      do l = 1, lanes
+         toughness = ply%toughness(l, 1) + (ply%toughness(l, 2) - ply%toughness(l, 1)) &
+            & *shared(l)**ply%mode_exponent(l)
+         ! energy of the band at the traction of now over the toughness
+         energy(l) = max(0.5_wp*width(l)*energy(l)/toughness, small)
+         driver(l) = max(driver(l), sqrt(ply%least_ratio(l)*energy(l)))
+         softening(l) = driver(l)**2/energy(l)
+      end do
+   end subroutine drive
+
+   !> Twice the energy per volume that a plane releases when it cracks, and the part of it that is
+   !> of shear. Of a closed plane it is that of the shear beyond friction
+   pure subroutine find_energy(ply, traction, stiffness, energy, shared)
+      type(fracture_batch_type), intent(in) :: ply
+      real(wp), intent(in) :: traction(lanes, 3), stiffness(lanes, 4)
+      real(wp), intent(out) :: energy(lanes), shared(lanes)
+
+      real(wp) :: beyond, normal, sheared, size
+      integer :: l
+
+      associate (t => traction, q => stiffness)
+         !$omp simd private(beyond, normal, sheared, size)
+         do l = 1, lanes
+            sheared = t(l, 2)**2/q(l, 2) + t(l, 3)**2/q(l, 3)
+            ! normal traction on faces that have slid without friction: what opens or presses them
+            normal = t(l, 1) - q(l, 4)*t(l, 2)/q(l, 2)
+            size = sqrt(t(l, 2)**2 + t(l, 3)**2)
+            beyond = max(size + ply%friction(l)*min(normal, 0.0_wp), 0.0_wp)/max(size, small)
+            energy(l) = beyond**2*sheared + max(normal, 0.0_wp)**2/(q(l, 1) - q(l, 4)**2/q(l, 2))
+            shared(l) = merge(sheared/max(energy(l), small), 1.0_wp, normal > 0.0_wp)
+            shared(l) = min(shared(l), 1.0_wp)
+         end do
+      end associate
+   end subroutine find_energy
+
+   !> Slip of the cracked share, and the traction on it. Debris holds a share of the largest opening
+   pure subroutine slide(ply, crack)
+      type(fracture_batch_type), intent(in) :: ply
+      type(crack_type), intent(inout) :: crack
+
+      real(wp) :: across, along, kept, least, open, opening, pressure, shift
+      integer :: l
+
+      associate (t => crack%whole, q => crack%stiffness, g => crack%slip)
+         !$omp simd private(across, along, kept, least, open, opening, pressure, shift)
+         do l = 1, lanes
+            least = q(l, 1) - q(l, 4)**2/q(l, 2)
+            opening = (t(l, 1) - q(l, 4)*t(l, 2)/q(l, 2))/least
+            open = merge(1.0_wp, 0.0_wp, opening > crack%held(l))
+            crack%held(l) = max(crack%held(l), open*min(ply%debris_share(l)*opening, &
+               & ply%debris_limit(l)))
+            opening = max(opening, crack%held(l))
+            ! traction on the share if it stuck, and what friction bears of it
+            shift = t(l, 2) - q(l, 4)*opening
+            across = shift - q(l, 2)*g(l, 2)
+            along = t(l, 3) - q(l, 3)*g(l, 3)
+            pressure = max(q(l, 1)*opening + q(l, 4)*g(l, 2) - t(l, 1), 0.0_wp)
+            kept = ply%friction(l)*pressure
+            kept = min(kept/max(sqrt(across**2 + along**2), kept, small), 1.0_wp)
+            kept = (1.0_wp - open)*kept
+            g(l, 1) = opening
+            g(l, 2) = (shift - kept*across)/q(l, 2)
+            g(l, 3) = (t(l, 3) - kept*along)/q(l, 3)
+            crack%contact(l, 1) = (1.0_wp - open)*(t(l, 1) - q(l, 1)*opening - q(l, 4)*g(l, 2))
+            crack%contact(l, 2) = kept*across
+            crack%contact(l, 3) = kept*along
+         end do
+      end associate
+   end subroutine slide
+
+   !> Strain of the ply that is the crack's: slip of the cracked share
+   pure subroutine crack_strain(crack, strain)
+      !> The crack
+      type(crack_type), intent(in) :: crack
+      !> In ply axes
+      real(wp), intent(out) :: strain(lanes, 6)
+
+      real(wp) :: c, g1, g2, g3, s
+      integer :: l
+
+      !$omp simd private(c, g1, g2, g3, s)
+      do l = 1, lanes
+         c = crack%cosine(l)
+         s = crack%sine(l)
+         g1 = crack%damage(l)*crack%slip(l, 1)
+         g2 = crack%damage(l)*crack%slip(l, 2)
+         g3 = crack%damage(l)*crack%slip(l, 3)
+         strain(l, 1) = 0.0_wp
+         strain(l, 2) = c*(c*g1 - s*g2)
+         strain(l, 3) = s*(s*g1 + c*g2)
+         strain(l, 4) = c*g3
+         strain(l, 5) = s*g3
+         strain(l, 6) = 2.0_wp*c*s*g1 + (c*c - s*s)*g2
+      end do
+   end subroutine crack_strain
+
+end module plydyn_law_ply_fracture_crack

@@ -1,0 +1,182 @@
+!> Ply whose fibres break and whose matrix cracks on planes of fracture, with permanent strain.
+!>
+!> Elastic strain is what is left of the total by permanent shear, crushing and the slip of cracks.
+!> Onset of fibres is by the largest stress along them, that of the matrix by the tractions on the
+!> most exposed plane through the fibres. Both then soften in a crack band. Closed cracks bear
+!> pressure and rub.
+module plydyn_law_ply_fracture_fracture
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity, &
+      & law_type, scalars, shows_dissipated, shows_fibre_damage, shows_matrix_damage, &
+      & shows_plastic_strain, shows_shear_damage
+   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_fracture_crack, only : crack_matrix, crack_strain, crack_type
+   use plydyn_law_ply_fracture_dissipation, only : add_crack_energies, add_energies
+   use plydyn_law_ply_fracture_fibres, only : damage_fibres, uncracked_stress
+   use plydyn_law_ply_fracture_history, only : crushed, fibre_damage, fibre_energy, &
+      & fibre_onset, fibre_width, friction_energy, held_opening, histories, last_contact, &
+      & last_stress, matrix_damage, matrix_energy, matrix_width, plane_cosine, plane_sine, &
+      & plastic_energy, plastic_shear, slip, state
+   use plydyn_law_ply_fracture_intact_path, only : changed, update_intact
+   use plydyn_law_ply_fracture_permanent, only : add_permanent_strain
+   use plydyn_law_ply_history, only : load_lanes, store_lanes
+   implicit none
+   private
+
+   !> A law with the constants of the lanes
+   type, public, extends(law_type) :: ply_fracture_type
+      private
+      !> Constants of the lanes
+      type(fracture_batch_type) :: ply
+   contains
+      procedure :: update
+      procedure :: update_points
+      procedure :: set_lane
+      procedure :: start_history
+      procedure :: output_variables
+   end type ply_fracture_type
+
+contains
+
+   !> Give a lane its ply; it is the law's own from then on
+   pure subroutine set_lane(self, lane, constants)
+      class(ply_fracture_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Its ply, checked
+      class(fracture_constants_type), intent(in) :: constants
+
+      self%owns(lane) = .true.
+      call self%ply%set_lane(lane, constants)
+      self%histories = histories
+      self%energy_variable([by_fibre_damage, by_matrix_damage, by_ply_plasticity, by_friction]) &
+         & = [fibre_energy, matrix_energy, plastic_energy, friction_energy]
+      self%band_rule(lane) = constants%band_rule
+      self%band_width(lane) = constants%band_width
+   end subroutine set_lane
+
+   !> History of a point at time zero: all zero but the widths of the crack band
+   pure subroutine start_history(self, length, widest, history)
+      class(ply_fracture_type), intent(in) :: self
+      !> Widths for fibres and for matrix; the largest of all points of the element
+      real(wp), intent(in) :: length(lanes, 2), widest(lanes)
+      !> (lanes, histories)
+      real(wp), intent(inout) :: history(lanes, *)
+
+      where (self%owns)
+         history(:, fibre_width) = length(:, 1)
+         history(:, matrix_width) = length(:, 2)
+      end where
+   end subroutine start_history
+
+   !> Size of the permanent shear strain, damage and energy of a lane, for the fields
+   pure function output_variables(self, lane, history) result(values)
+      class(ply_fracture_type), intent(in) :: self
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: history(lanes, *)
+      real(wp) :: values(scalars)
+
+      associate (damage => history(lane, [fibre_damage, matrix_damage]))
+         values(shows_plastic_strain) = norm2(history(lane, plastic_shear:plastic_shear + 2))
+         values(shows_fibre_damage:shows_matrix_damage) = damage
+         values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
+         values(shows_dissipated) = sum(history(lane, fibre_energy:friction_energy))
+      end associate
+   end function output_variables
+
+   !> Stress and history after a step
+   pure subroutine update(self, step, strain, history, stress)
+      class(ply_fracture_type), intent(in) :: self
+      real(wp), intent(in) :: step, strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *), stress(lanes, 6)
+
+      call self%update_points(1, 1, step, strain, history, stress)
+   end subroutine update
+
+   !> The same for some points of a layer: first those that nothing has happened to
+   pure subroutine update_points(self, points, pitch, step, strain, history, stress)
+      class(ply_fracture_type), intent(in) :: self
+      integer, intent(in) :: points, pitch
+      real(wp), intent(in) :: step
+      real(wp), intent(in) :: strain(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, pitch, *)
+      real(wp), intent(inout) :: stress(lanes, 6, points)
+
+      real(wp) :: e(lanes, 6), h(lanes, histories), s(lanes, 6)
+      integer :: m
+      logical :: updated(points)
+
+      call update_intact(self%ply, points, pitch, strain, history, stress, updated)
+      do m = 1, points
+         if (updated(m)) cycle
+         call load_lanes(self%ply%own, pitch, histories, strain(:, :, m), history(1, m, 1), e, h)
+         call update_point(self%ply, e, h, s)
+         call store_lanes(self%ply%own, pitch, histories, h, s, history(1, m, 1), &
+            & stress(:, :, m))
+      end do
+   end subroutine update_points
+
+   !> Stress and history of all lanes of a point after a step
+   pure subroutine update_point(ply, e, h, s)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
+      !> Strain, history and stress
+      real(wp), intent(in) :: e(lanes, 6)
+      real(wp), intent(inout) :: h(lanes, histories)
+      real(wp), intent(out) :: s(lanes, 6)
+
+      type(crack_type) :: crack
+      real(wp) :: elastic(lanes, 6), growth(lanes, 4), left(lanes, 2), opened(lanes, 6)
+      integer :: k
+
+      call add_permanent_strain(ply, e, h, elastic, growth)
+      call damage_fibres(ply, elastic, h, left)
+      call uncracked_stress(ply, elastic, left(:, 2), s)
+      call crack_matrix(ply, s, left(:, 2), h, crack)
+      if (crack%any) then
+         call crack_strain(crack, opened)
+         opened(:, :) = elastic - opened
+         call uncracked_stress(ply, opened, left(:, 2), s)
+      end if
+      ! a point that nothing had happened to has kept no stress
+      do k = 1, 6
+         where (h(:, state) <= 0.0_wp) h(:, last_stress - 1 + k) = s(:, k)
+      end do
+      call add_energies(ply, left, growth, s, h)
+      if (crack%any) call add_crack_energies(crack, h)
+      call keep(crack, s, h)
+   end subroutine update_point
+
+   !> Keep crack and stress for the next step
+   pure subroutine keep(crack, s, h)
+      !> Crack and stress after the step
+      type(crack_type), intent(in) :: crack
+      real(wp), intent(in) :: s(lanes, 6)
+      !> History of the point
+      real(wp), intent(inout) :: h(lanes, histories)
+
+      real(wp) :: happened
+      integer :: k, l
+
+      h(:, last_stress:last_stress + 5) = s
+      if (crack%any) then
+         h(:, plane_cosine) = crack%has*crack%cosine
+         h(:, plane_sine) = crack%has*crack%sine
+         h(:, matrix_damage) = crack%damage
+         h(:, held_opening) = crack%has*crack%held
+         do k = 1, 3
+            h(:, slip - 1 + k) = crack%has*crack%slip(:, k)
+            h(:, last_contact - 1 + k) = crack%has*crack%contact(:, k)
+         end do
+      end if
+      !$omp simd private(happened)
+      do l = 1, lanes
+         happened = abs(h(l, fibre_onset)) + abs(h(l, plane_cosine)) + abs(h(l, plane_sine)) &
+            & + abs(h(l, crushed)) + abs(h(l, plastic_shear)) + abs(h(l, plastic_shear + 1)) &
+            & + abs(h(l, plastic_shear + 2))
+         h(l, state) = merge(changed, 1.0_wp, happened > 0.0_wp)
+      end do
+   end subroutine keep
+
+end module plydyn_law_ply_fracture_fracture

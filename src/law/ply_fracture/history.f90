@@ -1,0 +1,35 @@
+!> Layout of the history variables of the ply with matrix cracks on planes of fracture.
+module plydyn_law_ply_fracture_history
+   implicit none
+   private
+
+   !> What has happened to a point: nothing, so that nothing else of its history counts; it is near
+   !> onset, and its stress is kept; something permanent. See `untouched`, `near_onset`, `changed`
+   integer, parameter, public :: state = 1
+   !> Widths of the crack band for broken fibres and for matrix cracks
+   integer, parameter, public :: fibre_width = 2, matrix_width = 3
+   !> Damage of the matrix: share of the plane of fracture that has cracked
+   integer, parameter, public :: matrix_damage = 4
+   !> Damage of fibres; size of the strain along them at onset, negative in compression, 0 before;
+   !> strain at the end of softening
+   integer, parameter, public :: fibre_damage = 5, fibre_onset = 6, fibre_finish = 7
+   !> Cosine and sine of the angle of the plane of fracture about the fibres, both 0 without one
+   integer, parameter, public :: plane_cosine = 8, plane_sine = 9
+   !> Strain of the cracked share: opening, sliding across the fibres and along them
+   integer, parameter, public :: slip = 10
+   !> Opening that debris holds
+   integer, parameter, public :: held_opening = 13
+   !> Permanent shear strains 12, 13, 23, and sizes of the shear stresses from which they grow
+   integer, parameter, public :: plastic_shear = 14, yield_stress = 17
+   !> Permanent strain 33 by crushing
+   integer, parameter, public :: crushed = 20
+   !> Stress at the end of the step before
+   integer, parameter, public :: last_stress = 21
+   !> Traction on the cracked share at the end of the step before
+   integer, parameter, public :: last_contact = 27
+   !> Energies dissipated per volume by fibres, matrix, permanent strain, friction of cracks
+   integer, parameter, public :: fibre_energy = 30, matrix_energy = 31, plastic_energy = 32, &
+      & friction_energy = 33
+   integer, parameter, public :: histories = 33
+
+end module plydyn_law_ply_fracture_history
