@@ -7,6 +7,7 @@ program bench
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
+   use plydyn_bench_fracture, only : closed, intact, opened, prepare_fracture, update_fracture
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
       & update_by_path, whole_law
@@ -31,6 +32,8 @@ program bench
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
    !> And the paths of the damage law, behind these
    integer, parameter :: by_path = 5
+   !> And the law with planes of fracture
+   integer, parameter :: by_fracture = 0
 
    type(domain_type) :: domain
    type(global_reduction_type) :: reduction
@@ -63,6 +66,9 @@ program bench
    call time_path("intact damage law no-growth path", no_growth_path, damaged=.false.)
    call time_path("damaged damage law no-growth path", no_growth_path, damaged=.true.)
    call time_path("damaged damage law whole law", whole_law, damaged=.true.)
+   call time_fracture("intact fracture law", intact)
+   call time_fracture("open fracture law", opened)
+   call time_fracture("closed fracture law", closed)
 
 contains
 
@@ -124,6 +130,16 @@ contains
       write (*, "(2a,f0.3)") name, ",", nano*best_time(by_path + path)/real(line_points, wp)
    end subroutine time_path
 
+   !> Print the time of a point of eight plies with planes of fracture in a state
+   subroutine time_fracture(name, state)
+      character(*), intent(in) :: name
+      integer, intent(in) :: state
+
+      if (index(name, trim(chosen)) == 0) return
+      call prepare_fracture(state)
+      write (*, "(2a,f0.3)") name, ",", nano*best_time(by_fracture)/real(line_points, wp)
+   end subroutine time_fracture
+
    !> Small random displacements, no history
    subroutine rest()
       if (allocated(displacement)) deallocate (displacement, force, history)
@@ -165,6 +181,8 @@ contains
       case (acceleration)
          call apply_masses(domain, work_space, state)
          call add_chunk_sums(work_space%chunk_sums, reduction)
+      case (by_fracture)
+         call update_fracture()
       case (by_path + 1:)
          call update_by_path(work - by_path)
       case default

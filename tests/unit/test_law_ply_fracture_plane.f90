@@ -6,6 +6,7 @@ program test_law_ply_fracture_plane
    use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_fracture_fibres, only : fibres_type
    use plydyn_law_ply_fracture_history, only : matrix_damage, plane_cosine, plane_sine
    use plydyn_law_ply_fracture_plane, only : exposure_bound, find_plane, refine_plane
    use testing, only : begin, check, finish
@@ -132,6 +133,7 @@ contains
    subroutine test_bound()
       type(fracture_constants_type) :: ply
       type(fracture_batch_type) :: batch
+      type(fibres_type) :: fibres
       real(wp) :: angle, energy(lanes), exposure, random(6), strength(lanes)
       integer :: i, l
       logical :: holds
@@ -140,14 +142,14 @@ contains
       do l = 1, lanes
          call batch%set_lane(l, ply)
       end do
+      fibres%after(:) = 1.0_wp
       call begin("bound of the exposure")
       holds = .true.
       do i = 1, 500
          call random_number(random)
          random(:) = 200.0_wp*(random - 0.5_wp)
          call find(ply, random, angle, exposure)
-         call exposure_bound(batch, spread(random, 1, lanes), spread(1.0_wp, 1, lanes), strength, &
-            & energy)
+         call exposure_bound(batch, spread(random, 1, lanes), fibres, strength, energy)
          holds = holds .and. exposure**2 <= strength(1)*(1.0_wp + 1.0e-12_wp)
       end do
       call check(holds, "it is never exceeded")

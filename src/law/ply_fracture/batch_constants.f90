@@ -16,15 +16,22 @@ module plydyn_law_ply_fracture_batch_constants
       real(wp) :: stiffness(lanes, 6) = spread([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 1.0_wp], &
          & 1, lanes)
       real(wp) :: shear(lanes, 3) = 1.0_wp, compliance(lanes) = 1.0_wp
+      !> 1/C33
+      real(wp) :: give(lanes) = 1.0_wp
       !> XT and XC; energies per area; share of XC that crushed fibres keep
       real(wp) :: fibre_strength(lanes, 2) = 1.0_wp, fibre_toughness(lanes, 2) = 1.0_wp
       real(wp) :: plateau(lanes) = 0.0_wp
+      !> Square of the stress of onset along the fibres, inverse: of the strength, and of the energy
+      !> of a crack band of width 1, in tension and in compression
+      real(wp) :: fibre_limit(lanes, 2) = 0.0_wp, fibre_energy_limit(lanes, 2) = 0.0_wp
       !> Exposure of a plane, see `plane_exposure`: slope over the normal traction, inverse shear
       !> strengths across and along the fibres, strength gained per pressure over the strength
       real(wp) :: normal_slope(lanes) = 0.0_wp, across(lanes) = 1.0_wp, along(lanes) = 1.0_wp
       real(wp) :: gain(lanes) = 0.0_wp
       !> Energies per area of opened and of sheared cracks, exponent of Benzeggagh and Kenane
       real(wp) :: toughness(lanes, 2) = 1.0_wp, mode_exponent(lanes) = 1.0_wp
+      !> 1 over the least of the two
+      real(wp) :: least_give(lanes) = 1.0_wp
       !> Least ratio of tractions at the end and at the onset of softening
       real(wp) :: least_ratio(lanes) = 1.0_wp
       !> Coefficient of friction of closed cracks
@@ -68,9 +75,12 @@ contains
       self%stiffness(lane, :) = [c(1, 1:3), c(2, 2:3), c(3, 3)]
       self%shear(lane, :) = ply%shear
       self%compliance(lane) = 1.0_wp/ply%young(1)
+      self%give(lane) = 1.0_wp/c(3, 3)
       self%fibre_strength(lane, :) = ply%fibre_strength
       self%fibre_toughness(lane, :) = ply%fibre_toughness
       self%plateau(lane) = ply%plateau
+      self%fibre_limit(lane, :) = 1.0_wp/ply%fibre_strength**2
+      self%fibre_energy_limit(lane, :) = 0.5_wp*snap_ratio/(ply%young(1)*ply%fibre_toughness)
       associate (tension => ply%matrix_strength(1))
          self%normal_slope(lane) = (cross**2 - tension**2)/(2.0_wp*cross**2*tension)
       end associate
@@ -78,6 +88,7 @@ contains
       self%along(lane) = 1.0_wp/ply%shear_strength
       self%gain(lane) = ply%pressure_gain()
       self%toughness(lane, :) = ply%matrix_toughness
+      self%least_give(lane) = 1.0_wp/minval(ply%matrix_toughness)
       self%mode_exponent(lane) = ply%mode_exponent
       self%least_ratio(lane) = ply%softening_ratio()
       self%friction(lane) = ply%friction
@@ -109,8 +120,8 @@ contains
 
       real(wp) :: least
 
-      self%far_fibre(lane, :) = [1.0_wp/minval(ply%fibre_strength)**2, &
-         & 0.5_wp*snap_ratio/(ply%young(1)*minval(ply%fibre_toughness))]
+      self%far_fibre(lane, :) = [maxval(self%fibre_limit(lane, :)), &
+         & maxval(self%fibre_energy_limit(lane, :))]
       associate (k => self%normal_slope(lane), a => self%across(lane))
          self%far_matrix(lane, 1) = (max(k, 0.0_wp) + sqrt(a**2 + k**2))**2
       end associate

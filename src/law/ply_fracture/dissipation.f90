@@ -7,6 +7,7 @@ module plydyn_law_ply_fracture_dissipation
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_crack, only : crack_type
+   use plydyn_law_ply_fracture_fibres, only : fibres_type
    use plydyn_law_ply_fracture_history, only : fibre_energy, friction_energy, histories, &
       & last_contact, last_stress, matrix_damage, matrix_energy, plastic_energy, slip
    use plydyn_law_ply_fracture_plane, only : plane_traction
@@ -18,11 +19,11 @@ module plydyn_law_ply_fracture_dissipation
 contains
 
    !> Add what fibres and permanent strains dissipate
-   pure subroutine add_energies(ply, left, growth, stress, h)
+   pure subroutine add_energies(ply, fibres, growth, stress, h)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
-      !> Integrity of the fibres before and after
-      real(wp), intent(in) :: left(lanes, 2)
+      !> What is left of the fibres
+      type(fibres_type), intent(in) :: fibres
       !> Growth of the permanent strains 12, 13, 23 and 33
       real(wp), intent(in) :: growth(lanes, 4)
       !> Stress after the step
@@ -40,7 +41,7 @@ contains
                before(k) = h(l, last_stress - 1 + k)
                now(k) = stress(l, k)
             end do
-            lost = 0.5_wp*(left(l, 1) - left(l, 2))/(left(l, 1)*left(l, 2))
+            lost = 0.5_wp*(fibres%before(l) - fibres%after(l))/(fibres%before(l)*fibres%after(l))
             h(l, fibre_energy) = h(l, fibre_energy) + lost*(ply%compliance(l)*before(1)*now(1) &
                & + before(4)*now(4)/g(l, 1) + before(5)*now(5)/g(l, 2))
             h(l, plastic_energy) = h(l, plastic_energy) + 0.5_wp*( &
@@ -62,7 +63,7 @@ contains
       integer :: k, l
 
       call plane_traction(crack%cosine, crack%sine, h(:, last_stress:last_stress + 5), last)
-      associate (t => crack%whole, q => crack%stiffness, contact => crack%contact)
+      associate (t => crack%whole, plane => crack%stiffness, contact => crack%contact)
          !$omp simd private(after, before, k, rubbed, total, was)
          do l = 1, lanes
             was = h(l, matrix_damage)
@@ -78,8 +79,9 @@ contains
                   & *(contact(l, k) + h(l, last_contact - 1 + k))
             end do
             ! traction of the plane after the step: that of a whole one less what slip relieves
-            total = total + before(1)*(q(l, 1)*after(1) + q(l, 4)*after(2)) &
-               & + before(2)*(q(l, 4)*after(1) + q(l, 2)*after(2)) + before(3)*q(l, 3)*after(3)
+            total = total + before(1)*(plane%normal(l)*after(1) + plane%both(l)*after(2)) &
+               & + before(2)*(plane%both(l)*after(1) + plane%across(l)*after(2)) &
+               & + before(3)*plane%along(l)*after(3)
             h(l, friction_energy) = h(l, friction_energy) + rubbed
             h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*total - rubbed
          end do

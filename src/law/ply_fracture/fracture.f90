@@ -13,7 +13,7 @@ module plydyn_law_ply_fracture_fracture
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_law_ply_fracture_crack, only : crack_matrix, crack_strain, crack_type
    use plydyn_law_ply_fracture_dissipation, only : add_crack_energies, add_energies
-   use plydyn_law_ply_fracture_fibres, only : damage_fibres, uncracked_stress
+   use plydyn_law_ply_fracture_fibres, only : damage_fibres, fibres_type, uncracked_stress
    use plydyn_law_ply_fracture_history, only : crushed, fibre_damage, fibre_energy, &
       & fibre_onset, fibre_width, friction_energy, held_opening, histories, last_contact, &
       & last_stress, matrix_damage, matrix_energy, matrix_width, plane_cosine, plane_sine, &
@@ -127,26 +127,43 @@ contains
       real(wp), intent(out) :: s(lanes, 6)
 
       type(crack_type) :: crack
-      real(wp) :: elastic(lanes, 6), growth(lanes, 4), left(lanes, 2), opened(lanes, 6)
-      integer :: k
+      type(fibres_type) :: fibres
+      real(wp) :: elastic(lanes, 6), growth(lanes, 4), opened(lanes, 6)
+      logical :: grows
 
-      call add_permanent_strain(ply, e, h, elastic, growth)
-      call damage_fibres(ply, elastic, h, left)
-      call uncracked_stress(ply, elastic, left(:, 2), s)
-      call crack_matrix(ply, s, left(:, 2), h, crack)
+      call add_permanent_strain(ply, e, h, elastic, growth, grows)
+      call damage_fibres(ply, elastic, h, fibres)
+      call uncracked_stress(ply, elastic, fibres, s)
+      call crack_matrix(ply, s, fibres, h, crack)
       if (crack%any) then
          call crack_strain(crack, opened)
          opened(:, :) = elastic - opened
-         call uncracked_stress(ply, opened, left(:, 2), s)
+         call uncracked_stress(ply, opened, fibres, s)
       end if
-      ! a point that nothing had happened to has kept no stress
-      do k = 1, 6
-         where (h(:, state) <= 0.0_wp) h(:, last_stress - 1 + k) = s(:, k)
-      end do
-      call add_energies(ply, left, growth, s, h)
+      call fill_last_stress(s, h)
+      if (grows .or. fibres%grows) call add_energies(ply, fibres, growth, s, h)
       if (crack%any) call add_crack_energies(crack, h)
       call keep(crack, s, h)
    end subroutine update_point
+
+   !> Let a point that nothing had happened to, which has kept no stress, have that of now
+   pure subroutine fill_last_stress(s, h)
+      !> Stress after the step
+      real(wp), intent(in) :: s(lanes, 6)
+      !> History of the point
+      real(wp), intent(inout) :: h(lanes, histories)
+
+      real(wp) :: fresh
+      integer :: k, l
+
+      do k = 1, 6
+         !$omp simd private(fresh)
+         do l = 1, lanes
+            fresh = merge(1.0_wp, 0.0_wp, h(l, state) <= 0.0_wp)
+            h(l, last_stress - 1 + k) = fresh*s(l, k) + (1.0_wp - fresh)*h(l, last_stress - 1 + k)
+         end do
+      end do
+   end subroutine fill_last_stress
 
    !> Keep crack and stress for the next step
    pure subroutine keep(crack, s, h)

@@ -34,23 +34,31 @@ contains
       !> Points that are updated; the others need the whole law
       logical, intent(out) :: updated(points)
 
-      real(wp) :: each(lanes), measure, most, s(lanes, 6)
+      real(wp) :: each(lanes), kept, most, past, s(lanes, 6)
       integer :: l, m
 
       do m = 1, points
+         past = 0.0_wp
+         !$omp simd private(kept) reduction(max:past)
+         do l = 1, lanes
+            kept = history(l, m, state)
+            past = max(past, merge(kept, 0.0_wp, ply%own(l) > 0.0_wp))
+         end do
+         updated(m) = past < changed
+         if (.not. updated(m)) cycle
          call find_stress(ply, strain(:, :, m), history(:, m, fibre_width), &
             & history(:, m, matrix_width), s, each)
          most = 0.0_wp
-         !$omp simd private(measure) reduction(max:most)
+         !$omp simd private(kept) reduction(max:most)
          do l = 1, lanes
-            measure = max(each(l), far_limit*(history(l, m, state)))
-            most = max(most, merge(measure, 0.0_wp, ply%own(l) > 0.0_wp))
+            kept = each(l)
+            most = max(most, merge(kept, 0.0_wp, ply%own(l) > 0.0_wp))
          end do
          updated(m) = most <= far_limit
          if (.not. updated(m)) cycle
          call store_columns(ply%own, 6, s, stress(:, :, m))
          ! points that have left the neighbourhood of onset keep no stress
-         if (most >= far_limit) call store_columns(ply%own, 1, spread(0.0_wp, 1, lanes), &
+         if (past > 0.0_wp) call store_columns(ply%own, 1, spread(0.0_wp, 1, lanes), &
             & history(:, m, state))
       end do
    end subroutine update_intact

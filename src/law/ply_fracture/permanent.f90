@@ -18,7 +18,7 @@ contains
 
    !> Let permanent strains grow. Shear stops where the matrix has a plane of fracture; the pressure
    !> that crushes is that on a ply without cracks
-   pure subroutine add_permanent_strain(ply, e, h, elastic, growth)
+   pure subroutine add_permanent_strain(ply, e, h, elastic, growth, grows)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Total strain
@@ -29,28 +29,45 @@ contains
       real(wp), intent(out) :: elastic(lanes, 6)
       !> Growth of the strains 12, 13, 23 and 33 in the step
       real(wp), intent(out) :: growth(lanes, 4)
+      !> Whether any does in any lane
+      logical, intent(out) :: grows
 
-      real(wp) :: over
+      real(wp) :: excess(lanes, 3), most, over
       integer :: k, l
 
-      elastic(:, :2) = e(:, :2)
+      most = 0.0_wp
       do k = 1, 3
-         call add_shear(ply, k, e(:, 3 + k), h, elastic(:, 3 + k), growth(:, k))
+         call find_excess(ply, k, e(:, 3 + k), h, elastic(:, 3 + k), excess(:, k))
+         growth(:, k) = 0.0_wp
       end do
+      !$omp simd reduction(max:most)
+      do l = 1, lanes
+         most = max(most, excess(l, 1), excess(l, 2), excess(l, 3))
+      end do
+      if (most > 0.0_wp) then
+         do k = 1, 3
+            call add_shear(ply, k, excess(:, k), h, elastic(:, 3 + k), growth(:, k))
+         end do
+      end if
       associate (c => ply%stiffness)
-         !$omp simd private(over)
+         !$omp simd private(over) reduction(max:most)
          do l = 1, lanes
+            elastic(l, 1) = e(l, 1)
+            elastic(l, 2) = e(l, 2)
             over = c(l, 3)*e(l, 1) + c(l, 5)*e(l, 2) + c(l, 6)*(e(l, 3) - h(l, crushed))
             over = max(-over - ply%crush_stress(l), 0.0_wp)
-            growth(l, 4) = -over/c(l, 6)
+            growth(l, 4) = -over*ply%give(l)
+            most = max(most, over)
             h(l, crushed) = h(l, crushed) + growth(l, 4)
             elastic(l, 3) = e(l, 3) - h(l, crushed)
          end do
       end associate
+      grows = most > 0.0_wp
    end subroutine add_permanent_strain
 
-   !> Permanent strain of one shear, by return to the yield stress that it has hardened to
-   pure subroutine add_shear(ply, k, e, h, elastic, growth)
+   !> Shear stress beyond the yield stress, were the strain to stay elastic; 0 where the matrix has
+   !> a plane of fracture
+   pure subroutine find_excess(ply, k, e, h, elastic, over)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Which shear
@@ -58,37 +75,56 @@ contains
       !> Its strain
       real(wp), intent(in) :: e(lanes)
       !> History of the point
-      real(wp), intent(inout) :: h(lanes, histories)
-      !> Elastic strain, and growth of the permanent one
-      real(wp), intent(out) :: elastic(lanes), growth(lanes)
+      real(wp), intent(in) :: h(lanes, histories)
+      !> Elastic strain, and stress beyond yield
+      real(wp), intent(out) :: elastic(lanes), over(lanes)
 
-      real(wp) :: grown, most, over(lanes), reached(lanes), trial(lanes), yield
+      real(wp) :: uncracked
       integer :: l, p, y
 
       p = plastic_shear - 1 + k
       y = yield_stress - 1 + k
-      most = 0.0_wp
-      !$omp simd private(yield) reduction(max:most)
+      !$omp simd private(uncracked)
       do l = 1, lanes
          elastic(l) = e(l) - h(l, p)
-         growth(l) = 0.0_wp
-         trial(l) = ply%shear(l, k)*abs(elastic(l))
-         yield = max(h(l, y), ply%first_yield(l, k))
-         over(l) = trial(l) - yield
-         over(l) = merge(over(l), 0.0_wp, abs(h(l, plane_cosine)) + abs(h(l, plane_sine)) <= 0.0_wp)
-         over(l) = max(over(l), 0.0_wp)
-         reached(l) = trial(l) - over(l)*ply%shear(l, k)/(ply%shear(l, k) + ply%hardening(l, k))
-         most = max(most, over(l))
+         uncracked = merge(1.0_wp, 0.0_wp, abs(h(l, plane_cosine)) + abs(h(l, plane_sine)) &
+            & <= 0.0_wp)
+         over(l) = uncracked*max(ply%shear(l, k)*abs(elastic(l)) &
+            & - max(h(l, y), ply%first_yield(l, k)), 0.0_wp)
       end do
-      if (.not. most > 0.0_wp) return
+   end subroutine find_excess
+
+   !> Permanent strain of one shear, by return to the yield stress that it has hardened to
+   pure subroutine add_shear(ply, k, over, h, elastic, growth)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
+      !> Which shear
+      integer, intent(in) :: k
+      !> Stress beyond yield
+      real(wp), intent(in) :: over(lanes)
+      !> History of the point
+      real(wp), intent(inout) :: h(lanes, histories)
+      !> Elastic strain, with that beyond yield in and without it out
+      real(wp), intent(inout) :: elastic(lanes)
+      !> Growth of the permanent strain
+      real(wp), intent(out) :: growth(lanes)
+
+      real(wp) :: flows, grown, old, reached(lanes), trial(lanes)
+      integer :: l, p, y
+
+      p = plastic_shear - 1 + k
+      y = yield_stress - 1 + k
+      trial(:) = ply%shear(:, k)*abs(elastic)
+      reached(:) = trial - over*ply%shear(:, k)/(ply%shear(:, k) + ply%hardening(:, k))
       if (ply%has_power) call return_to_curve(ply, k, over, trial, reached)
-      !$omp simd private(grown)
+      !$omp simd private(flows, grown, old)
       do l = 1, lanes
-         grown = (trial(l) - reached(l))/ply%shear(l, k)
-         grown = sign(merge(grown, 0.0_wp, over(l) > 0.0_wp), elastic(l))
+         flows = merge(1.0_wp, 0.0_wp, over(l) > 0.0_wp)
+         old = h(l, y)
+         grown = sign(flows*(trial(l) - reached(l))/ply%shear(l, k), elastic(l))
          growth(l) = grown
          h(l, p) = h(l, p) + grown
-         h(l, y) = merge(reached(l), h(l, y), over(l) > 0.0_wp)
+         h(l, y) = flows*reached(l) + (1.0_wp - flows)*old
          elastic(l) = elastic(l) - grown
       end do
    end subroutine add_shear

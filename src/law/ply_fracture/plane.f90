@@ -6,11 +6,21 @@
 module plydyn_law_ply_fracture_plane
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_fibres, only : fibres_type
    implicit none
    private
 
-   public :: exposure_bound, find_plane, plane_exposure, plane_stiffness, plane_traction, &
+   public :: exposure_bound, find_plane, find_stiffness, plane_exposure, plane_traction, &
       & refine_plane
+
+   !> Stiffness of a plane against slip
+   type, public :: plane_stiffness_type
+      !> Of opening, of sliding across the fibres and along them, and between the first two
+      real(wp) :: normal(lanes), across(lanes), along(lanes), both(lanes)
+      !> Slip by a traction along the fibres; by one across them where the plane does not open, and
+      !> by one normal where it slides freely; `both` over `across`
+      real(wp) :: give_along(lanes), give_across(lanes), give_normal(lanes), ratio(lanes)
+   end type plane_stiffness_type
 
    !> Angles that are tried, over half a turn, and halvings of their distance that follow
    integer, parameter :: trials = 12, halvings = 18
@@ -49,37 +59,42 @@ contains
       end do
    end subroutine plane_traction
 
-   !> Stiffness of a plane against a strain by a jump across it: normal, tangential, along the
-   !> fibres, and between normal and tangential
-   pure subroutine plane_stiffness(ply, cosine, sine, left, stiffness)
+   !> Stiffness of a plane against slip across it
+   pure subroutine find_stiffness(ply, cosine, sine, fibres, plane)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
-      !> Of the angle of the plane; integrity of the fibres
-      real(wp), intent(in) :: cosine(lanes), sine(lanes), left(lanes)
-      !> (lanes, 4)
-      real(wp), intent(out) :: stiffness(lanes, 4)
+      !> Of the angle of the plane
+      real(wp), intent(in) :: cosine(lanes), sine(lanes)
+      !> What is left of the fibres
+      type(fibres_type), intent(in) :: fibres
+      !> The stiffness
+      type(plane_stiffness_type), intent(out) :: plane
 
-      real(wp) :: c22, c23, c33, cc, cs, lost, ss
+      real(wp) :: c22, c23, c33, cc, cs, difference, lost, ss
       integer :: l
 
       associate (c => ply%stiffness, g => ply%shear)
-         !$omp simd private(c22, c23, c33, cc, cs, lost, ss)
+         !$omp simd private(c22, c23, c33, cc, cs, difference, lost, ss)
          do l = 1, lanes
-            lost = (1.0_wp - left(l))*ply%compliance(l) &
-               & /(left(l) + (1.0_wp - left(l))*ply%compliance(l)*c(l, 1))
+            lost = fibres%lost(l)
             c22 = c(l, 4) - lost*c(l, 2)**2
             c23 = c(l, 5) - lost*c(l, 2)*c(l, 3)
             c33 = c(l, 6) - lost*c(l, 3)**2
             cc = cosine(l)**2
             ss = sine(l)**2
             cs = cosine(l)*sine(l)
-            stiffness(l, 1) = c22*cc**2 + c33*ss**2 + (2.0_wp*c23 + 4.0_wp*g(l, 3))*cs**2
-            stiffness(l, 2) = (c22 + c33 - 2.0_wp*c23)*cs**2 + g(l, 3)*(cc - ss)**2
-            stiffness(l, 3) = left(l)*(g(l, 1)*cc + g(l, 2)*ss)
-            stiffness(l, 4) = cs*(c33*ss - c22*cc + (c23 + 2.0_wp*g(l, 3))*(cc - ss))
+            difference = cc - ss
+            plane%normal(l) = c22*cc**2 + c33*ss**2 + (2.0_wp*c23 + 4.0_wp*g(l, 3))*cs**2
+            plane%across(l) = (c22 + c33 - 2.0_wp*c23)*cs**2 + g(l, 3)*difference**2
+            plane%along(l) = fibres%after(l)*(g(l, 1)*cc + g(l, 2)*ss)
+            plane%both(l) = cs*(c33*ss - c22*cc + (c23 + 2.0_wp*g(l, 3))*difference)
+            plane%give_across(l) = 1.0_wp/plane%across(l)
+            plane%give_along(l) = 1.0_wp/plane%along(l)
+            plane%ratio(l) = plane%both(l)*plane%give_across(l)
+            plane%give_normal(l) = 1.0_wp/(plane%normal(l) - plane%both(l)*plane%ratio(l))
          end do
       end associate
-   end subroutine plane_stiffness
+   end subroutine find_stiffness
 
    !> Exposure of a plane: the tractions over those on the same ray at which it cracks. Opened
    !> planes crack as Catalanotti, Camanho and Marques (2013, eq. 42) have it for tractions normal
@@ -93,10 +108,10 @@ contains
       !> 1 where the plane cracks
       real(wp), intent(out) :: exposure(lanes)
 
-      real(wp) :: across, along, closed, normal, opened, size, slope
+      real(wp) :: across, along, closed, is_open, normal, opened, size, slope
       integer :: l
 
-      !$omp simd private(across, along, closed, normal, opened, size, slope)
+      !$omp simd private(across, along, closed, is_open, normal, opened, size, slope)
       do l = 1, lanes
          normal = traction(l, 1)
          across = (traction(l, 2)*ply%across(l))**2
@@ -105,17 +120,20 @@ contains
          size = slope + sqrt((normal*ply%across(l))**2 + across + slope**2)
          opened = sqrt(size**2 + along)
          closed = max(sqrt(across + along) + ply%gain(l)*normal, 0.0_wp)
-         exposure(l) = merge(opened, closed, normal > 0.0_wp)
+         is_open = merge(1.0_wp, 0.0_wp, normal > 0.0_wp)
+         exposure(l) = is_open*opened + (1.0_wp - is_open)*closed
       end do
    end subroutine plane_exposure
 
    !> Squares that no exposure of any plane exceeds: of its strength, and of the toughness of a
-   !> crack band of width 1 (see `find_growth` of `crack.f90`)
-   pure subroutine exposure_bound(ply, stress, left, strength, energy)
+   !> crack band of width 1 (see `drive` of `crack.f90`)
+   pure subroutine exposure_bound(ply, stress, fibres, strength, energy)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
-      !> Stress in ply axes; integrity of the fibres
-      real(wp), intent(in) :: stress(lanes, 6), left(lanes)
+      !> Stress in ply axes
+      real(wp), intent(in) :: stress(lanes, 6)
+      !> What is left of the fibres
+      type(fibres_type), intent(in) :: fibres
       !> Squares of exposures
       real(wp), intent(out) :: strength(lanes), energy(lanes)
 
@@ -129,7 +147,7 @@ contains
          across = radius + max(0.5_wp*(stress(l, 2) + stress(l, 3)) + sqrt(radius), 0.0_wp)**2
          along = stress(l, 4)**2 + stress(l, 5)**2
          strength(l) = ply%far_matrix(l, 1)*across + ply%far_matrix(l, 2)*along
-         energy(l) = ply%far_matrix(l, 3)*(across + along/left(l))
+         energy(l) = ply%far_matrix(l, 3)*(across + along/fibres%after(l))
       end do
    end subroutine exposure_bound
 
@@ -192,15 +210,21 @@ contains
       !> The best so far, and its exposure
       real(wp), intent(inout) :: cosine(lanes), sine(lanes), exposure(lanes)
 
-      real(wp) :: found(lanes), traction(lanes, 3)
+      real(wp) :: best, c, found(lanes), s, this, traction(lanes, 3)
+      integer :: l
 
       call plane_traction(plane(:, 1), plane(:, 2), stress, traction)
       call plane_exposure(ply, traction, found)
-      where (found > exposure)
-         exposure = found
-         cosine = plane(:, 1)
-         sine = plane(:, 2)
-      end where
+      !$omp simd private(best, c, s, this)
+      do l = 1, lanes
+         this = found(l)
+         best = exposure(l)
+         c = cosine(l)
+         s = sine(l)
+         cosine(l) = merge(plane(l, 1), c, this > best)
+         sine(l) = merge(plane(l, 2), s, this > best)
+         exposure(l) = max(this, best)
+      end do
    end subroutine try_plane
 
 end module plydyn_law_ply_fracture_plane
