@@ -78,44 +78,47 @@ def _read(path: Path) -> _Table:
 
 
 def compare_tables(old: Path, new: Path, report: Report) -> None:
-    """Compare two histories, column by column in their order."""
+    """Compare two histories: moved columns by their headers, the others in their order."""
     first, second = _read(old), _read(new)
-    mine = _kept(first, old, known_names.DROPPED_COLUMNS, "is written no longer", report)
-    others = _kept(second, new, known_names.ADDED_COLUMNS, "is new", report)
+    names = _new_heads(first, second, old.name)
+    dropped, added = known_names.DROPPED_COLUMNS, known_names.ADDED_COLUMNS
+    mine = _kept(first, second.heads, dropped, old.name, report)
+    others = _kept(second, names, added, old.name, report)
     if len(mine) != len(others):
         _report_columns(old.name, first.heads, second.heads, report)
         return
-    others = _in_order(first, mine, second, others, old.name)
+    moved = {i: second.heads.index(names[i]) for i in mine if names[i] != first.heads[i]}
+    rest = iter([j for j in others if j not in moved.values()])
+    others = [moved[i] if i in moved else next(rest) for i in mine]
     for i, j in zip(mine, others, strict=True):
         if first.heads[i] != second.heads[j]:
             report.note(f"{old.name}: column {first.heads[i]!r} is called {second.heads[j]!r}")
     if len(first.rows) != len(second.rows):
         report.differ(old.name, "rows", "", len(first.rows), len(second.rows))
     report.numbers += len(mine) * len(first.rows)
-    if first.rows != second.rows or len(first.heads) != len(second.heads):
+    if first.rows != second.rows or mine != others:
         heads = [first.heads[i] for i in mine]
         _compare_words(old.name, heads, first.words(mine), second.words(others), report)
 
 
-def _in_order(old: _Table, mine: list[int], new: _Table, others: list[int], file: str) -> list[int]:
-    """Columns of the new table in the order of the old: moved ones by header, others by place."""
-    moved = {}
-    for i in mine:
-        head = renamed(known_names.RENAMED_COLUMNS, f"{file}: {old.heads[i]}").partition(": ")[2]
-        if head != old.heads[i] and head in new.heads:
-            moved[i] = new.heads.index(head)
-    rest = iter([j for j in others if j not in moved.values()])
-    return [moved[i] if i in moved else next(rest) for i in mine]
+def _new_heads(old: _Table, new: _Table, file: str) -> list[str]:
+    """Headers of the columns of a table in the new build: another one only where it is new."""
+    heads = []
+    for head in old.heads:
+        other = renamed(known_names.RENAMED_COLUMNS, f"{file}: {head}").partition(": ")[2]
+        heads.append(other if other in new.heads and other not in old.heads else head)
+    return heads
 
 
 def _kept(
-    table: _Table, path: Path, known: dict[str, str], words: str, report: Report
+    table: _Table, others: list[str], known: dict[str, str], file: str, report: Report
 ) -> list[int]:
-    """Columns that both builds write."""
+    """Columns that both builds write: those that are not known to be dropped or new."""
     kept = []
     for i, head in enumerate(table.heads):
-        if why := reason(known, f"{path.name}: {head}"):
-            report.note(f"{path.name}: column {head!r} {words}: {why}")
+        why = reason(known, f"{file}: {head}")
+        if why and head not in others:
+            report.note(f"{file}: column {head!r} is in one build alone: {why}")
         else:
             kept.append(i)
     return kept

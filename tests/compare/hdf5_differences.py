@@ -70,6 +70,8 @@ def _compare(file: str, name: str, old: np.ndarray, new: np.ndarray, report: Rep
     why = reason(known_names.WIDENED_DATA, name)
     if why and new.size > old.size and _contains(new, old):
         report.note(f"{file}: {name} has got values among the old ones: {why}")
+    elif (why := reason(known_names.RESIZED_DATA, name)) and new.size != old.size:
+        report.note(f"{file}: {name} has another size: {why}")
     elif _is_text(old) or _is_text(new):
         if old.tolist() != new.tolist():
             report.note(f"{file}: {name} says {new.tolist()!r}, was {old.tolist()!r}")
@@ -112,7 +114,8 @@ def _join_parts(file: str, mine: Data, others: Data, report: Report) -> None:
     for name in sorted(mine):
         for old, parts in known_names.SPLIT_DATA.items():
             names = [re.sub(old, part, name) for part in parts]
-            if re.fullmatch(old, name) and all(part in others for part in names):
+            is_new = set(names) <= set(others) and not set(names) <= set(mine)
+            if re.fullmatch(old, name) and is_new:
                 joined = np.concatenate([others.pop(part).reshape(-1) for part in names])
                 report.note(f"{file}: {name} is split into {', '.join(names)}")
                 _compare(file, name, mine.pop(name).reshape(-1), joined, report)

@@ -253,3 +253,26 @@ def test_an_array_may_be_widened(
         file["state/sums"] = np.insert(values, 2, [8.0, 9.0])
     found = compare_folders(old, new).differences
     assert [one.data for one in found] == ([] if right else ["state/sums"])
+
+
+def test_two_newer_builds_are_compared(tmp_path: Path) -> None:
+    """What the tables say of an older build does not hide or miss anything that both write."""
+    old, new = results(tmp_path / "old"), results(tmp_path / "new")
+    for folder in (old, new):
+        rewrite(folder / "job.energy.csv", "ripple [mJ]", "contact friction [mJ]")
+        (folder / "job.delamination.csv").write_text(
+            "time [s],interface 1 area [mm2],interface 1 failed area [mm2]\n0,4,2\n"
+        )
+        with h5py.File(folder / "job.dump01", "r+") as file:
+            file["state/time"] = np.array([0.25])
+    assert compare_folders(old, new).differences == []
+    rewrite(new / "job.delamination.csv", "0,4,2", "0,5,2")
+    rewrite(new / "job.energy.csv", "1.600250001E+02", "1.600250002E+02")
+    with h5py.File(new / "job.dump01", "r+") as file:
+        file["state/time"][0] = 0.5
+    found = {(one.file, one.data) for one in compare_folders(old, new).differences}
+    assert found == {
+        ("job.delamination.csv", "interface 1 area [mm2]"),
+        ("job.energy.csv", "contact friction [mJ]"),
+        ("job.dump01", "state/time"),
+    }
