@@ -19,6 +19,9 @@ module plydyn_law_cohesive_work_growth
    !> Times that the ratio of works is found from what the step adds to them
    integer, parameter :: passes = 2
 
+   !> Share of the toughness that counts as none: damage comes to 1, whatever the rounding
+   real(wp), parameter :: round_off = 1.0e-12_wp
+
 contains
 
    !> Where damage grows: the traction is above what the spent share leaves of the strength
@@ -96,7 +99,8 @@ contains
       after = before
       lost = 0.0_wp
       if (.not. before < 1.0_wp) return
-      left = max(1.0_wp - spent/toughness, 0.0_wp)
+      left = 1.0_wp - spent/toughness
+      if (left < round_off) left = 0.0_wp
       g = left/(1.0_wp - before)
       if (f <= g) return
       if (g < r) then
