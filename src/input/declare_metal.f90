@@ -2,6 +2,7 @@
 module plydyn_input_declare_metal
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, new_keyword, standard
+   use plydyn_input_declare_part, only : add_isotropic_card
    implicit none
    private
 
@@ -19,17 +20,6 @@ module plydyn_input_declare_metal
 
 contains
 
-   !> Number, density and elastic constants
-   subroutine add_isotropic(keyword)
-      type(keyword_type), intent(inout) :: keyword
-
-      call keyword%add_card()
-      call keyword%add_integer("MID", "number of the material", least=1)
-      call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
-      call keyword%add_real("E", "stress", "Young's modulus", above=0.0_wp)
-      call keyword%add_real("PR", "-", "Poisson's ratio, above -1 and below 0.5", default=0.0_wp)
-   end subroutine add_isotropic
-
    !> Metal with linear hardening
    function mat_plastic_kinematic() result(keyword)
       type(keyword_type) :: keyword
@@ -40,7 +30,7 @@ contains
       keyword%remark = "ETAN 0 is perfect plasticity. With a rate, the yield stress is " &
          & //"multiplied by 1 + (rate/SRC)**(1/SRP), the rate being that of effective " &
          & //"plastic strain."
-      call add_isotropic(keyword)
+      call add_isotropic_card(keyword)
       call keyword%add_real("SIGY", "stress", "yield stress", above=0.0_wp)
       call keyword%add_real("ETAN", "stress", "slope of stress over strain beyond yield", &
          & default=0.0_wp, least=0.0_wp)
@@ -70,7 +60,7 @@ contains
          & //"nearest curve holds. A table whose first value is below 0 has the natural " &
          & //"logarithms of its rates. With C and P, SIGY (rate/C)**(1/P) is added. The rate is " &
          & //"that of effective plastic strain, so VP must be 1 where rates matter."
-      call add_isotropic(keyword)
+      call add_isotropic_card(keyword)
       call keyword%add_real("SIGY", "stress", "yield stress, where no points and no curve " &
          & //"give it, and the stress that rises with C and P", default=0.0_wp, least=0.0_wp)
       call keyword%add_real("ETAN", "stress", "slope of stress over strain beyond yield", &
@@ -119,7 +109,7 @@ contains
       keyword%remark = "The yield stress is (A + B p**N) (1 + C ln(rate/EPSO)) with the " &
          & //"effective plastic strain p; below the rate EPSO the rate is without effect. The " &
          & //"rate is that of effective plastic strain, so VP must be 1 where C is not 0."
-      call add_isotropic(keyword)
+      call add_isotropic_card(keyword)
       call keyword%add_real("VP", "-", "1: the rate is that of effective plastic strain; 0 where " &
          & //"no rate matters", default=0.0_wp, least=0.0_wp, most=1.0_wp)
       call keyword%add_card()

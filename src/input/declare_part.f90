@@ -5,8 +5,8 @@ module plydyn_input_declare_part
    implicit none
    private
 
-   public :: add_ply_elastic_cards, part_composite, part_composite_long, section_layerwise, &
-      & mat_elastic, mat_orthotropic_elastic, mat_ply_elastic
+   public :: add_isotropic_card, add_ply_elastic_cards, part_composite, part_composite_long, &
+      & section_layerwise, mat_elastic, mat_orthotropic_elastic, mat_ply_elastic
 
 contains
 
@@ -102,13 +102,21 @@ contains
 
       keyword = new_keyword("MAT_ELASTIC", standard, "Isotropic linear elastic ply material.", &
          & suffixes="TITLE", alias="MAT_001")
+      call add_isotropic_card(keyword)
+      call keyword%add_unused("DA DB K")
+   end function mat_elastic
+
+   !> Number, density and elastic constants of an isotropic material, on a card that may have more
+   subroutine add_isotropic_card(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
       call keyword%add_card()
       call keyword%add_integer("MID", "number of the material", least=1)
       call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
       call keyword%add_real("E", "stress", "Young's modulus", above=0.0_wp)
       call keyword%add_real("PR", "-", "Poisson's ratio, above -1 and below 0.5", default=0.0_wp)
-      call keyword%add_unused("DA DB K")
-   end function mat_elastic
+   end subroutine add_isotropic_card
 
    !> Orthotropic material of LS-DYNA
    function mat_orthotropic_elastic() result(keyword)
