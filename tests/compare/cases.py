@@ -178,6 +178,7 @@ _RECIPES: tuple[tuple[str, tuple[_Recipe, ...]], ...] = (
     ("damage_impact/quarter_elastic", (_Recipe(),)),
     ("damage_impact/tied", (_Recipe(),)),
     ("damage_impact/", (_Recipe(), _Recipe(600, (_FAST,), "_fast", (THREADS,), damaged=True))),
+    ("validation/", (_Recipe(40),)),
     ("elastic_impact/bricks_5", (_Recipe(8, (), "", (THREADS,)),)),
     ("elastic_impact/bricks_3", (_Recipe(8, (), "", (THREADS,)),)),
     ("bimetal_impact/bricks_2", (_Recipe(10, (), "", (THREADS,)),)),

@@ -1,0 +1,131 @@
+"""Impacts that tests have measured, computed with the defaults of the templates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from plydyn_post.cscan import draw_delamination
+
+from readings import damage
+from readings.damage import Impact
+from runner.cases import ROOT, Case, Run, StudyError, made_by
+from runner.commands import Study, command
+from runner.pages import NOTHING, Page, Section, change, clock, table
+
+#: Largest penetration counts in mm, forces in N, energies in mJ
+PEAK, TIME, DURATION = "peak force [kN]", "at [ms]", "contact [ms]"
+DISPLACEMENT, ABSORBED, AREA = "displacement [mm]", "absorbed [J]", "projected area [mm2]"
+
+
+@dataclass(frozen=True)
+class Test:
+    """A test: its recipe, and what was measured; nothing where the answer is not known here."""
+
+    case: Case
+    measured: dict[str, float]
+
+
+def _t700(name: str, label: str, measured: dict[str, float], *varied: str) -> Test:
+    recipe = name.partition("_fine")[0]
+    return Test(Case(name, f"validation/{recipe}", label, varied), measured)
+
+
+#: AITM 1-0010, 25 J: the measured numbers of Tan, Falzon, Chiu and Price (2015), Composites A 71,
+#: as far as their figures can be read; others at which nobody has looked yet
+AT_25 = {PEAK: 8.55, TIME: 1.5, DURATION: 3.55, DISPLACEMENT: 5.13, ABSORBED: 12.2, AREA: 1443.0}
+TESTS = (
+    _t700("t700gc_25J", "T700GC/M21, 25 J, quads of 2.8 mm", AT_25),
+    _t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
+)
+BLIND = (
+    _t700("t700_6J", "T700/M21, 6.5 J, quads of 2.8 mm", {}),
+    _t700("t700_17J", "T700/M21, 17 J, quads of 2.8 mm", {}),
+    _t700("t700_29J", "T700/M21, 29.5 J, quads of 2.8 mm", {}),
+)
+
+#: Where the study of beams stands, and how many cells its rows have
+BEAMS, BEAM_CELLS = ROOT / "manual/verification.md", 9
+
+
+@command()
+def validation() -> Study:
+    """Impacts that tests have measured, and blind numbers, for manual/validation.md."""
+    return Study([test.case for test in (*TESTS, *BLIND)], _report)
+
+
+def read_numbers(one: Impact) -> dict[str, float | None]:
+    """What a run came to, by the names of the table."""
+    return {
+        PEAK: one.peak / 1e3,
+        TIME: 1e3 * one.peak_time,
+        DURATION: None if one.duration is None else 1e3 * one.duration,
+        DISPLACEMENT: one.displacement,
+        ABSORBED: None if one.absorbed is None else one.absorbed / 1e3,
+        AREA: one.projected,
+    }
+
+
+def _report(runs: list[Run], folder: Path) -> list[Page]:
+    found = {run.case.name: run for run in runs}
+    sections = [
+        Section(heading, _text(tests, found), mark)
+        for heading, mark, tests in (
+            ("Impacts", "impacts", TESTS),
+            ("Blind numbers", "blind", BLIND),
+        )
+    ]
+    sections.append(Section("Beams", beams_text(BEAMS.read_text(encoding="utf-8")), "beams"))
+    figures = damage.draw_forces(runs, folder / "validation_force.png")
+    pictures = {"validation_force.png": figures[-2]}
+    known = [run for run in runs if run.case.name == TESTS[0].case.name]
+    if known:
+        figures.append(draw_delamination(known[0].results, folder / "validation_interfaces.png"))
+        pictures[figures[-1].name] = figures[-1]
+    return [Page("validation", sections, figures, pictures)]
+
+
+def beams_text(page: str) -> str:
+    """Measured and computed forces of beams, from the study on the page of the verification."""
+    _, found, rest = page.partition("<!-- delamination study -->")
+    if not found:
+        raise StudyError(f"{BEAMS} has no table of the delamination of beams")
+    rows = []
+    for line in rest.partition("<!-- end of")[0].splitlines():
+        cells = [cell.strip() for cell in line.strip("| ").split("|")]
+        if len(cells) == BEAM_CELLS and cells[1:4] == ["2", "1", ""]:
+            name, force, theory, test = cells[0], *map(float, cells[4:7])
+            numbers = (force / test, force / theory, force)
+            changes = (change(test, 1.0), change(theory, 1.0))
+            rows.append([name, *(f"{number:.0f}" for number in numbers), *changes])
+    headings = ("test", "measured [N]", "beam theory [N]", "computed [N]", "to test", "to theory")
+    return table(headings, rows)
+
+
+def _text(tests: Sequence[Test], found: dict[str, Run]) -> str:
+    """Rows of the tests that have run, each behind what was measured."""
+    rows, before = [], {}
+    chosen = [test for test in tests if test.case.name in found]
+    for test in chosen:
+        if test.measured and test.measured is not before:
+            rows.append(["measured", *(f"{value:g}" for value in test.measured.values()), ""])
+        before = test.measured
+        rows.append(_row(found[test.case.name], test))
+    headings = ("test", PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA, "processor time")
+    missing = [test.case.label for test in tests if test not in chosen]
+    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
+    made = f"\n{made_by([found[test.case.name] for test in chosen])}" if chosen else ""
+    return f"{table(headings, rows)}{words}{made}"
+
+
+def _row(run: Run, test: Test) -> list[str]:
+    numbers = read_numbers(damage.read_impact(run))
+    cells = []
+    for name, value in numbers.items():
+        word = NOTHING if value is None else f"{value:.4g}"
+        if value is not None and name in test.measured and np.isfinite(value):
+            word += f" ({change(value, test.measured[name])})"
+        cells.append(word)
+    return [run.case.label, *cells, clock(run.effort.processor)]
