@@ -30,7 +30,7 @@ module plydyn_contact_contact
    public :: new_contact
 
    !> Most passes over normal multipliers and friction
-   integer, parameter :: most_passes = 50
+   integer, parameter :: most_passes = 10
    !> Change of a gap by friction in the last pass over the largest penetration
    real(wp), parameter :: last_shift = 1.0e-11_wp
 
