@@ -85,3 +85,75 @@ def test_a_bond_that_fails_says_all_that_it_is(
     other = replace(bond, mixing="power", exponent=1.0)
     cards = cards_of(text_of(damaged(study, ply, other)))
     assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"
+
+
+CRACKED = pre.PlyFracture3d(
+    density=1.57e-9,
+    E1=171420.0,
+    E2=9080.0,
+    E3=9080.0,
+    nu12=0.32,
+    nu13=0.32,
+    nu23=0.45,
+    G12=5290.0,
+    G13=5290.0,
+    G23=3131.0,
+    XT=2326.2,
+    XC=1200.1,
+    YT=62.3,
+    YC=199.8,
+    SL=92.3,
+    G1T=97.8,
+    G1C=106.3,
+    G2T=0.277,
+    G2S=0.788,
+)
+
+
+def test_a_ply_with_planes_of_fracture_says_all_that_it_is(
+    study: pre.Study, bond: pre.Cohesive
+) -> None:
+    ply = replace(CRACKED, shear="hardening", shear_yield=66.9, shear_hardening=0.05)
+    ply = replace(ply, friction=0.3, plateau=0.1, width_rule="root_point", crush_stress=300.0)
+    ply = replace(ply, debris_limit=0.01, debris_share=0.2)
+    laminate = pre.Laminate("[0/90]s", 0.1, "ply", interfaces="bond")
+    fields = ("damage_matrix", "plastic_strain", "dissipated")
+    cracked = replace(
+        study,
+        materials={"ply": ply, "bond": bond},
+        laminate=laminate,
+        outputs=pre.Outputs(fields=fields),
+    )
+    cards = cards_of(text_of(cracked))["MAT_PLY_FRACTURE_3D_TITLE"]
+    assert [line.split() for line in cards] == [
+        ["ply"],
+        ["1", "1.57e-09", "171420.0", "9080.0", "9080.0", "0.32", "0.32", "0.45"],
+        ["5290.0", "5290.0", "3131.0"],
+        ["2326.2", "1200.1", "62.3", "199.8", "92.3", "53.0"],
+        ["97.8", "106.3", "0.277", "0.788", "0.0", "0.999", "1.45"],
+        ["4", "0.0", "0.0", "66.9", "0.05"],
+        ["0.3", "0.1", "2", "300.0", "0.01", "0.2"],
+    ]
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("fracture_angle", 45.0),
+        ("friction", 1.5),
+        ("debris_share", 0.2),
+        ("XT", 2326.2e3),
+        ("largest_damage", 1.0),
+    ],
+)
+def test_a_plane_of_fracture_that_cannot_be_is_refused(key: str, value: float) -> None:
+    with pytest.raises(pre.RecipeError, match=key):
+        replace(CRACKED, **{key: value})
+
+
+def test_permanent_shear_that_cannot_be_is_refused() -> None:
+    with pytest.raises(pre.RecipeError, match="shear_yield"):
+        replace(CRACKED, shear="hardening", shear_yield=95.0, shear_hardening=0.05)
+    with pytest.raises(pre.RecipeError, match="shear_exponent"):
+        replace(CRACKED, shear="ramberg_osgood", shear_coefficient=1e-12, shear_exponent=1.0)
+    assert replace(CRACKED, shear_yield=60.0).idle == ("shear_yield",)

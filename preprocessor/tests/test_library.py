@@ -106,6 +106,9 @@ def test_a_material_may_be_like_one_of_the_library(tmp_path: Path) -> None:
     assert isinstance(study_of(tmp_path, "mine", more=more).materials["mine"], pre.PlyElastic)
     more = '[materials.mine]\nlike = "IM7/8552"\nmatrix_compression = "hashin"'
     assert study_of(tmp_path, "mine", more=more).materials["mine"].ST == 75.3
+    more = '[materials.mine]\nkind = "ply_fracture_3d"\nlike = "T700/M21"'
+    mine = study_of(tmp_path, "mine", more=more).materials["mine"]
+    assert (mine.kind, mine.G2S, mine.shear) == ("ply_fracture_3d", 1.6, "linear")
     with pytest.raises(pre.RecipeError, match=r"mine\.like: 'IM7' is not in the library"):
         study_of(tmp_path, "mine", more='[materials.mine]\nlike = "IM7"')
 

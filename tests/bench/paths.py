@@ -4,7 +4,8 @@
 
 Takes a minute; needs build/release. Puts a table into manual/performance.md between its marks:
 the time of a point of eight plies by a path and by the one that would take its place, and their
-difference at all points as a share of the step that takes longer. No test: nothing is compared.
+difference at all points as a share of the step that takes longer; and the time of a point with
+planes of fracture beside one of the other law. No test: nothing is compared.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ def measure() -> dict[str, float]:
     best: dict[str, float] = {}
     for _ in range(TURNS):
         told = subprocess.run(
-            [BUILD / "tests/bench/bench", "damage law"], capture_output=True, text=True, check=True
+            [BUILD / "tests/bench/bench", "law"], capture_output=True, text=True, check=True
         ).stdout
         for name, value in (line.split(",") for line in told.splitlines()):
             best[name] = min(float(value), best.get(name, float(value)))
@@ -71,12 +72,38 @@ def rows(times: dict[str, float]) -> list[list[str]]:
     return out
 
 
+# state of a point with planes of fracture, and what of *MAT_PLY_CODAM2 it is set beside
+FRACTURE = [
+    ("intact", "intact damage law elastic path"),
+    ("open", "damaged damage law whole law"),
+    ("closed", "damaged damage law whole law"),
+]
+
+
+def fracture_rows(times: dict[str, float]) -> list[list[str]]:
+    """A row for each state of a point with planes of fracture."""
+    out = []
+    for state, other in FRACTURE:
+        here, beside = times[f"{state} fracture law"], times[other]
+        path = other.split(" law ")[1]
+        out.append([state, f"{here:.1f}", path, f"{beside:.1f}", f"{here / beside:.2f}"])
+    return out
+
+
 def main() -> None:
     """Measure, and print or write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--print", action="store_true", help="leave the page alone")
     heads = ["path", "points", "ns per point", "else", "ns per point", "saves of a step"]
-    text = f"{machine()}\n\n{table(heads, rows(measure()))}"
+    times = measure()
+    beside = [
+        "`*MAT_PLY_FRACTURE_3D`",
+        "ns per point",
+        "`*MAT_PLY_CODAM2`",
+        "ns per point",
+        "ratio",
+    ]
+    text = f"{machine()}\n\n{table(heads, rows(times))}\n\n{table(beside, fracture_rows(times))}"
     publish(text, None if parser.parse_args().print else PAGE, MARKS)
 
 

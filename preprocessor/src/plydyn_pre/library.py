@@ -19,11 +19,15 @@ from plydyn_pre.units import unit_factor
 JOINT = " interface"
 _STRESS, _ENERGY = (-1, -2, 1), (0, -2, 1)
 #: Powers of length, time and mass of the keys that have some
-_STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield"
+_STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield shear_yield crush_stress"
 _DIMENSIONS = dict.fromkeys(_STRESSES.split(), _STRESS)
 _DIMENSIONS |= dict.fromkeys(("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC"), _ENERGY)
 _DIMENSIONS |= {"density": (-3, 0, 1), "normal": (-2, -2, 1), "shear": (-2, -2, 1)}
 _DIMENSIONS |= {"cubic": (3, 6, -3), "ply_thickness": (1, 0, 0)}
+
+
+#: Keys of plies of kind ply_codam2 that those of kind ply_fracture_3d do not have
+_PLANAR = ("ST", "G2C", "GIC", "GIIC", "cubic")
 
 
 @dataclass(frozen=True)
@@ -164,6 +168,10 @@ def _likened(name: str, material: Any, units: Mapping[str, str], table: Table) -
     if material.get("kind", card.kind) == "ply_elastic" and card.kind == "ply_codam2":
         kept = ("title", "density", "E", "nu", "G12", "G13", "G23")
         below = {key: value for key, value in below.items() if key.startswith(kept)}
+    if material.get("kind", card.kind) == "ply_fracture_3d" and card.kind == "ply_codam2":
+        below = {key: value for key, value in below.items() if key not in _PLANAR}
+        if below.get("shear") != "ramberg_osgood":
+            below = {key: value for key, value in below.items() if not key.startswith("shear")}
     above = {key: value for key, value in material.items() if key != "like"}
     if "shear" in above and above["shear"] != below.get("shear"):
         below = {key: value for key, value in below.items() if not key.startswith("shear_")}

@@ -24,6 +24,7 @@ from plydyn_pre.study import (
     Motion,
     PlyCodam2,
     PlyElastic,
+    PlyFracture3d,
     StackPly,
     Support,
 )
@@ -69,7 +70,8 @@ def _parts(names: Names) -> Integers:
 
 def _kind(names: Names, ply: StackPly) -> tuple[str, float]:
     """Material of a ply, and its angle where that matters."""
-    has_fibres = isinstance(names.study.materials[ply.material], PlyElastic | PlyCodam2)
+    material = names.study.materials[ply.material]
+    has_fibres = isinstance(material, PlyElastic | PlyCodam2 | PlyFracture3d)
     return ply.material, ply.angle % 180.0 if has_fibres else 0.0
 
 
@@ -228,7 +230,7 @@ def _elements(names: Names, plate: Extrusion, parts: Integers) -> Iterator[str]:
 
 def _axes(names: Names, ply: StackPly) -> str:
     """Lines with the axes of a brick, where its material does not tell them."""
-    if not isinstance(names.study.materials[ply.material], PlyCodam2):
+    if not isinstance(names.study.materials[ply.material], PlyCodam2 | PlyFracture3d):
         return ""
     c, s = (coordinate_text(f(radians(ply.angle))) for f in (cos, sin))
     minus, zero = coordinate_text(-sin(radians(ply.angle))), coordinate_text(0.0)

@@ -13,6 +13,7 @@ from plydyn_pre.study import (
     PlasticKinematic,
     PlyCodam2,
     PlyElastic,
+    PlyFracture3d,
     Springs,
 )
 
@@ -42,6 +43,8 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             return titled("MAT_PLY_ELASTIC", title, *_elastic_cards(material, mid))
         case PlyCodam2():
             return titled("MAT_PLY_CODAM2", title, *_codam2_cards(material, mid, curve))
+        case PlyFracture3d():
+            return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid))
         case Elastic():
             card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
             return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
@@ -90,7 +93,7 @@ def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card
     return elastic | hardening, rate
 
 
-def _elastic_cards(material: PlyElastic | PlyCodam2, mid: int) -> tuple[Card, Card]:
+def _elastic_cards(material: PlyElastic | PlyCodam2 | PlyFracture3d, mid: int) -> tuple[Card, Card]:
     """The cards of an orthotropic ply."""
     young = {name.lower(): getattr(material, name) for name in ("E1", "E2", "E3")}
     poisson = {name: getattr(material, name) for name in ("nu12", "nu13", "nu23")}
@@ -124,3 +127,28 @@ def _codam2_cards(ply: PlyCodam2, mid: int, number: Callable[[str], int]) -> tup
     crushed = {"brittle": ply.brittle, "r1": ply.average_along, "r2": ply.average_across}
     strong = {name.lower(): getattr(ply, name) for name in strengths}
     return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, crushed
+
+
+def _fracture_cards(ply: PlyFracture3d, mid: int) -> tuple[Card, ...]:
+    """The cards of a ply that cracks on planes of fracture."""
+    strengths = {name.lower(): getattr(ply, name) for name in ("XT", "XC", "YT", "YC", "SL")}
+    energies = {name.lower(): getattr(ply, name) for name in ("G1T", "G1C", "G2T", "G2S")}
+    band = {"lstar": ply.width, "dmax": ply.largest_damage, "bk": ply.mode_exponent}
+    power, hardens = ply.shear == "ramberg_osgood", ply.shear == "hardening"
+    shear = {
+        "shear": 3 if power else 4 if hardens else 0,
+        "alpha": ply.shear_coefficient if power else 0.0,
+        "n": ply.shear_exponent if power else 0.0,
+        "sp": ply.shear_yield if hardens else 0.0,
+        "kp": ply.shear_hardening if hardens else 0.0,
+    }
+    contact = {
+        "fric": ply.friction,
+        "plateau": ply.plateau,
+        "lrule": 0 if ply.width > 0.0 else _WIDTHS[ply.width_rule],
+        "pcrush": ply.crush_stress,
+        "debris": ply.debris_limit,
+        "share": ply.debris_share,
+    }
+    angle = {"alpha0": ply.fracture_angle}
+    return *_elastic_cards(ply, mid), strengths | angle, energies | band, shear, contact

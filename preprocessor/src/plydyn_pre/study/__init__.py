@@ -29,6 +29,7 @@ from plydyn_pre.study.materials import (
     PlasticKinematic,
     PlyCodam2,
     PlyElastic,
+    PlyFracture3d,
 )
 from plydyn_pre.study.resolved import fitted_joints, resolved, strengths_of
 from plydyn_pre.study.stages import Stage
@@ -62,6 +63,7 @@ __all__ = [
     "PlasticKinematic",
     "PlyCodam2",
     "PlyElastic",
+    "PlyFracture3d",
     "PlyRange",
     "Pressure",
     "ProcessZone",

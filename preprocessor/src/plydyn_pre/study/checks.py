@@ -10,15 +10,15 @@ from plydyn_pre.study.conditions import Curve
 from plydyn_pre.study.control import Control, Outputs
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
-from plydyn_pre.study.materials import Material, PlasticKinematic, PlyCodam2
+from plydyn_pre.study.materials import Material, PlasticKinematic, PlyCodam2, PlyFracture3d
 
 #: Fields that need a material of some kind, and what such a material does
 _NEEDS = {
-    "plastic_strain": (PlasticKinematic, "yields"),
-    "damage_fibre": (PlyCodam2, "is damaged"),
-    "damage_matrix": (PlyCodam2, "is damaged"),
-    "damage_shear": (PlyCodam2, "is damaged"),
-    "dissipated": (PlasticKinematic | PlyCodam2, "yields or is damaged"),
+    "plastic_strain": (PlasticKinematic | PlyFracture3d, "yields"),
+    "damage_fibre": (PlyCodam2 | PlyFracture3d, "is damaged"),
+    "damage_matrix": (PlyCodam2 | PlyFracture3d, "is damaged"),
+    "damage_shear": (PlyCodam2 | PlyFracture3d, "is damaged"),
+    "dissipated": (PlasticKinematic | PlyCodam2 | PlyFracture3d, "yields or is damaged"),
 }
 
 

@@ -109,7 +109,7 @@ class PlyCodam2:
         rule = f"{self.snap_ratio!r} must be 1 or more"
         require(self.snap_ratio >= 1.0, "snap_ratio", rule)
         require_between(self, 0.0, _MOST_CRUSHED, "plateau", "brittle")
-        self._check_strengths()
+        require_strengths_below_moduli(self)
         self._check_shear()
         hashin = self.matrix_compression == "hashin"
         require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
@@ -118,14 +118,6 @@ class PlyCodam2:
         both = min(radii) > 0.0 or max(radii) == min(radii) == 0.0
         require(both, "average_across", "above zero as average_along is, or none of the two")
         require(not (self.closure and max(radii) > 0.0), "closure", "false with averages")
-
-    def _check_strengths(self) -> None:
-        """Refuse strengths in other units than the moduli."""
-        for names, modulus in ((("XT", "XC"), "E1"), (("YT", "YC"), "E2"), (("SL",), "G12")):
-            for name in names:
-                value, limit = getattr(self, name), getattr(self, modulus)
-                rule = f"{value:g} must be far below {modulus} = {limit:g}, in the same unit"
-                require(value < limit, name, rule)
 
     def _check_shear(self) -> None:
         """Refuse a curve of shear that cannot be."""
@@ -154,6 +146,94 @@ class PlyCodam2:
             "ST": self.matrix_compression != "hashin" and self.ST > 0.0,
         }
         return tuple(name for name, has_none in without.items() if has_none)
+
+
+@dataclass(frozen=True)
+class PlyFracture3d:
+    """A ply whose matrix cracks on planes of fracture, with friction and permanent strain."""
+
+    kind: ClassVar[str] = "ply_fracture_3d"
+
+    density: float  # mass per volume
+    E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
+    E2: float
+    E3: float
+    nu12: float  # strain along the second direction from stress along the first
+    nu13: float
+    nu23: float
+    G12: float  # shear moduli, stress
+    G13: float
+    G23: float
+    XT: float  # strengths of fibres in tension and compression
+    XC: float
+    YT: float  # strengths of matrix in tension and compression
+    YC: float
+    SL: float  # shear strength along the fibres
+    G1T: float  # toughnesses of fibres, energy per area
+    G1C: float
+    G2T: float  # toughness of opened matrix cracks
+    G2S: float  # and of sheared ones
+    fracture_angle: float = 53.0  # degrees, of the plane of fracture in compression across
+    mode_exponent: float = 1.45  # of Benzeggagh and Kenane, between G2T and G2S
+    largest_damage: float = 0.999
+    shear: Literal["linear", "ramberg_osgood", "hardening"] = "linear"
+    shear_coefficient: float = 0.0  # of Ramberg and Osgood
+    shear_exponent: float = 0.0
+    shear_yield: float = 0.0  # stress 12 of first yield, for shear = "hardening"
+    shear_hardening: float = 0.0  # slope over the permanent strain, as a share of G12
+    friction: float = 0.0  # of closed cracks
+    width: float = 0.0  # of the crack band, length; 0 for width_rule
+    width_rule: Literal["band", "gauss_point", "root_point", "root_quad"] = "band"
+    plateau: float = 0.0  # share of XC that crushed fibres keep
+    crush_stress: float = 0.0  # pressure that crushes through the thickness; 0 for none
+    debris_limit: float = 0.0  # largest opening of cracks, a strain, that debris holds; fitted
+    debris_share: float = 0.0  # share of the largest opening that it holds; fitted
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "density", *_YOUNG_SHEAR, "XT", "XC", "YT", "YC", "SL")
+        require_positive(self, "G1T", "G1C", "G2T", "G2S", "mode_exponent")
+        require_stable(self)
+        require_not_negative(self, "width", "crush_stress", "debris_limit")
+        require_between(self, 0.0, 1.0, "friction", "debris_share")
+        require_between(self, 0.0, _MOST_CRUSHED, "plateau")
+        above = 0.0 < self.largest_damage <= _MOST_DAMAGE
+        rule = f"{self.largest_damage!r} must be above 0 and at most {_MOST_DAMAGE}"
+        require(above, "largest_damage", rule)
+        rule = f"{self.fracture_angle!r} must be above 45 and at most 60 degrees"
+        require(45.0 < self.fracture_angle <= 60.0, "fracture_angle", rule)
+        both = (self.debris_limit > 0.0) == (self.debris_share > 0.0)
+        require(both, "debris_share", "above zero as debris_limit is, or none of the two")
+        require_strengths_below_moduli(self)
+        self._check_shear()
+
+    def _check_shear(self) -> None:
+        """Refuse constants of permanent shear that cannot be."""
+        require_not_negative(self, "shear_coefficient", "shear_exponent")
+        require_not_negative(self, "shear_yield", "shear_hardening")
+        if self.shear == "ramberg_osgood":
+            require_positive(self, "shear_coefficient")
+            rule = f"{self.shear_exponent!r} must be above 1"
+            require(self.shear_exponent > 1.0, "shear_exponent", rule)
+        if self.shear == "hardening":
+            require_positive(self, "shear_yield", "shear_hardening")
+            rule = f"{self.shear_yield!r} must be below SL = {self.SL:g}"
+            require(self.shear_yield < self.SL, "shear_yield", rule)
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Keys that say something and have no effect, by what else is chosen."""
+        without = {
+            "shear_coefficient": self.shear != "ramberg_osgood",
+            "shear_exponent": self.shear != "ramberg_osgood",
+            "shear_yield": self.shear != "hardening",
+            "shear_hardening": self.shear != "hardening",
+        }
+        idle = [name for name, has_none in without.items() if has_none and getattr(self, name) > 0]
+        if self.width > 0.0 and self.width_rule != "band":
+            idle.append("width_rule")
+        return tuple(idle)
 
 
 @dataclass(frozen=True)
@@ -217,4 +297,13 @@ def require_stable(ply: PlyElastic | PlyCodam2) -> None:
     require(determinant > 0.0, "nu23", rule)
 
 
-Material = PlyElastic | PlyCodam2 | Elastic | PlasticKinematic | Springs | Cohesive
+def require_strengths_below_moduli(ply: PlyCodam2 | PlyFracture3d) -> None:
+    """Refuse strengths in other units than the moduli."""
+    for names, modulus in ((("XT", "XC"), "E1"), (("YT", "YC"), "E2"), (("SL",), "G12")):
+        for name in names:
+            value, limit = getattr(ply, name), getattr(ply, modulus)
+            rule = f"{value:g} must be far below {modulus} = {limit:g}, in the same unit"
+            require(value < limit, name, rule)
+
+
+Material = PlyElastic | PlyCodam2 | PlyFracture3d | Elastic | PlasticKinematic | Springs | Cohesive
