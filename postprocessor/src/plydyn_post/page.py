@@ -41,6 +41,16 @@ class Image:
 
 
 @dataclass(frozen=True)
+class PageTable:
+    """A table of texts with a heading, and a sentence below."""
+
+    title: str
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: str = ""
+
+
+@dataclass(frozen=True)
 class Sheet:
     """What is on the page."""
 
@@ -50,6 +60,7 @@ class Sheet:
     images: tuple[Image, ...]
     notes: tuple[str, ...]
     fixtures: tuple[FixtureSheet, ...] = ()
+    tables: tuple[PageTable, ...] = ()  # before all numbers
 
 
 def write_page(sheet: Sheet, path: Path) -> Path:
@@ -70,6 +81,10 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
         yield "<h2>Notes</h2><ul>"
         yield from (f"<li>{escape(note)}</li>" for note in sheet.notes)
         yield "</ul>"
+    for table in sheet.tables:
+        yield f"<h2>{escape(table.title)}</h2>"
+        yield _table(table.headings, table.rows)
+        yield f'<p class="quiet">{escape(table.words)}</p>'
     if sheet.comparison:
         yield "<h2>Numbers</h2>"
         yield from _numbers(sheet.comparison)
@@ -120,9 +135,11 @@ def _figure(image: Image, folder: Path) -> str:
 
 
 def _layups(sheet: Sheet) -> Iterator[str]:
-    """The ply tables, from the top of the plate down."""
+    """The ply tables, from the top of the plate down; equal ones once."""
+    told: list[tuple[dict[str, float], ...]] = []
     for label, header in zip(sheet.labels, sheet.headers, strict=True):
-        if header.plies:
+        if header.plies and header.plies not in told:
+            told.append(header.plies)
             yield f"<h2>Plies of {escape(label)}, from the top down</h2>"
             length = header.units.get("length", "")
             units = {"angle": "deg", "bottom": length, "top": length}

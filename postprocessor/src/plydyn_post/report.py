@@ -17,7 +17,7 @@ from plydyn_post.fixtures import FixtureSheet, draw_fixtures, fixture_sheet, wri
 from plydyn_post.grid import has_point_field
 from plydyn_post.header import read_header
 from plydyn_post.numbers import Comparison, compare, write_numbers
-from plydyn_post.page import Image, Sheet, write_page
+from plydyn_post.page import Image, PageTable, Sheet, write_page
 from plydyn_post.picture import draw_picture
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
@@ -52,10 +52,17 @@ def tasks_of(plan: Plan) -> list[Task]:
 
 
 def make_report(
-    plan: Plan, tasks: Sequence[Task], tick: Callable[[str], None] = lambda _: None
+    plan: Plan,
+    tasks: Sequence[Task],
+    tick: Callable[[str], None] = lambda _: None,
+    tables: tuple[PageTable, ...] = (),
+    told: Sequence[str] = (),
 ) -> Report:
-    """Make the images and the page; what cannot be made is told in its notes."""
-    images, notes = [], []
+    """Make the images and the page, with tables and notes that are known already.
+
+    What cannot be made is told in its notes.
+    """
+    images, notes = [], list(told)
     for task in tasks:
         tick(task.name)
         try:
@@ -82,7 +89,8 @@ def make_report(
     notes = list(dict.fromkeys(notes))
     headers = tuple(read_header(job.fields) for job in plan.jobs)
     names = tuple(labels(list(plan.jobs)))
-    sheet = Sheet(names, headers, comparison, tuple(images), tuple(notes), tuple(fixtures))
+    images_and_notes = (tuple(images), tuple(notes))
+    sheet = Sheet(names, headers, comparison, *images_and_notes, tuple(fixtures), tables)
     page = write_page(sheet, plan.folder / "report.html")
     return Report(page, tuple(files), comparison, tuple(notes))
 

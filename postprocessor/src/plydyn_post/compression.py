@@ -1,0 +1,220 @@
+"""A compression test: stress over end shortening, strain gauges, strength, and what ended it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from plydyn_post.errors import ResultsError
+from plydyn_post.header import read_header
+from plydyn_post.profile import instants
+from plydyn_post.results import Results
+from plydyn_post.table import Table
+from plydyn_post.vtkhdf import layout_of
+
+#: The force has fallen, and the test ended, when it is below this share of the peak
+FALLEN = 0.7
+#: Energies of what breaks, with their names in print
+EVENTS = {
+    "fibre damage": "fibres",
+    "matrix damage": "matrix",
+    "delamination": "delamination",
+}
+#: A kinetic energy above this share of the internal one is not quasi-static
+QUASI_STATIC = 0.05
+#: Profiles of gauges and of the middle in the template of ASTM D7137
+GAUGES, MIDDLE = (2, 3), 4
+#: Share of the peak stress from which kinetic energy and bending are judged
+LOADED = 0.2
+
+
+@dataclass(frozen=True)
+class Places:
+    """Numbers of the profiles at the loaded end, at the gauges and in the middle of the plate.
+
+    Where gauges or the middle are not asked for, they are those of the template, if they are there.
+    """
+
+    end: int = 1
+    gauges: tuple[int, ...] | None = None
+    middle: int | None = None
+
+
+@dataclass(frozen=True)
+class Gauge:
+    """Strain gauges back to back, counted from the start of the stage, shortening positive."""
+
+    number: int
+    bottom: np.ndarray  # (times,)
+    top: np.ndarray  # (times,)
+
+    @property
+    def bending(self) -> np.ndarray:
+        """Percent bending, (times,): difference over sum of both strains (ASTM D7137)."""
+        total = self.bottom + self.top
+        return 100.0 * np.divide(
+            self.bottom - self.top, total, out=np.zeros_like(total), where=total != 0.0
+        )
+
+
+@dataclass(frozen=True)
+class Compression:
+    """Histories of a test at common times, (times,); units of the job."""
+
+    job: Results
+    time: np.ndarray
+    shortening: np.ndarray  # of the whole length
+    stress: np.ndarray  # force over width and thickness
+    gauges: tuple[Gauge, ...]
+    faces: np.ndarray | None  # deflection of both faces in the middle, bottom and top, (times, 2)
+    width: float
+    thickness: float
+    length: float
+    units: dict[str, str]
+
+    @property
+    def peak(self) -> int:
+        """Place of the largest stress."""
+        return int(np.argmax(self.stress))
+
+    @property
+    def strength(self) -> float:
+        """Largest stress: peak force over width and thickness."""
+        return float(self.stress[self.peak])
+
+    @property
+    def fallen(self) -> int | None:
+        """Place at which the stress has fallen after the peak; nothing where it has not."""
+        after = self.stress[self.peak :] < FALLEN * self.strength
+        return self.peak + int(np.argmax(after)) if after.any() else None
+
+    @property
+    def strain(self) -> float:
+        """Mean strain of the gauges at the peak, far from the damage."""
+        if not self.gauges:
+            return float(self.shortening[self.peak]) / self.length
+        faces = [face[self.peak] for gauge in self.gauges for face in (gauge.bottom, gauge.top)]
+        return float(np.mean(faces))
+
+    @property
+    def bending(self) -> float:
+        """Largest percent bending of the gauges at the peak."""
+        return max((abs(float(gauge.bending[self.peak])) for gauge in self.gauges), default=0.0)
+
+    def loaded(self) -> np.ndarray:
+        """Whether the test goes on, (times,): from a share of the peak stress up to the peak."""
+        place = np.arange(len(self.stress))
+        begun = int(np.argmax(self.stress >= LOADED * self.strength))
+        return (place >= begun) & (place <= self.peak)
+
+    def kinetic_share(self) -> float:
+        """Largest kinetic energy over the internal one while the test goes on."""
+        energy = self.job.energy()
+        share = energy["kinetic"] / np.maximum(np.abs(energy["internal"]), 1e-300)
+        times = self.time[self.loaded()]
+        inside = (energy["time"] >= times[0]) & (energy["time"] <= times[-1])
+        return float(share[inside].max(initial=0.0))
+
+    def broken(self) -> dict[str, float]:
+        """Energy that each mechanism took while the stress fell from its peak."""
+        energy = self.job.energy()
+        last = self.time[-1] if self.fallen is None else self.time[self.fallen]
+        span = np.array([self.time[self.peak], last])
+        taken = {}
+        for name in EVENTS:
+            values = energy.get(name)
+            if values is not None:
+                first, final = np.interp(span, energy["time"], values)
+                taken[name] = float(final - first)
+        return taken
+
+
+def read_compression(job: Results, places: Places | None = None) -> Compression:
+    """A test from the force of what moves the end, and the profiles at the places."""
+    places = places or Places()
+    supports = job.supports()
+    time, (axis, force) = supports["time"], _pushing(supports, job)
+    low, high, thickness = _extent(job)
+    across = 1 - axis
+    width, length = high[across] - low[across], high[axis] - low[axis]
+    moved = _moved(job, places, time, axis)
+    if np.all(moved == 0.0):
+        raise ResultsError(f"{job.job}: profile {places.end} at the end does not move; see --end")
+    gauges, middle = _chosen(job, places)
+    faces = None if middle is None else np.stack(_faces(job, middle, "uz", time), axis=1)
+    return Compression(
+        job,
+        time,
+        moved,
+        force / (width * thickness),
+        tuple(_gauge(job, number, axis, time) for number in gauges),
+        faces,
+        float(width),
+        thickness,
+        float(length),
+        read_header(job.fields).units,
+    )
+
+
+def _chosen(job: Results, places: Places) -> tuple[tuple[int, ...], int | None]:
+    """Profiles at the gauges and in the middle: what was asked for, else what is there."""
+    gauges, middle = places.gauges, places.middle
+    if gauges is None:
+        gauges = tuple(number for number in GAUGES if number in job.profiles)
+    if middle is None and MIDDLE in job.profiles:
+        middle = MIDDLE
+    return gauges, middle
+
+
+def _gauge(job: Results, number: int, axis: int, time: np.ndarray) -> Gauge:
+    """Strain along the load on both faces at a profile."""
+    letter = "xyz"[axis]
+    bottom, top = _faces(job, number, f"e{letter}{letter}", time)
+    return Gauge(number, bottom[0] - bottom, top[0] - top)
+
+
+def _pushing(supports: Table, job: Results) -> tuple[int, np.ndarray]:
+    """Axis and force, pushing positive, of the motion of the deck with the largest force."""
+    names = [
+        name
+        for name in supports.names
+        if name.startswith(("motion", "face motion")) and name.endswith(("fx", "fy"))
+    ]
+    if not names:
+        raise ResultsError(f"{job.job} has no prescribed motion that presses along x or y")
+    largest = max(names, key=lambda name: float(np.max(np.abs(supports[name]))))
+    force = supports[largest]
+    if not np.any(force):
+        raise ResultsError(f"{job.job}: nothing presses on the plate")
+    sign = np.sign(force[np.argmax(np.abs(force))])
+    return "xy".index(largest[-1]), sign * force
+
+
+def _extent(job: Results) -> tuple[np.ndarray, np.ndarray, float]:
+    """Lower and upper corner of the plate, (3,), and its thickness."""
+    points = layout_of(job.fields).points
+    low, high = points.min(axis=0), points.max(axis=0)
+    thickness = float(high[2] - low[2])
+    if thickness <= 0.0:
+        raise ResultsError(f"{job.fields}: the plate has no thickness")
+    return low, high, thickness
+
+
+def _moved(job: Results, places: Places, time: np.ndarray, axis: int) -> np.ndarray:
+    """Shortening of the plate, (times,): mean motion of the loaded end since the first time."""
+    faces = _faces(job, places.end, f"u{'xyz'[axis]}", time)
+    mean = 0.5 * (faces[0] + faces[1])
+    mean = mean - mean[0]
+    return mean if mean[np.argmax(np.abs(mean))] > 0.0 else -mean
+
+
+def _faces(job: Results, number: int, name: str, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A column of a profile on the bottom and the top face of the plate, at some times."""
+    table = job.profile(number)
+    times, starts = instants(table)
+    values = table[name]
+    return (
+        np.interp(time, times, values[starts[:-1]]),
+        np.interp(time, times, values[starts[1:] - 1]),
+    )

@@ -1,0 +1,194 @@
+"""One page over a chain of stages that ends with a compression test."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from plydyn_post.compression import EVENTS, QUASI_STATIC, Compression
+from plydyn_post.compression_figures import (
+    draw_delamination,
+    draw_event,
+    draw_faces,
+    draw_gauges,
+    draw_stress,
+)
+from plydyn_post.damage_report import damage_tasks
+from plydyn_post.page import PageTable
+from plydyn_post.plan import Plan, Task
+from plydyn_post.report import Report, make_report, tasks_of
+from plydyn_post.results import Results
+from plydyn_post.units import in_brackets, readable
+
+#: Percent bending that ASTM D7137 allows
+MOST_BENDING = 10.0
+
+
+def compression_report(
+    plan: Plan,
+    test: Compression,
+    pristine: Compression | None,
+    tick: Callable[[str], None] = lambda _: None,
+) -> Report:
+    """Write the page: stages, strength, figures of the test, and those of the impact."""
+    plan.folder.mkdir(parents=True, exist_ok=True)
+    numbers = strength_table(test, pristine)
+    write_table(numbers, plan.folder / "strength.csv")
+    return make_report(
+        plan,
+        report_tasks(plan, test, pristine),
+        tick,
+        (stage_table(plan.jobs), numbers),
+        notes_of(test),
+    )
+
+
+def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) -> list[Task]:
+    """Figures of the test, damage at its end, and all of the stages with an impactor."""
+    tests = (test,) if pristine is None else (test, pristine)
+    wanted = (
+        ("stress", "Stress over end shortening; the peak is marked.", partial(draw_stress, tests)),
+        (
+            "gauges",
+            "Strain gauges back to back, and percent bending from a fifth of the peak on.",
+            partial(draw_gauges, test),
+        ),
+        ("faces", "Both faces in the middle of the plate.", partial(draw_faces, test)),
+        ("event", "What breaks; the dotted line is the peak.", partial(draw_event, test)),
+    )
+    tasks = [Task("Compression", f"compression_{name}", text, draw) for name, text, draw in wanted]
+    if test.job.has("delamination"):
+        draw = partial(draw_delamination, test)
+        text = "Delaminated area over stress."
+        tasks.append(Task("Compression", "compression_delamination", text, draw))
+    struck = [job for job in plan.jobs if job.impactors]
+    for job in struck:
+        tasks += tasks_of(_alone(plan, job))
+    if test.job not in struck:
+        tasks += damage_tasks(_alone(plan, test.job))
+    return tasks
+
+
+def _alone(plan: Plan, job: Results) -> Plan:
+    """The plan of one job; its measured curves are those of an impact."""
+    return Plan((job,), plan.folder, plan.measured, plan.window, None, plan.plain)
+
+
+def stage_table(jobs: Sequence[Results]) -> PageTable:
+    """Time, energy taken and delaminated area at the end of every stage."""
+    rows = []
+    time_unit = energy_unit = area_unit = ""
+    for job in jobs:
+        energy = job.energy()
+        time = readable(energy.unit("time"), float(energy["time"][-1]))
+        spent = readable(energy.unit("internal"), 1.0e9)
+        time_unit, energy_unit = time.unit, spent.unit
+        dissipated = energy.get("dissipated")
+        area = "–"
+        if job.has("delamination"):
+            table = job.delamination()
+            area_unit = table.unit("projected area")
+            area = f"{table['projected area'][-1]:.4g}"
+        rows.append(
+            (
+                job.job,
+                f"{energy['time'][0] * time.factor:.4g} to {energy['time'][-1] * time.factor:.4g}",
+                "–" if dissipated is None else f"{dissipated[-1] * spent.factor:.4g}",
+                area,
+                f"{100.0 * float(np.max(np.abs(energy['error']))):.2g}",
+            )
+        )
+    headings = (
+        "stage",
+        in_brackets("time", time_unit),
+        in_brackets("dissipated", energy_unit),
+        in_brackets("delaminated, seen from above", area_unit),
+        "energy error [%]",
+    )
+    return PageTable("Stages", headings, tuple(rows), "At the end of each stage.")
+
+
+def strength_table(test: Compression, pristine: Compression | None) -> PageTable:
+    """The numbers of the test, and of the pristine plate beside it."""
+    tests = [test] if pristine is None else [test, pristine]
+    length, stress = (test.units.get(kind, "") for kind in ("length", "stress"))
+    force = readable(test.units.get("force", ""), test.strength * test.width * test.thickness)
+    quantities: list[tuple[str, str, Callable[[Compression], float]]] = [
+        ("strength, peak force / (w h)", stress, lambda one: one.strength),
+        (
+            "peak force",
+            force.unit,
+            lambda one: one.strength * one.width * one.thickness * force.factor,
+        ),
+        ("end shortening at the peak", length, lambda one: float(one.shortening[one.peak])),
+        ("mean strain at the peak", "µm/m", lambda one: 1.0e6 * one.strain),
+        ("bending at the peak", "%", lambda one: one.bending),
+        ("largest kinetic / internal energy", "%", lambda one: 100.0 * one.kinetic_share()),
+    ]
+    rows = [
+        (in_brackets(name, unit), *(f"{value(one):.4g}" for one in tests))
+        for name, unit, value in quantities
+    ]
+    taken = [one.broken() for one in tests]
+    scale = readable(test.job.energy().unit("internal"), max(taken[0].values(), default=0.0))
+    for name in taken[0]:
+        cells = (f"{each.get(name, 0.0) * scale.factor:.4g}" for each in taken)
+        rows.append((in_brackets(f"taken by {EVENTS[name]} in the fall", scale.unit), *cells))
+    if pristine is not None:
+        rows.append(("strength / that of the pristine plate", f"{ratio(test, pristine):.4g}", "1"))
+    heads = ("", *(one.job.job for one in tests))
+    return PageTable("Strength", heads, tuple(rows), event_words(test))
+
+
+def ratio(test: Compression, pristine: Compression) -> float:
+    """Strength that is left."""
+    return test.strength / pristine.strength
+
+
+def event_words(test: Compression) -> str:
+    """What ended the test, by the energy that it took."""
+    if test.fallen is None:
+        return "The stress has not fallen from its peak: the strength may be higher."
+    taken = test.broken()
+    whole = sum(taken.values())
+    if whole <= 0.0:
+        return "The stress fell and nothing broke: the plate gave way by bending."
+    name = max(taken, key=lambda one: taken[one])
+    return (
+        f"Of what broke while the stress fell to {test.stress[test.fallen] / test.strength:.0%} of"
+        f" its peak, {EVENTS[name]} took {taken[name] / whole:.0%}, fibres"
+        f" {taken.get('fibre damage', 0.0) / whole:.0%}."
+    )
+
+
+def notes_of(test: Compression) -> tuple[str, ...]:
+    """What makes the test doubtful."""
+    notes = []
+    share = test.kinetic_share()
+    if share > QUASI_STATIC:
+        notes.append(
+            f"{test.job.job}: the kinetic energy reaches {share:.1%} of the internal one, more than"
+            f" {QUASI_STATIC:.0%}: not quasi-static; load more slowly"
+        )
+    if test.bending > MOST_BENDING:
+        notes.append(
+            f"{test.job.job}: the gauges bend by {test.bending:.3g} % at the peak, more than"
+            f" {MOST_BENDING:g} %"
+        )
+    if test.fallen is None:
+        notes.append(f"{test.job.job}: the stress has not fallen from its peak")
+    return tuple(notes)
+
+
+def write_table(table: PageTable, path: Path) -> Path:
+    """Write a table as CSV."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(("quantity", *table.headings[1:]))
+        writer.writerows(table.rows)
+    return path
