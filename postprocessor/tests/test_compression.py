@@ -85,7 +85,7 @@ def test_event_is_what_took_most_energy_in_the_fall(tmp_path: Path) -> None:
     test = write_test(tmp_path)
     taken = test.broken()
     assert taken["fibre damage"] / taken["matrix damage"] == pytest.approx(FIBRES / MATRIX)
-    assert "fibres took 80%" in event_words(test)
+    assert "fibres 80%, matrix 20%" in event_words(test)
 
 
 def test_ratio_to_a_pristine_plate(tmp_path: Path) -> None:

@@ -41,6 +41,12 @@ def test_stages_remove_what_was_there(study: pre.Study) -> None:
     assert "DELETE" not in press
 
 
+def test_a_quasi_static_stage_says_so(study: pre.Study) -> None:
+    settle, press = decks(study)
+    assert "CONTROL_QUASI_STATIC" not in settle
+    assert float(cards_of(press)["CONTROL_QUASI_STATIC"][0]) == 0.05
+
+
 def test_numbers_of_a_stage_are_its_own(study: pre.Study) -> None:
     """Those of the decks before are taken."""
     _, press = decks(study)
@@ -67,6 +73,7 @@ def test_a_line_is_the_mesh_line_next_to_it(study: pre.Study) -> None:
         ({"remove": ("impactor", "impactor")}, "no impactor to remove"),
         ({"end_time": 0.0}, "end_time"),
         ({"at_rest": 2.0}, "at_rest"),
+        ({"quasi_static": 1.5}, "quasi_static"),
         ({"contact": pre.Contact()}, "needs an impactor"),
     ],
 )

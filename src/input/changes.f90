@@ -17,10 +17,10 @@ module plydyn_input_changes
    !> Keywords that a restart may have besides; of those that stand in a deck once the last counts
    character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
       & "CONTROL_TERMINATION", "CONTROL_STAGE", "DAMPING_GLOBAL", "DAMPING_RELAXATION", &
-      & "DELETE_IMPACTOR", "DELETE_FIXTURE", "DEFINE_CURVE", "DEFINE_BOX", "SET_NODE_LIST", &
-      & "SET_NODE_GENERAL", "SET_SHELL_LIST", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
-      & "DATABASE_FIXTURE", &
-      & "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
+      & "CONTROL_QUASI_STATIC", "DELETE_IMPACTOR", "DELETE_FIXTURE", "DEFINE_CURVE", &
+      & "DEFINE_BOX", "SET_NODE_LIST", "SET_NODE_GENERAL", "SET_SHELL_LIST", &
+      & "DATABASE_GLSTAT", "DATABASE_IMPACTOR", "DATABASE_FIXTURE", "DATABASE_NODOUT", &
+      & "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
       & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
 
    !> All of these in words

@@ -7,7 +7,7 @@ module plydyn_input_declare_control
 
    public :: frame_keywords, title, control_units, control_termination, control_timestep, &
       & control_energy, control_parallel, control_layerwise, damping_global, &
-      & damping_relaxation
+      & damping_relaxation, control_quasi_static
 
    !> LS-DYNA's value for no limit on added mass
    real(wp), parameter :: no_mass_limit = 1.0e8_wp
@@ -195,5 +195,21 @@ contains
          & //"below this share of the largest since dynamic relaxation began; 0 for no dynamic " &
          & //"relaxation", default=1.0e-4_wp, least=0.0_wp, most=1.0_wp)
    end function damping_relaxation
+
+   !> Limit of the kinetic energy
+   function control_quasi_static() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_QUASI_STATIC", extension, "Says that a run is to be " &
+         & //"quasi-static.")
+      keyword%once = .true.
+      keyword%remark = "A warning tells the first time at which the kinetic energy of the plate " &
+         & //"is above a share of the internal one, and a message at the end the largest share. " &
+         & //"The first tenth of a run, or of what a restart runs, is left out: nothing is " &
+         & //"stored when a load begins to move. The answer does not change."
+      call keyword%add_card()
+      call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
+         & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)
+   end function control_quasi_static
 
 end module plydyn_input_declare_control

@@ -31,6 +31,7 @@ module plydyn_input_examples
       & "CONTROL_LAYERWISE|3-strain-and-stress|0, 0.05|", &
       & "DAMPING_GLOBAL|9-central-differences|0, 2.0e3|", &
       & "DAMPING_RELAXATION|9-central-differences|1.0e-4|", &
+      & "CONTROL_QUASI_STATIC||0.05|", &
       & "NODE|2-layer-wise-kinematics|1, 0, 0, 0|2, 10, 0, 0|", &
       & "ELEMENT_SHELL|2-layer-wise-kinematics|1, 1, 1, 2, 7, 6|2, 1, 2, 3, 8, 7|", &
       & "ELEMENT_PLATE_Q9|2-layer-wise-kinematics|1, 1|1, 3, 13, 11, 2, 8, 12, 6, 7|", &

@@ -4,8 +4,8 @@
 module plydyn_input_keywords
    use plydyn_deck_declaration, only : keyword_type, extension, standard
    use plydyn_input_declare_control, only : control_energy, control_layerwise, control_parallel, &
-      & control_termination, control_timestep, control_units, damping_global, damping_relaxation, &
-      & frame_keywords, title
+      & control_quasi_static, control_termination, control_timestep, control_units, &
+      & damping_global, damping_relaxation, frame_keywords, title
    use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2
    use plydyn_input_declare_fixture, only : fixture_bar, fixture_clamp, fixture_plane, &
       & fixture_punch, fixture_ring
@@ -38,7 +38,7 @@ module plydyn_input_keywords
       & stage_table
    use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
       & read_control_termination, read_control_timestep, read_control_units, &
-      & read_damping_global, read_damping_relaxation, read_title
+      & read_control_quasi_static, read_damping_global, read_damping_relaxation, read_title
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
    use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
       & read_fixture_plane, read_fixture_punch, read_fixture_ring
@@ -126,6 +126,7 @@ contains
       call list%add(control_layerwise(), read_control_layerwise, stage_control)
       call list%add(damping_global(), read_damping_global, stage_control)
       call list%add(damping_relaxation(), read_damping_relaxation, stage_control)
+      call list%add(control_quasi_static(), read_control_quasi_static, stage_control)
    end subroutine add_frame_rows
 
    !> Nodes, elements, sets and curves

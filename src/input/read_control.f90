@@ -12,7 +12,7 @@ module plydyn_input_read_control
    private
 
    public :: read_title, read_damping_global, read_damping_relaxation, &
-      & read_control_units, read_control_termination, &
+      & read_control_quasi_static, read_control_units, read_control_termination, &
       & read_control_timestep, read_control_parallel, read_control_layerwise
 
 contains
@@ -100,6 +100,15 @@ contains
 
       model%control%rest_share = cards%real("DRTOL")
    end subroutine read_damping_relaxation
+
+   !> *CONTROL_QUASI_STATIC: limit of the kinetic energy
+   subroutine read_control_quasi_static(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      model%control%kinetic_limit = cards%real("SHARE")
+   end subroutine read_control_quasi_static
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
    subroutine read_control_layerwise(cards, catalogue, model)

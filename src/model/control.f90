@@ -51,6 +51,8 @@ module plydyn_model_control
       !> Dynamic relaxation ends the run where the kinetic energy is below this share of the
       !> largest; 0 for no dynamic relaxation
       real(wp) :: rest_share = 0.0_wp
+      !> A warning where the kinetic energy is above this share of the internal one; 0 for none
+      real(wp) :: kinetic_limit = 0.0_wp
       !> The run stops when the energy balance is off by more than this share
       real(wp) :: energy_limit = 0.05_wp
       !> The run stops when the ratio of volumes of an element falls below this

@@ -18,6 +18,7 @@ module plydyn_run_observers
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
    use plydyn_run_finite_monitor, only : new_finite_monitor
+   use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
@@ -49,6 +50,7 @@ contains
       call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
       call add_other(new_finite_monitor(), observers)
       call add_other(new_relaxation_monitor(job, trim(run%model%control%units%time)), observers)
+      call add_other(new_quasi_static_monitor(job, trim(run%model%control%units%time)), observers)
       call add_other(new_volume_monitor(job, run%model%mesh), observers)
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)

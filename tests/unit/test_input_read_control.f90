@@ -21,10 +21,12 @@ program test_input_read_control
       call check(control%step_factor, 0.9_wp, 0.0_wp, "usual share of the step")
       call check(control%kinematics, total_lagrangian, "usual kinematics")
       call check(control%energy_limit, 0.05_wp, 0.0_wp, "usual limit of the balance")
+      call check(control%kinetic_limit, 0.0_wp, 0.0_wp, "no limit of the kinetic energy")
       call check(control%scheme, all_explicit, "all explicit")
    end associate
    call read_plate("*CONTROL_TIMESTEP|1.e-6,0.0,0,0.,0.,3|*CONTROL_LAYERWISE|0,0.1,2,2.e-8|" &
       & //"*DAMPING_GLOBAL|0,25.|*DAMPING_RELAXATION|1.e-5|*CONTROL_ENERGY|2,2,2,2|" &
+      & //"*CONTROL_QUASI_STATIC|0.02|" &
       & //"*CONTROL_PARALLEL|4,0,1|" &
       & //"*DEFINE_CURVE|3,|0.,1.e-6|1.,1.e-6|*TITLE|A plate, flat|")
    call check(.not. allocated(error), "is read")
@@ -36,6 +38,7 @@ program test_input_read_control
       call check(control%energy_limit, 0.1_wp, 0.0_wp, "limit of the balance")
       call check(control%scheme, implicit_thickness, "what is implicit")
       call check(control%rest_share, 1.0e-5_wp, 0.0_wp, "kinetic energy at rest")
+      call check(control%kinetic_limit, 0.02_wp, 0.0_wp, "limit of the kinetic energy")
       call check(control%largest_step, 2.0e-8_wp, 0.0_wp, "largest step")
       call check(control%threads, 4, "threads")
       call check(control%damping, 25.0_wp, 0.0_wp, "damping")

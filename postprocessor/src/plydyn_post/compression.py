@@ -23,6 +23,8 @@ EVENTS = {
 }
 #: A kinetic energy above this share of the internal one is not quasi-static
 QUASI_STATIC = 0.05
+#: Percent bending that ASTM D7137 allows
+MOST_BENDING = 10.0
 #: Profiles of gauges and of the middle in the template of ASTM D7137
 GAUGES, MIDDLE = (2, 3), 4
 #: Share of the peak stress from which kinetic energy and bending are judged

@@ -37,6 +37,8 @@ def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator
     yield keyword("DAMPING_RELAXATION", {"drtol": stage.at_rest})
     if stage.damping is not None:
         yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": stage.damping})
+    if stage.quasi_static is not None:
+        yield keyword("CONTROL_QUASI_STATIC", {"share": stage.quasi_static})
     yield from _removed(study, number)
     yield keyword("DATABASE_BINARY_D3DUMP", {"cycl": END_ALONE})
     yield from chain(

@@ -22,6 +22,7 @@ class Stage:
     remove: tuple[Literal["impactor", "fixtures"], ...] = ()  # of the stages before
     at_rest: float = 0.0  # dynamic relaxation until this share of the largest kinetic energy
     damping: float | None = None  # force per mass and velocity; as before if absent
+    quasi_static: float | None = None  # warn above this kinetic over internal energy
     supports: tuple[Support, ...] = ()  # these and the loads replace those before, if any are given
     loads: tuple[Load, ...] = ()
     fixtures: tuple[Fixture, ...] = ()
@@ -37,6 +38,8 @@ class Stage:
         require_between(self, 0.0, 1.0, "at_rest")
         if self.damping is not None:
             require_not_negative(self, "damping")
+        if self.quasi_static is not None:
+            require_between(self, 0.0, 1.0, "quasi_static")
         hit = self.contact is None or self.impactor is not None
         require(hit, "contact", "needs an impactor of the stage")
 

@@ -1,0 +1,62 @@
+"""*CONTROL_QUASI_STATIC tells the kinetic energy as a share of the internal one."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from decks import Deck, Ply
+from elasticity import isotropic
+from meshes import regular
+from runs import Results, run
+
+DENSITY, YOUNG, LENGTH, SPEED = 1.0e-9, 1.0e3, 10.0, 10.0
+#: Time after which a bar that is stretched at a constant rate has moved as long as a wave takes
+TRANSIT = LENGTH / np.sqrt(YOUNG / DENSITY)
+
+
+def stretched(transits: float, share: float | None, folder: Path) -> Results:
+    """A bar without Poisson's ratio whose points all move at once, in proportion to x."""
+    end = transits * TRANSIT
+    mesh = regular(LENGTH, 1.0, 5, 1, 4)
+    deck = Deck("stretched", end)
+    deck.control(linear=True)
+    deck.mesh(mesh)
+    deck.laminate([Ply(isotropic(DENSITY, YOUNG, 0.0), 1.0)], order=1)
+    deck.hold(mesh.where(x=0.0), "x")
+    deck.hold(range(len(mesh.points)), "yz")
+    curve = deck.curve([(0.0, 0.0), (end, 1.0)])
+    deck.move(mesh.where(x=LENGTH), 1, curve, SPEED * end)
+    speed = SPEED * mesh.points[:, 0] / LENGTH
+    deck.velocities(np.stack([speed, 0.0 * speed, 0.0 * speed], axis=1))
+    if share is not None:
+        deck.add("CONTROL_QUASI_STATIC", (share,))
+    return run(deck, folder)
+
+
+def test_largest_share_is_that_of_the_first_time_looked_at(tmp_path: Path) -> None:
+    """K = m v^2 / 6 and U = k (v t)^2 / 2 of a bar: K/U = (transit/t)^2 / 3, from a tenth on."""
+    transits = 40.0
+    text = stretched(transits, 0.03, tmp_path).listing()
+    found = re.search(r"at most ([\d.E+-]+) of the internal one, at time ([\d.E+-]+)", text)
+    assert found is not None, text
+    time = float(found[2])
+    # the first step after a tenth of the time; a step is 1/5 of a transit at most
+    assert 0.1 * transits <= time / TRANSIT * 1.01
+    assert time / TRANSIT <= 0.1 * transits + 0.2
+    # two digits are printed
+    assert float(found[1]) == pytest.approx((TRANSIT / time) ** 2 / 3.0, rel=0.05)
+    assert "warning: the kinetic energy" not in text
+
+
+def test_warning_is_given_once(tmp_path: Path) -> None:
+    """Above the share, at the first time; the answer is that without the keyword."""
+    results = stretched(40.0, 0.01, tmp_path / "told")
+    assert results.listing().count("warning: the kinetic energy") == 1
+    without = stretched(40.0, None, tmp_path / "silent")
+    assert "quasi-static" not in without.listing()
+    told, silent = (each.table("energy").values for each in (results, without))
+    assert np.array_equal(told, silent)
