@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import synthetic
@@ -11,6 +12,7 @@ from typer.testing import CliRunner
 
 from plydyn_post.cli import app
 from plydyn_post.compression import Compression, Places, read_compression
+from plydyn_post.compression_place import place_words
 from plydyn_post.compression_report import event_words, notes_of, ratio, strength_table
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import open_results
@@ -86,6 +88,24 @@ def test_event_is_what_took_most_energy_in_the_fall(tmp_path: Path) -> None:
     taken = test.broken()
     assert taken["fibre damage"] / taken["matrix damage"] == pytest.approx(FIBRES / MATRIX)
     assert "fibres 80%, matrix 20%" in event_words(test)
+
+
+@pytest.mark.parametrize(("middle", "words"), [(20.0, "between its ends"), (1.0, "were crushed")])
+def test_crushed_ends_are_told_from_a_plate_that_fails(
+    middle: float, words: str, tmp_path: Path
+) -> None:
+    """Fibres break within 3 mm of a line across, from the second state on."""
+    test = write_test(tmp_path)
+    with h5py.File(test.job.fields, "a") as file:
+        grid = file["VTKHDF"]
+        near = np.abs(grid["Points"][:, 0] - middle) < 3.0
+        states = [0.0 * near, *[1.0 * near] * (len(synthetic.STATES) - 1)]
+        field = np.concatenate(states)
+        grid["PointData"].create_dataset("damage_fibre", data=field)
+        offsets = grid["Steps/PointDataOffsets/displacement"][()]
+        grid["Steps/PointDataOffsets"].create_dataset("damage_fibre", data=offsets)
+    assert words in place_words(test)
+    assert words in event_words(test)
 
 
 def test_ratio_to_a_pristine_plate(tmp_path: Path) -> None:

@@ -13,7 +13,8 @@ module plydyn_input_read_control
 
    public :: read_title, read_damping_global, read_damping_relaxation, &
       & check_damping_relaxation, read_control_quasi_static, read_control_units, &
-      & read_control_termination, read_control_timestep, read_control_parallel, read_control_layerwise
+      & read_control_termination, read_control_timestep, read_control_parallel, &
+      & read_control_layerwise
 
 contains
 

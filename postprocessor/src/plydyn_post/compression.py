@@ -65,6 +65,7 @@ class Compression:
     """Histories of a test at common times, (times,); units of the job."""
 
     job: Results
+    axis: int  # of the load, 0 for x
     time: np.ndarray
     shortening: np.ndarray  # of the whole length
     stress: np.ndarray  # force over width and thickness
@@ -147,6 +148,7 @@ def read_compression(job: Results, places: Places | None = None) -> Compression:
     faces = None if middle is None else np.stack(_faces(job, middle, "uz", time), axis=1)
     return Compression(
         job,
+        axis,
         time,
         moved,
         force / (width * thickness),

@@ -17,6 +17,7 @@ from plydyn_post.compression_figures import (
     draw_gauges,
     draw_stress,
 )
+from plydyn_post.compression_place import place_words
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task
@@ -160,7 +161,8 @@ def event_words(test: Compression) -> str:
     order = sorted(taken, key=lambda one: -taken[one])
     shares = ", ".join(f"{EVENTS[name]} {taken[name] / whole:.0%}" for name in order)
     fall = f"{test.stress[test.fallen] / test.strength:.0%}"
-    return f"Energy that broke while the stress fell to {fall} of its peak: {shares}."
+    words = f"Energy that broke while the stress fell to {fall} of its peak: {shares}."
+    return " ".join(filter(None, (words, place_words(test))))
 
 
 def notes_of(test: Compression) -> tuple[str, ...]:
