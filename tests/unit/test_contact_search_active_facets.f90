@@ -50,7 +50,7 @@ contains
          is_active(:) = is_active .or. rebuilt
          active_facets%is_all = active_facets%is_all .or. rebuilt
          rows%count = 0
-         call nodes%collect(candidates%patch, candidates, position, centre, rows)
+         call nodes%make_rows(candidates%patch, candidates, position, centre, rows)
          do row = 1, rows%count
             call check(is_active(nodes%facet(rows%source(row))), "rows lie on active facets")
          end do
@@ -86,7 +86,7 @@ contains
          call candidates%update(surface, flat, centre, rebuilt)
          if (rebuilt) call nodes%reset()
          rows%count = 0
-         call nodes%collect(candidates%patch, candidates, flat, centre, rows)
+         call nodes%make_rows(candidates%patch, candidates, flat, centre, rows)
          call active_facets%update(surface, candidates%approach_bound, nodes, rows)
       end do
       call check(rows%count, 1, "the pole makes a row")
