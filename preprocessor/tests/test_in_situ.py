@@ -74,6 +74,35 @@ def test_the_work_of_shear_at_the_strength_pays_for_the_crack(ply: pre.PlyCodam2
     assert work == pytest.approx(4.0 * 0.788 / (3.141592653589793 * 0.1), rel=1e-6)
 
 
+def test_a_ply_with_planes_of_fracture_has_the_work_of_its_hardening_shear() -> None:
+    # thin: tau^2/2G + (tau^2 - SP^2)/(2 G KP) = 4 G2S/(pi t), solved for tau
+    card = pre.find_card("IM7/8552 3D")
+    ply = pre.PlyFracture3d(**{key: entry.value for key, entry in card.values.items()})
+    thickness, gain = 0.05, 0.05
+    work = 4.0 * 0.788 / (3.141592653589793 * thickness)
+    shear = ((2.0 * 5290.0 * work * gain + 66.9**2) / (1.0 + gain)) ** 0.5
+    found = pre.in_situ(ply, thickness, False)
+    assert pytest.approx(shear, rel=1e-9) == found.SL
+    assert pytest.approx(199.8 * shear / 92.3, rel=1e-9) == found.YC
+    # in opening it is the ply of the published table
+    assert pytest.approx(160.1, abs=0.1) == pre.in_situ(ply, 0.125, False).YT
+
+
+def test_clusters_of_plies_with_planes_of_fracture_have_materials_of_their_own(
+    study: pre.Study, bond: pre.Cohesive
+) -> None:
+    card = pre.find_card("IM7/8552 3D")
+    ply = pre.PlyFracture3d(**{key: entry.value for key, entry in card.values.items()})
+    laminate = pre.Laminate("[0/90_2]s", 0.131, "C", strengths="in-situ", interfaces="bond")
+    text = text_of(replace(study, materials={"C": ply, "bond": bond}, laminate=laminate))
+    lines = cards_of(text)["MAT_PLY_FRACTURE_3D_TITLE"]
+    strengths = [line.split() for line in lines if line.split()[0] == "2326.2"]
+    # outer as published; four plies of 90 degrees are thick: 1.12 sqrt(2) YT
+    thick = 1.12 * 2.0**0.5 * 62.3
+    assert [float(words[2]) for words in strengths] == pytest.approx([98.9, thick], abs=0.1)
+    assert {words[5] for words in strengths} == {"53.0"}
+
+
 def test_toughnesses_of_the_matrix_stand_in_for_those_of_cracks_through_the_ply(
     ply: pre.PlyCodam2,
 ) -> None:

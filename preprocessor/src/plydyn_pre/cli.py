@@ -159,11 +159,11 @@ def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
     study = load_recipe(recipe, overrides or [])
     rows = list(strengths_of(study))
     if not rows:
-        raise RecipeError("laminate", "no ply is of kind ply_codam2, which has strengths")
+        raise RecipeError("laminate", "no ply is of kind ply_codam2 or ply_fracture_3d")
     for line in strength_lines(rows):
         out.print(line, markup=False, soft_wrap=True)
     for name in sorted({cluster.material for _, cluster, ply, _ in rows if is_linear(ply)}):
-        words = "its shear is taken as linear, which overstates SL and YC; give cubic"
+        words = "its shear is taken as linear, which overstates SL and YC; give its curve"
         err.print(f"note: {recipe}: materials.{name}: {words}", markup=False, soft_wrap=True)
 
 

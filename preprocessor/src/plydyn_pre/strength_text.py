@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from plydyn_pre.errors import RecipeError
-from plydyn_pre.study import Cluster, PlyCodam2, Strengths
+from plydyn_pre.study import Cluster, DamagedPly, PlyFracture3d, Strengths
 
 _STRENGTHS = ("YT", "YC", "SL")
 
-Row = tuple[str, Cluster, PlyCodam2, Strengths | None]
+Row = tuple[str, Cluster, DamagedPly, Strengths | None]
 
 
 def strength_lines(rows: Iterable[Row]) -> Iterator[str]:
@@ -30,6 +30,8 @@ def strength_lines(rows: Iterable[Row]) -> Iterator[str]:
         yield f"{line}  {part}".rstrip()
 
 
-def is_linear(ply: PlyCodam2) -> bool:
+def is_linear(ply: DamagedPly) -> bool:
     """Whether in-situ strengths take the shear of a ply as linear."""
+    if isinstance(ply, PlyFracture3d):
+        return ply.shear == "linear"
     return ply.cubic <= 0.0 and ply.shear != "ramberg_osgood"

@@ -19,7 +19,7 @@ from plydyn_pre.study.conditions import (
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring
 from plydyn_pre.study.impactor import Impactor
-from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ
+from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ
 from plydyn_pre.study.joints import Cohesive, Joint, Springs
 from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
 from plydyn_pre.study.levels import ProcessZone, process_zone
@@ -45,6 +45,7 @@ __all__ = [
     "Contact",
     "Control",
     "Curve",
+    "DamagedPly",
     "Elastic",
     "Fixture",
     "Force",

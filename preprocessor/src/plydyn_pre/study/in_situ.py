@@ -13,8 +13,10 @@ from math import pi, sqrt
 
 from plydyn_pre.errors import require
 from plydyn_pre.study.laminate import Laminate, StackPly, is_alike
-from plydyn_pre.study.materials import Material, PlyCodam2
+from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
 
+#: Plies that have strengths
+DamagedPly = PlyCodam2 | PlyFracture3d
 _HALVINGS = 200
 
 
@@ -61,16 +63,19 @@ def clusters(laminate: Laminate) -> list[Cluster]:
     ]
 
 
-def in_situ(ply: PlyCodam2, thickness: float, outer: bool) -> Strengths:
+def in_situ(ply: DamagedPly, thickness: float, outer: bool) -> Strengths:
     """Strengths of a ply of some thickness, with a free face or between others."""
     tension = _tension(ply, thickness, outer)
     shear = _shear(ply, thickness, outer)
     ratio = shear / ply.SL
-    return Strengths(YT=tension, YC=ratio * ply.YC, SL=shear, ST=ratio * ply.ST)
+    across = ply.ST if isinstance(ply, PlyCodam2) else 0.0
+    return Strengths(YT=tension, YC=ratio * ply.YC, SL=shear, ST=ratio * across)
 
 
-def toughnesses(ply: PlyCodam2) -> tuple[float, float]:
+def toughnesses(ply: DamagedPly) -> tuple[float, float]:
     """Toughnesses of a crack through a ply in opening and in shear; 0 for one that is missing."""
+    if isinstance(ply, PlyFracture3d):
+        return ply.G2T, ply.G2S
     return ply.GIC or ply.G2T, ply.GIIC or ply.G2S
 
 
@@ -79,15 +84,15 @@ def check_in_situ(path: str, laminate: Laminate, materials: Mapping[str, Materia
     if laminate.strengths == "given":
         return
     damaged = {ply.material: materials[ply.material] for ply in laminate.stack}
-    damaged = {name: each for name, each in damaged.items() if isinstance(each, PlyCodam2)}
-    rule = '"in-situ" needs a material of kind ply_codam2'
+    damaged = {name: each for name, each in damaged.items() if isinstance(each, DamagedPly)}
+    rule = '"in-situ" needs a material of kind ply_codam2 or ply_fracture_3d'
     require(bool(damaged), f"{path}.strengths", rule)
     for name, ply in damaged.items():
         rule = "0; in-situ strengths need the toughness in shear, here or as G2S"
         require(toughnesses(ply)[1] > 0.0, f"materials.{name}.GIIC", rule)
 
 
-def _tension(ply: PlyCodam2, thickness: float, outer: bool) -> float:
+def _tension(ply: DamagedPly, thickness: float, outer: bool) -> float:
     """Strength of the matrix in tension."""
     minor = ply.nu12 * ply.E2 / ply.E1
     compliance = 2.0 * (1.0 / ply.E2 - minor**2 / ply.E1)
@@ -97,7 +102,7 @@ def _tension(ply: PlyCodam2, thickness: float, outer: bool) -> float:
     return max(sqrt(8.0) * root, 1.12 * sqrt(2.0) * ply.YT)
 
 
-def _shear(ply: PlyCodam2, thickness: float, outer: bool) -> float:
+def _shear(ply: DamagedPly, thickness: float, outer: bool) -> float:
     """Strength in shear: the stress at which the work of shear pays for the crack."""
     toughness = toughnesses(ply)[1]
     if outer:
@@ -106,16 +111,20 @@ def _shear(ply: PlyCodam2, thickness: float, outer: bool) -> float:
     return max(thin, _stress_of(ply, 2.0 * _work(ply, ply.SL)))
 
 
-def _work(ply: PlyCodam2, stress: float) -> float:
+def _work(ply: DamagedPly, stress: float) -> float:
     """Work of shear per volume up to a stress."""
     linear = stress**2 / (2.0 * ply.G12)
-    if ply.cubic > 0.0 or ply.shear != "ramberg_osgood":
-        return linear + 0.75 * ply.cubic * stress**4
+    if isinstance(ply, PlyFracture3d) and ply.shear == "hardening":
+        over = max(stress**2 - ply.shear_yield**2, 0.0)
+        return linear + over / (2.0 * ply.G12 * ply.shear_hardening)
+    cubic = ply.cubic if isinstance(ply, PlyCodam2) else 0.0
+    if cubic > 0.0 or ply.shear != "ramberg_osgood":
+        return linear + 0.75 * cubic * stress**4
     power = ply.shear_exponent
     return linear + ply.shear_coefficient * power / (power + 1.0) * stress ** (power + 1.0)
 
 
-def _stress_of(ply: PlyCodam2, work: float) -> float:
+def _stress_of(ply: DamagedPly, work: float) -> float:
     """The stress at which shear has done some work per volume, by halving."""
     low, high = 0.0, sqrt(2.0 * ply.G12 * work)
     for _ in range(_HALVINGS):

@@ -8,11 +8,11 @@ from dataclasses import replace
 from typing import Any
 
 from plydyn_pre.mesh import Coupon
-from plydyn_pre.study.in_situ import Cluster, Strengths, clusters, in_situ, toughnesses
+from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import strength_factor
-from plydyn_pre.study.materials import Material, PlyCodam2
+from plydyn_pre.study.materials import Material
 from plydyn_pre.study.study import Study
 
 
@@ -57,12 +57,13 @@ def _renamed(laminate: Laminate, materials: dict[str, Material]) -> Laminate:
     stack = list(laminate.stack)
     for cluster in clusters(laminate):
         ply = materials[cluster.material]
-        if not isinstance(ply, PlyCodam2):
+        if not isinstance(ply, DamagedPly):
             continue
         place = "outer" if cluster.outer else "embedded"
         name = f"{cluster.material} {cluster.thickness:g} {place}"
         exact = vars(in_situ(ply, cluster.thickness, cluster.outer))
-        strengths = {key: float(f"{value:.6g}") for key, value in exact.items()}
+        known = {key: value for key, value in exact.items() if hasattr(ply, key)}
+        strengths = {key: float(f"{value:.6g}") for key, value in known.items()}
         title = f"{ply.title or cluster.material} in situ {cluster.thickness:g} {place}"
         materials[name] = replace(ply, **strengths, title=title)
         for number in range(cluster.first - 1, cluster.last):
@@ -78,13 +79,13 @@ def _changed(thing: Any, **values: Any) -> Any:  # noqa: ANN401 - a study or a l
     return changed
 
 
-def strengths_of(study: Study) -> Iterator[tuple[str, Cluster, PlyCodam2, Strengths | None]]:
+def strengths_of(study: Study) -> Iterator[tuple[str, Cluster, DamagedPly, Strengths | None]]:
     """Clusters of damaged plies with what they are made of and their in-situ strengths."""
     named = [("", study.laminate)] if study.laminate else []
     for part, laminate in [*named, *study.laminates.items()]:
         for cluster in clusters(laminate):
             ply = study.materials[cluster.material]
-            if isinstance(ply, PlyCodam2):
+            if isinstance(ply, DamagedPly):
                 known = toughnesses(ply)[1] > 0.0
                 found = in_situ(ply, cluster.thickness, cluster.outer) if known else None
                 yield part, cluster, ply, found
