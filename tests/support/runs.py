@@ -69,6 +69,16 @@ class Results:
             points = int(grid["NumberOfPoints"][-1])
             return np.array(grid["PointData"][name][-points:])
 
+    def points(self, grid_file: str = "vtkhdf") -> Array:
+        """Places of the points of fields, (points, 3)."""
+        with h5py.File(self.folder / f"{self.job}.{grid_file}") as file:
+            grid = file["VTKHDF"]
+            return np.array(grid["Points"][-int(grid["NumberOfPoints"][-1]) :])
+
+    def interface_points(self) -> Array:
+        """Places of the points of the interfaces, (points, 3)."""
+        return self.points("interfaces.vtkhdf")
+
     def listing(self) -> str:
         """The listing."""
         return (self.folder / f"{self.job}.out").read_text()
