@@ -70,7 +70,7 @@ contains
       associate (limit => simulation%domain%control%kinetic_limit, state => simulation%state, &
          & is_root => simulation%domain%comm%is_root())
          if (limit <= 0.0_wp .or. state%time < self%first_time) return
-         share = state%energies%kinetic/max(abs(state%energies%internal), tiny(1.0_wp))
+         share = state%energies%kinetic_share()
          if (share > self%largest) then
             self%largest = share
             self%time = state%time

@@ -34,6 +34,7 @@ module plydyn_state_state
       procedure :: total
       procedure :: error => balance_error
       procedure :: raise_reference
+      procedure :: kinetic_share
    end type energies_type
 
    !> A rigid impactor
@@ -221,6 +222,13 @@ contains
          balance_error = (self%total() - self%start - self%external)/self%reference
       end if
    end function balance_error
+
+   !> Kinetic energy of the plate as a share of the internal one
+   pure real(wp) function kinetic_share(self)
+      class(energies_type), intent(in) :: self
+
+      kinetic_share = self%kinetic/max(abs(self%internal), tiny(1.0_wp))
+   end function kinetic_share
 
    !> The reference of the error is the largest energy that went in so far
    pure subroutine raise_reference(self)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from broken import said
 from decks import Deck, Ply
 from elasticity import isotropic
 from meshes import regular
@@ -18,7 +19,7 @@ DENSITY, YOUNG, LENGTH, SPEED = 1.0e-9, 1.0e3, 10.0, 10.0
 TRANSIT = LENGTH / np.sqrt(YOUNG / DENSITY)
 
 
-def stretched(transits: float, share: float | None, folder: Path) -> Results:
+def stretched_deck(transits: float, share: float | None) -> Deck:
     """A bar without Poisson's ratio whose points all move at once, in proportion to x."""
     end = transits * TRANSIT
     mesh = regular(LENGTH, 1.0, 5, 1, 4)
@@ -34,7 +35,12 @@ def stretched(transits: float, share: float | None, folder: Path) -> Results:
     deck.velocities(np.stack([speed, 0.0 * speed, 0.0 * speed], axis=1))
     if share is not None:
         deck.add("CONTROL_QUASI_STATIC", (share,))
-    return run(deck, folder)
+    return deck
+
+
+def stretched(transits: float, share: float | None, folder: Path) -> Results:
+    """The results of such a bar."""
+    return run(stretched_deck(transits, share), folder)
 
 
 def test_largest_share_is_that_of_the_first_time_looked_at(tmp_path: Path) -> None:
@@ -50,6 +56,20 @@ def test_largest_share_is_that_of_the_first_time_looked_at(tmp_path: Path) -> No
     # two digits are printed
     assert float(found[1]) == pytest.approx((TRANSIT / time) ** 2 / 3.0, rel=0.05)
     assert "warning: the kinetic energy" not in text
+
+
+def test_progress_line_has_the_share(tmp_path: Path) -> None:
+    """At the end, (transit/t)^2 / 3, in a column of the deck that asks for it.
+
+    The masses of five quads at their nodes sum x^2 by the trapezoidal rule: 1 + 1/(2 5^2) of it.
+    """
+    code, text = said("run", stretched_deck(4.0, 0.5).write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == 0, text
+    header = next(line for line in text.splitlines() if line.split()[:1] == ["cycle"])
+    assert header.split()[-1] == "kinetic"
+    last = [line for line in text.splitlines() if line.endswith("%")][-1]
+    # two digits behind the point are printed
+    assert float(last.split()[-1].rstrip("%")) == pytest.approx(100.0 / 48.0 * 1.02, abs=0.01)
 
 
 def test_warning_is_given_once(tmp_path: Path) -> None:

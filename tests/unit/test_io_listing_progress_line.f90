@@ -39,12 +39,19 @@ contains
       progress%energy_error = -0.0012_wp
       progress%force = -3456.0_wp
       line = progress_line(progress, 60.0_wp)
-      headers = progress_headers("s", "N")
+      headers = progress_headers("s", "N", .false.)
       call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3        " &
          & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "all values: "//line)
       call check(len(line), len(headers), "headers are as wide as the line")
       call check(index(headers, "force [N]") + len("force [N]"), &
          & index(line, "-3.456E+03") + len("-3.456E+03"), "a header ends where its numbers end")
+      progress%has_kinetic_share = .true.
+      progress%kinetic_share = 0.0123_wp
+      line = progress_line(progress, 60.0_wp)
+      headers = progress_headers("s", "N", .true.)
+      call check(line(len(line) - 7:) == "   1.23%", "share of the kinetic energy: "//line)
+      call check(len(line), len(headers), "its header is as wide")
+      progress%has_kinetic_share = .false.
       progress%energy_error = -1.0e-17_wp
       line = progress_line(progress, 60.0_wp)
       call check(index(line, "  0.00%") > 0, "no sign at zero")

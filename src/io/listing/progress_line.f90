@@ -9,7 +9,7 @@ module plydyn_io_listing_progress_line
 
    !> Widths of the columns, and blanks between two
    integer, parameter :: cycle_width = 9, number_width = 10, share_width = 6, cause_width = 24, &
-      & error_width = 8, duration_width = 10
+      & error_width = 8, duration_width = 10, share_column = 8
    character(*), parameter :: gap = "  "
    !> Share of the elapsed time that passes between two lines of a long run
    real(wp), parameter :: share_between = 0.02_wp
@@ -28,6 +28,9 @@ module plydyn_io_listing_progress_line
       real(wp) :: energy_error = 0.0_wp
       !> Force on the impactor
       real(wp) :: force = 0.0_wp
+      !> Whether the line has the kinetic energy as a share of the internal one, and this share
+      logical :: has_kinetic_share = .false.
+      real(wp) :: kinetic_share = 0.0_wp
    end type progress_type
 
    !> Decides by the wall clock when a line is due: at first each `interval`, then with
@@ -91,9 +94,11 @@ contains
    end subroutine advance
 
    !> Headers of the columns
-   pure function progress_headers(time_unit, force_unit) result(line)
+   pure function progress_headers(time_unit, force_unit, has_kinetic_share) result(line)
       !> Name of the unit of time, and name of the unit of force
       character(*), intent(in) :: time_unit, force_unit
+      !> Whether there is a column of the kinetic energy
+      logical, intent(in) :: has_kinetic_share
       character(:), allocatable :: line
 
       line = right("cycle", cycle_width)//gap &
@@ -105,6 +110,7 @@ contains
          & //right("force ["//trim(force_unit)//"]", number_width)//gap &
          & //right("elapsed", duration_width)//gap &
          & //right("left", duration_width)
+      if (has_kinetic_share) line = line//gap//right("kinetic", share_column)
    end function progress_headers
 
    !> The line
@@ -119,6 +125,7 @@ contains
       character(number_width) :: time, step, force
       character(share_width) :: done
       character(error_width) :: error
+      character(share_column) :: kinetic
 
       write (cycle, "(i9)") progress%cycle
       write (time, "(es10.4)") progress%time
@@ -130,6 +137,10 @@ contains
       line = cycle//gap//time//gap//done//gap//step//gap//progress%cause//gap//error//gap &
          & //force//gap//right(duration_text(seconds), duration_width)//gap &
          & //right(duration_text(remaining(progress, seconds)), duration_width)
+      if (progress%has_kinetic_share) then
+         write (kinetic, "(f7.2,a)") min(100.0_wp*progress%kinetic_share, 9999.0_wp), "%"
+         line = line//gap//kinetic
+      end if
    end function progress_line
 
    !> Share of this run that is done, 0 to 1

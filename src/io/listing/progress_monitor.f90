@@ -53,11 +53,13 @@ contains
 
       self%screen = job%screen
       self%progress%start_time = job%start_time
+      self%progress%has_kinetic_share = simulation%domain%control%kinetic_limit > 0.0_wp
       call find_cause(self, simulation%domain)
       call self%timer%start()
       if (self%screen == no_unit) return
       associate (units => simulation%model%control%units)
-         write (self%screen, "(a)") progress_headers(units%time, units%force)
+         write (self%screen, "(a)") progress_headers(units%time, units%force, &
+            & self%progress%has_kinetic_share)
       end associate
    end subroutine open_monitor
 
@@ -113,6 +115,7 @@ contains
       if (self%has_curve .and. state%step_before < self%largest) self%progress%cause = "LCTM"
       self%progress%energy_error = state%energies%error()
       self%progress%force = 0.0_wp
+      self%progress%kinetic_share = state%energies%kinetic_share()
       if (size(state%impactors) > 0) self%progress%force = sum(state%impactors%force(3))
       write (self%screen, "(a)") progress_line(self%progress, seconds)
       flush (self%screen)
