@@ -18,6 +18,8 @@ CHANGED_CASES: dict[str, str] = {
 #: Cases with keywords that the older build refuses, and what they are: then they are not compared
 NEW_CASES: dict[str, str] = {
     r"recipe/damage_impact/ring(_pair)?(_fast)?": "rigid fixtures",
+    r"recipe/validation/t700.*": "fixtures of the test, and a tup",
+    r"(made/planes_of_fracture|deck/fracture_(dent|tension))": "plies with planes of fracture",
 }
 
 #: Columns of a case that differ by round-off, `case ending: header`: by no more than this, and why
