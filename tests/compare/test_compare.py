@@ -238,6 +238,25 @@ def test_a_column_may_move(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
     assert compare_folders(old, new).differences == []
 
 
+@pytest.mark.parametrize(("last", "failures"), [(2.5, 0), (2.6, 1)])
+def test_two_columns_may_share_a_sum(
+    last: float, failures: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What one column has lost the other must have got, in histories and in restart files."""
+    table, why = (".*energy.csv", "contact", "damping"), "a reason"
+    monkeypatch.setattr(known_names, "SHIFTED_COLUMNS", {table[0]: (*table[1:], why)})
+    monkeypatch.setattr(known_names, "SHIFTED_DATA", {"state/energies": (0, 2, why)})
+    for name, one, other in (("old", 1.0, 3.0), ("new", 1.5, last)):
+        (tmp_path / name).mkdir()
+        text = f"time,contact [J],damping [J]\n0,0,0\n1,{one},{other}\n"
+        (tmp_path / name / "job.energy.csv").write_text(text)
+        with h5py.File(tmp_path / name / "job.dump01", "w") as file:
+            file["state/energies"] = np.array([one, 7.0, other])
+    report = compare_folders(tmp_path / "old", tmp_path / "new")
+    assert bool(report.differences) == bool(failures)
+    assert sum("have the same sum" in note for note in report.notes) == (0 if failures else 2)
+
+
 @pytest.mark.parametrize("right", [True, False])
 def test_an_array_may_be_widened(
     right: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
