@@ -39,6 +39,7 @@ AT_25 = {PEAK: 8.55, TIME: 1.5, DURATION: 3.55, DISPLACEMENT: 5.13, ABSORBED: 12
 TESTS = (
     _t700("t700gc_25J", "T700GC/M21, 25 J, quads of 2.8 mm", AT_25),
     _t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
+    _t700("t700gc_25J_planes", "the same with planes of fracture, quads of 2.8 mm", AT_25),
 )
 BLIND = (
     _t700("t700_6J", "T700/M21, 6.5 J, quads of 2.8 mm", {}),
