@@ -187,8 +187,7 @@ contains
       keyword%once = .true.
       keyword%remark = "Forces against the velocity of every point of the plate are critical for " &
          & //"the frequency that moves: it is found from the motion itself, every 50 steps. A " &
-         & //"restart may bring it or, with DRTOL 0, end it; impactors are not damped. Points " &
-         & //"that press on fixtures disturb the frequency, which a warning tells. The " &
+         & //"restart may bring it or, with DRTOL 0, end it; impactors are not damped. The " &
          & //"messages of the run tell when the plate was at rest. See the theory, Dynamic " &
          & //"relaxation."
       call keyword%add_card()

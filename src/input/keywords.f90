@@ -36,10 +36,9 @@ module plydyn_input_keywords
       & keyword_row_type, stage_control, stage_definition, stage_element, stage_laminate, &
       & stage_load, stage_material, stage_output, stage_part, stage_set, stage_support, &
       & stage_table
-   use plydyn_input_read_control, only : check_damping_relaxation, read_control_layerwise, &
-      & read_control_parallel, read_control_quasi_static, read_control_termination, &
-      & read_control_timestep, read_control_units, read_damping_global, &
-      & read_damping_relaxation, read_title
+   use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
+      & read_control_termination, read_control_timestep, read_control_units, &
+      & read_control_quasi_static, read_damping_global, read_damping_relaxation, read_title
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
    use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
       & read_fixture_plane, read_fixture_punch, read_fixture_ring
@@ -126,8 +125,7 @@ contains
       call list%add(control_parallel(), read_control_parallel, stage_control)
       call list%add(control_layerwise(), read_control_layerwise, stage_control)
       call list%add(damping_global(), read_damping_global, stage_control)
-      call list%add(damping_relaxation(), read_damping_relaxation, stage_control, &
-         & check=check_damping_relaxation)
+      call list%add(damping_relaxation(), read_damping_relaxation, stage_control)
       call list%add(control_quasi_static(), read_control_quasi_static, stage_control)
    end subroutine add_frame_rows
 

@@ -12,9 +12,8 @@ module plydyn_input_read_control
    private
 
    public :: read_title, read_damping_global, read_damping_relaxation, &
-      & check_damping_relaxation, read_control_quasi_static, read_control_units, &
-      & read_control_termination, read_control_timestep, read_control_parallel, &
-      & read_control_layerwise
+      & read_control_quasi_static, read_control_units, read_control_termination, &
+      & read_control_timestep, read_control_parallel, read_control_layerwise
 
 contains
 
@@ -101,20 +100,6 @@ contains
 
       model%control%rest_share = cards%real("DRTOL")
    end subroutine read_damping_relaxation
-
-   !> *DAMPING_RELAXATION: points that press on a fixture have accelerations at rest, too, and the
-   !> frequency of the motion is found from them
-   subroutine check_damping_relaxation(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      if (model%control%rest_share > 0.0_wp .and. size(model%fixtures) > 0) then
-         call catalogue%warn(cards, "DRTOL", "the damping that is found from the motion is much " &
-            & //"too strong where the plate presses on fixtures", "a stage without fixtures, or " &
-            & //"*DAMPING_GLOBAL")
-      end if
-   end subroutine check_damping_relaxation
 
    !> *CONTROL_QUASI_STATIC: limit of the kinetic energy
    subroutine read_control_quasi_static(cards, catalogue, model)

@@ -37,6 +37,7 @@ contains
       outside_before = reduction%external_power_before%value()
       outside = reduction%external_power_after%value()
       inside = internal_power + outside_before - reduction%contact_power%value()
+      state%relaxation%stiffening = outside - state%sums%power - inside
       associate (e => state%energies, step => state%step)
          e%internal = e%internal + 0.5_wp*step*(inside + outside - state%sums%power)
          e%external = e%external + 0.5_wp*step*(outside_before + outside) &

@@ -1,9 +1,9 @@
 !> Dynamic relaxation: damping by the lowest frequency that moves, until the plate is at rest.
 !>
 !> The frequency is that of Rayleigh's quotient of the velocities, v K v / v M v (Underwood, 1983;
-!> Papadrakakis, 1981). The power of all forces, P = v M a, has the rate dP/dt = a M a + v M da/dt,
-!> and with the damping d, M da/dt = -K v - d M a: the integrals over some steps give
-!> v K v = a M a - dP/dt - d P from sums that every step has. Damping is critical for this
+!> Papadrakakis, 1981). Over a step the internal forces change by dt K v, so that v K v is their
+!> change of power with the velocity over the step, which the energy balance has. What loads,
+!> damping and contact do to the accelerations is not in it. Damping is critical for this
 !> frequency. High frequencies dominate at first and are damped first; then the quotient falls to
 !> the lowest one.
 module plydyn_run_relaxation_monitor
@@ -56,13 +56,13 @@ contains
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: frequency
+      real(wp) :: frequency, kinetic
 
       associate (control => simulation%domain%control, state => simulation%state, &
-         & kinetic => simulation%state%energies%kinetic, &
          & largest => simulation%state%relaxation%largest_kinetic)
          if (control%rest_share <= 0.0_wp .or. state%is_finished()) return
-         call add_integrals(control%damping, state)
+         kinetic = 0.5_wp*twice_half_step_kinetic(state)
+         call add_integrals(kinetic, state)
          if (mod(state%cycle, steps_per_change) /= 0) return
          call change_damping(state, frequency)
          if (kinetic > control%rest_share*largest .or. frequency <= 0.0_wp) return
@@ -74,20 +74,16 @@ contains
    end subroutine notify
 
    !> Add the step that was made to the integrals over time
-   pure subroutine add_integrals(damping, state)
-      !> Damping that the deck gives, 1/time
-      real(wp), intent(in) :: damping
-      !> Sums of the motion at its end
+   pure subroutine add_integrals(kinetic, state)
+      !> Kinetic energy of the plate over the step
+      real(wp), intent(in) :: kinetic
+      !> Gets the sums
       type(state_type), intent(inout) :: state
 
-      real(wp) :: now
-
-      associate (own => state%relaxation, sums => state%sums, step => state%step)
-         now = damping + own%damping_at(state%cycle)
-         own%twice_kinetic = own%twice_kinetic + step*sums%twice_kinetic
-         own%acceleration_square = own%acceleration_square + step*sums%acceleration_square
-         own%damping_power = own%damping_power + step*now*full_power(state)
-         own%largest_kinetic = max(own%largest_kinetic, state%energies%kinetic)
+      associate (own => state%relaxation)
+         own%twice_kinetic = own%twice_kinetic + 2.0_wp*state%step_before*kinetic
+         own%stiffness_square = own%stiffness_square + own%stiffening
+         own%largest_kinetic = max(own%largest_kinetic, kinetic)
       end associate
    end subroutine add_integrals
 
@@ -98,30 +94,29 @@ contains
       real(wp), intent(out) :: frequency
 
       real(wp), parameter :: two_pi = 8.0_wp*atan(1.0_wp)
-      real(wp) :: power, square
 
-      power = full_power(state)
       frequency = 0.0_wp
       associate (own => state%relaxation)
-         square = own%acceleration_square - (power - own%power) - own%damping_power
-         if (square > 0.0_wp .and. own%twice_kinetic > 0.0_wp) then
-            frequency = sqrt(square/own%twice_kinetic)/two_pi
+         if (own%stiffness_square > 0.0_wp .and. own%twice_kinetic > 0.0_wp) then
+            frequency = sqrt(own%stiffness_square/own%twice_kinetic)/two_pi
          end if
          own%damping = own%damping_at(state%cycle + 1)
          own%next_damping = 2.0_wp*two_pi*frequency
          own%change_cycle = state%cycle + steps_ahead
          own%twice_kinetic = 0.0_wp
-         own%acceleration_square = 0.0_wp
-         own%damping_power = 0.0_wp
-         own%power = power
+         own%stiffness_square = 0.0_wp
       end associate
    end subroutine change_damping
 
-   !> Power of all forces with the velocity at the full step
-   pure real(wp) function full_power(state)
+   !> Twice the kinetic energy of the plate with the velocity over the step that was made. That at
+   !> the full step has the accelerations in it, which points in contact keep at rest
+   pure real(wp) function twice_half_step_kinetic(state) result(twice)
       type(state_type), intent(in) :: state
 
-      full_power = state%sums%power + 0.5_wp*state%step_before*state%sums%acceleration_square
-   end function full_power
+      associate (sums => state%sums, step => state%step_before)
+         twice = sums%twice_kinetic + sums%twice_added &
+            & - step*(sums%power + 0.25_wp*step*sums%acceleration_square)
+      end associate
+   end function twice_half_step_kinetic
 
 end module plydyn_run_relaxation_monitor

@@ -114,11 +114,10 @@ contains
       real(wp), allocatable :: numbers(:)
 
       numbers = [relaxation%damping, relaxation%next_damping, real(relaxation%change_cycle, wp), &
-         & relaxation%largest_kinetic, relaxation%twice_kinetic, relaxation%acceleration_square, &
-         & relaxation%damping_power, relaxation%power]
+         & relaxation%largest_kinetic, relaxation%twice_kinetic, relaxation%stiffness_square]
       call exchange%reals("relaxation", numbers)
       relaxation = relaxation_state_type(numbers(1), numbers(2), nint(numbers(3)), numbers(4), &
-         & numbers(5), numbers(6), numbers(7), numbers(8))
+         & numbers(5), numbers(6))
    end subroutine exchange_relaxation
 
    !> Sums and energies: all components are reals

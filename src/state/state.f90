@@ -103,11 +103,11 @@ module plydyn_state_state
       integer :: change_cycle = 0
       !> Largest kinetic energy so far
       real(wp) :: largest_kinetic = 0.0_wp
-      !> Integrals over time since the last change: twice the kinetic energy, a M a, and the power
-      !> of all forces with the share of damping in it
-      real(wp) :: twice_kinetic = 0.0_wp, acceleration_square = 0.0_wp, damping_power = 0.0_wp
-      !> Power of all forces at the last change
-      real(wp) :: power = 0.0_wp
+      !> Integrals over time since the last change: v M v and v K v
+      real(wp) :: twice_kinetic = 0.0_wp, stiffness_square = 0.0_wp
+      !> Change of the internal forces over the last step times the velocity over it; every step
+      !> finds it anew
+      real(wp) :: stiffening = 0.0_wp
    contains
       procedure :: damping_at
    end type relaxation_state_type

@@ -36,25 +36,10 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
         ("*DATABASE_SPCFORC\n1.0e-6\n", 3, "there are no supports to write"),
         ("*DATABASE_IMPACTOR\n1.0e-6\n", 3, "there are no impactors to write"),
         ("*INCLUDE_PATH\nno/such/folder\n", 3, "*INCLUDE_PATH: there is no folder"),
-        (
-            "*DAMPING_RELAXATION\n1.0e-4\n*FIXTURE_PUNCH\n7,-1,0.0\n2,1.0,1.0,0.0,0.0,0.5\n",
-            3,
-            "DRTOL: the damping that is found from the motion is much too strong",
-        ),
         ("*DATABASE_BNDOUT\n1.0e-6\n", 2, "right would be: *DATABASE_SPCFORC, which writes"),
         ("*DATABASE_TRHIST\n1.0e-6\n", 2, "'*DATABASE_TRHIST' is ignored"),
     ],
-    ids=[
-        "beside",
-        "away",
-        "no nodes",
-        "no supports",
-        "no impactors",
-        "no folder",
-        "pressed",
-        "other",
-        "none",
-    ],
+    ids=["beside", "away", "no nodes", "no supports", "no impactors", "no folder", "other", "none"],
 )
 def test_warning_with_its_line(cards: str, line: int, fragment: str, tmp_path: Path) -> None:
     """What can have no effect is told, once."""
