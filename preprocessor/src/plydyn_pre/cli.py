@@ -25,6 +25,7 @@ from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
+from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, load_recipe, templates
 from plydyn_pre.strength_text import is_linear, strength_lines
@@ -182,6 +183,13 @@ def materials(
         out.print(f"{card.name} ({card.kind}): {card.note}", markup=False, soft_wrap=True)
         for key, value, source in source_lines(card):
             out.print(f"  {key:<20} {value:<18} {source}", markup=False, soft_wrap=True)
+
+
+@app.command()
+def models() -> None:
+    """Show the named sets of choices of plies that are damaged, which a recipe takes by `model`."""
+    for line in model_lines():
+        out.print(line, markup=False, soft_wrap=True)
 
 
 @app.command(name="translate")

@@ -11,6 +11,7 @@ from pathlib import Path
 from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_file
 from plydyn_pre.library import with_library
+from plydyn_pre.models import with_models
 from plydyn_pre.overrides import with_overrides
 from plydyn_pre.study import Study
 from plydyn_pre.suggest import suggestion
@@ -27,7 +28,7 @@ def load_recipe(path: Path, overrides: Iterable[str] = ()) -> Study:
     """Read a recipe; overrides such as ``mesh.n=6`` have the last word."""
     with blaming(path):
         table = _read(path, ())
-        return build(Study, with_library(with_overrides(table, overrides)))
+        return build(Study, with_models(with_library(with_overrides(table, overrides))))
 
 
 @contextmanager

@@ -73,7 +73,7 @@ class PlyCodam2:
     G2C: float
     ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
     G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
-    largest_damage: float = 0.999999
+    largest_damage: float = 0.99  # the rest keeps points below an impactor from coming loose
     shear: Literal["linear", "exponential", "curve", "ramberg_osgood"] = "linear"
     shear_curve: str = ""  # name of a curve of stress over strain, for shear = "curve"
     shear_strain: float = 0.05  # at which an exponential curve reaches SL
@@ -88,7 +88,7 @@ class PlyCodam2:
     closure: bool = False  # cracks close in compression, which has damage of its own
     plateau: float = 0.0  # share of XC that crushed fibres keep
     brittle: float = 0.0  # share of XC from which their stress drops to nothing
-    weakens_across: bool = True  # damage weakens G13 and G23
+    weakens_across: bool = False  # damage weakens G13 and G23
     average_along: float = 0.0  # radii of the ellipse over which strains are averaged before they
     average_across: float = 0.0  # drive damage, along and across the fibres; 0 for no average
     GIC: float = 0.0  # toughnesses of cracks through a ply, for in-situ strengths, in opening
