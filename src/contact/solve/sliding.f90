@@ -19,8 +19,8 @@ module plydyn_contact_solve_sliding
 
    public :: new_sliding
 
-   !> Most sweeps over the rows. With more rows than points there are many solutions, between which
-   !> sweeps move on: more of them change force and work by less than 0.1 %
+   !> Most sweeps over the rows: with more rows than points there are many solutions, between which
+   !> sweeps move on without end
    integer, parameter :: most_sweeps = 30
    !> Change of a multiplier in the last sweep over the largest multiplier
    real(wp), parameter :: last_change = 1.0e-12_wp
