@@ -23,34 +23,8 @@ _MOST_CRUSHED = 0.99
 
 
 @dataclass(frozen=True)
-class PlyElastic:
-    """An orthotropic elastic ply: 1 along the fibres, 2 across in the plane, 3 normal."""
-
-    kind: ClassVar[str] = "ply_elastic"
-
-    density: float  # mass per volume
-    E1: float  # Young's moduli, stress
-    E2: float
-    E3: float
-    nu12: float  # strain along the second direction from stress along the first
-    nu13: float
-    nu23: float
-    G12: float  # shear moduli, stress
-    G13: float
-    G23: float
-    title: str = ""
-
-    def __post_init__(self) -> None:
-        """Refuse numbers that no material has."""
-        require_positive(self, "density", *_YOUNG_SHEAR)
-        require_stable(self)
-
-
-@dataclass(frozen=True)
-class PlyCodam2:
-    """A ply whose fibres and matrix are damaged after nonlinear shear."""
-
-    kind: ClassVar[str] = "ply_codam2"
+class _Orthotropic:
+    """What every ply has: density and elastic constants."""
 
     density: float  # mass per volume
     E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
@@ -62,6 +36,28 @@ class PlyCodam2:
     G12: float  # shear moduli, stress
     G13: float
     G23: float
+
+
+@dataclass(frozen=True)
+class PlyElastic(_Orthotropic):
+    """An orthotropic elastic ply: 1 along the fibres, 2 across in the plane, 3 normal."""
+
+    kind: ClassVar[str] = "ply_elastic"
+
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no material has."""
+        require_positive(self, "density", *_YOUNG_SHEAR)
+        require_stable(self)
+
+
+@dataclass(frozen=True)
+class PlyCodam2(_Orthotropic):
+    """A ply whose fibres and matrix are damaged after nonlinear shear."""
+
+    kind: ClassVar[str] = "ply_codam2"
+
     XT: float  # strengths of fibres in tension and compression
     XC: float
     YT: float  # strengths of matrix in tension and compression
@@ -149,21 +145,11 @@ class PlyCodam2:
 
 
 @dataclass(frozen=True)
-class PlyFracture3d:
+class PlyFracture3d(_Orthotropic):
     """A ply whose matrix cracks on planes of fracture, with friction and permanent strain."""
 
     kind: ClassVar[str] = "ply_fracture_3d"
 
-    density: float  # mass per volume
-    E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
-    E2: float
-    E3: float
-    nu12: float  # strain along the second direction from stress along the first
-    nu13: float
-    nu23: float
-    G12: float  # shear moduli, stress
-    G13: float
-    G23: float
     XT: float  # strengths of fibres in tension and compression
     XC: float
     YT: float  # strengths of matrix in tension and compression
