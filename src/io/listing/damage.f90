@@ -200,7 +200,7 @@ contains
             & //"wide the stress drops at once and more than the toughness is dissipated (SNAP 2)"
       else
          write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
-            & //"wide damage starts early and the toughness stays right (SNAP 0)"
+            & //"wide damage starts below the strength, and the fracture energy is right (SNAP 0)"
       end if
    end subroutine write_snap_back
 

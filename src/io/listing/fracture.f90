@@ -50,7 +50,7 @@ contains
       write (unit, "(/,a,es12.5,2a)") "shear strength across the fibres ", ply%cross_strength(), &
          & " ", trim(units%stress)
       if (any(band%too_wide > 0)) write (unit, "(a)") "of "//text(band%points)//" Gauss points; " &
-         & //"where the band is too wide damage starts early and the toughness stays right"
+         & //"where the band is too wide damage starts below the strength"
       if (ply%shear_curve == shear_elastic) return
       yields(:) = ply%first_yields()
       write (unit, "(a,2(es12.5,a))") "permanent shear from stresses of ", yields(1), &

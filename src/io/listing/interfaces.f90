@@ -156,18 +156,18 @@ contains
       if (factor < 1.0_wp - rounded) remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
       do mode = normal, shear
          if (zone%coarse(mode) == 0) cycle
-         write (unit, "(20a)") "note: the zone of ", trim(mode_name(mode)), ", ", &
+         write (unit, "(20a)") "note: the process zone of ", trim(mode_name(mode)), ", ", &
             & text(zone%length(mode), 3), " "//trim(units%length)//", spans ", &
             & text(zone%length(mode)/zone%spacing, 2), " distances between nodes, fewer than ", &
             & text(least_points), ", in the coarsest quad, and fewer than ", text(least_points), &
             & " in ", text(zone%coarse(mode)), " of ", text(zone%quads), &
-            & " quads: cracks may need too much force there; ", remedy
+            & " quads: delaminations may need too much force there; ", remedy
       end do
       ratio = stiffness_ratio(constants%stiffness(normal), zone%across, zone%thickness)
       if (ratio < least_stiffness_ratio) then
          write (unit, "(5a)") "note: the opening stiffness is ", text(ratio, 3), &
-            & " moduli over the thickness beside it, less than ", text(least_stiffness_ratio, 2), &
-            & ": the interface softens the laminate"
+            & " times modulus over thickness of the plies beside it, less than ", &
+            & text(nint(least_stiffness_ratio)), ": the interface makes the laminate softer"
       end if
    end subroutine write_notes
 

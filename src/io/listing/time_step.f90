@@ -92,8 +92,8 @@ contains
          if (share <= roomy_share + slack) return
       end associate
       write (unit, "(5a)") "note: large displacement, ", fixed_text(share, 3), " of the stable ", &
-         & "step of plies: waves that strain them by some per cent may grow after hard blows; ", &
-         & "a TSSFAC of 0.8 bears 14 %"
+         & "step of plies: after a hard impact, waves that strain a ply by some per cent may ", &
+         & "become unstable; with TSSFAC 0.8 strains up to 14 % stay stable"
    end subroutine write_room
 
    !> How much inertia the implicit operators add
