@@ -12,17 +12,20 @@ module plydyn_command
    character(*), parameter, public :: usage = &
       & "plydyn run DECK [-j JOB] [-o FOLDER]   run a deck; results are FOLDER/JOB.*" &
       & //new_line("a") &
-      & //"plydyn restart FILE [DECK]             go on from a restart file; DECK changes loads, " &
-      & //"supports or the end"//new_line("a") &
-      & //"plydyn check DECK                      read and check a deck, and say what it holds" &
+      & //"plydyn restart FILE [DECK]             continue a run from a restart file; DECK may " &
+      & //"change loads, supports or the end"//new_line("a") &
+      & //"plydyn check DECK                      report all errors of a deck and print the " &
+      & //"listing, without a run"//new_line("a") &
+      & //"plydyn --keywords [NAME]               print the pages of all keywords, or of one" &
       & //new_line("a") &
-      & //"plydyn --keywords [NAME]               pages of the keywords, or of one"//new_line("a") &
-      & //"plydyn --version                       version, compiler and flags"//new_line("a") &
-      & //"-p NAME=NUMBER                         number of a *PARAMETER of the deck" &
+      & //"plydyn --version                       print version, compiler and flags" &
       & //new_line("a") &
-      & //"--wall-time H:MM:SS                    stop in time with a restart file"//new_line("a") &
-      & //"i=DECK r=FILE jobid=JOB are understood in place of DECK, restart FILE and -j JOB; " &
-      & //"ncpu=N asks for N threads"
+      & //"-p NAME=NUMBER                         value of a *PARAMETER of the deck" &
+      & //new_line("a") &
+      & //"--wall-time H:MM:SS                    stop after this time with a restart file" &
+      & //new_line("a") &
+      & //"i=DECK, r=FILE and jobid=JOB may replace DECK, restart FILE and -j JOB; " &
+      & //"ncpu=N sets the number of threads"
 
    !> Content of the command line
    type, public :: command_type
@@ -171,13 +174,14 @@ contains
          return
       end if
       select case (word)
-      case ("run", "restart", "check", "--version", "--keywords", "--help", "-h")
+      case ("--help", "-h")
+         command%action = "--help"
+      case ("run", "restart", "check", "--version", "--keywords")
          if (len(command%action) > 0) then
             call fail(error, exit_usage, "'"//command%action//"' and '"//word &
                & //"' cannot go together"//new_line("a")//usage)
          end if
          command%action = word
-         if (word == "-h") command%action = "--help"
       case default
          if (command%action == "--keywords" .and. len(command%keyword) == 0) then
             command%keyword = word

@@ -24,6 +24,7 @@ def said(*words: object) -> tuple[int, str]:
     [
         (["--version"], NORMAL, "flags"),
         (["--help"], NORMAL, "plydyn run DECK"),
+        (["check", "--help"], NORMAL, "plydyn run DECK"),
         (["--keywords", "node"], NORMAL, "## *NODE"),
         (["--keywords", "*MAT_001"], NORMAL, "## *MAT_ELASTIC"),
         (
