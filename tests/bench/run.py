@@ -43,10 +43,10 @@ DAMAGE = [
 # and bricks, of which there are so many, on one core; steps that are timed, and repeats
 BRICKS = [
     ("elastic_impact/bricks_1", "ABQ-Coarse, elastic", 102_400, "0:09:04", 100, 3),
-    ("elastic_impact/bricks_3", "ABQ-Medium, elastic", 307_200, "1:15:06", 40, 2),
-    ("elastic_impact/bricks_5", "ABQ-Refined, elastic", 512_000, "3:16:33", 25, 2),
-    ("bimetal_impact/bricks_1", "ABQ-Coarse, metals", 102_400, "0:24:18", 100, 2),
-    ("bimetal_impact/bricks_2", "ABQ-Refined, metals", 270_848, "1:55:12", 40, 2),
+    ("elastic_impact/bricks_3", "ABQ-Medium, elastic", 307_200, "1:15:06", 40, 3),
+    ("elastic_impact/bricks_5", "ABQ-Refined, elastic", 512_000, "3:16:33", 25, 3),
+    ("bimetal_impact/bricks_1", "ABQ-Coarse, metals", 102_400, "0:24:18", 100, 3),
+    ("bimetal_impact/bricks_2", "ABQ-Refined, metals", 270_848, "1:55:12", 40, 3),
 ]
 STEPS = 1000
 # quads along a side of the panels, and steps that are timed
