@@ -101,13 +101,14 @@ contains
       model%control%rest_share = cards%real("DRTOL")
    end subroutine read_damping_relaxation
 
-   !> *CONTROL_QUASI_STATIC: limit of the kinetic energy
+   !> *CONTROL_QUASI_STATIC: limit of the kinetic energy, end after the largest load
    subroutine read_control_quasi_static(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
       model%control%kinetic_limit = cards%real("SHARE")
+      model%control%load_share = cards%real("FALL")
    end subroutine read_control_quasi_static
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit

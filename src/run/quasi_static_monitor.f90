@@ -1,5 +1,5 @@
-!> Monitors whether a run is quasi-static: the kinetic energy as a share of the internal one. Warns
-!> of the first step beyond the limit of the deck, and tells the largest share at the end.
+!> Monitors a quasi-static run. Warns of the first step whose kinetic energy is too large a share of
+!> the internal one, and tells the largest share at the end; ends the run after the largest load.
 module plydyn_run_quasi_static_monitor
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -7,29 +7,30 @@ module plydyn_run_quasi_static_monitor
    use plydyn_io_job, only : job_type
    use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
    public :: new_quasi_static_monitor
 
-   !> Share of the time of a run that passes before it looks: nothing is stored when motion begins
+   !> Share of the time with the present loads that passes before kinetic energies are compared:
+   !> nothing is stored when motion begins
    real(wp), parameter :: start_share = 0.1_wp
+   !> Share of that time over which the power of the loads is averaged
+   real(wp), parameter :: look_share = 0.01_wp
 
    !> Looks at the energies of every step
    type, public, extends(observer_type) :: quasi_static_monitor_type
       private
-      !> Where a warning goes
+      !> Where messages go
       type(job_type) :: job
       !> Unit of time
       character(:), allocatable :: unit
-      !> Time from which it looks
-      real(wp) :: first_time = 0.0_wp
-      !> Largest share so far, and its time
+      !> Largest share of the kinetic energy so far, and its time
       real(wp) :: largest = 0.0_wp, time = 0.0_wp
       !> Whether there was a warning
       logical :: has_warned = .false.
    contains
-      procedure :: begin => begin_monitor
       procedure :: notify
    end type quasi_static_monitor_type
 
@@ -47,17 +48,6 @@ contains
       self%reads_motion = .false.
    end function new_quasi_static_monitor
 
-   !> Find the time from which it looks
-   subroutine begin_monitor(self, simulation, error)
-      class(quasi_static_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
-
-      associate (state => simulation%state)
-         self%first_time = state%time + start_share*(state%end%time - state%time)
-      end associate
-   end subroutine begin_monitor
-
    !> Look at a step
    subroutine notify(self, simulation, requests, error)
       class(quasi_static_monitor_type), intent(inout) :: self
@@ -65,26 +55,71 @@ contains
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: share
+      logical :: is_root
 
-      associate (limit => simulation%domain%control%kinetic_limit, state => simulation%state, &
-         & is_root => simulation%domain%comm%is_root())
-         if (limit <= 0.0_wp .or. state%time < self%first_time) return
-         share = state%energies%kinetic_share()
-         if (share > self%largest) then
-            self%largest = share
-            self%time = state%time
+      is_root = simulation%domain%comm%is_root()
+      associate (control => simulation%domain%control, state => simulation%state)
+         if (control%load_share > 0.0_wp) then
+            call look_at_load(self, control%load_share, is_root, state)
          end if
-         if (share > limit .and. .not. self%has_warned) then
-            self%has_warned = .true.
-            if (is_root) call self%job%note("warning: the kinetic energy is " &
-               & //text(share, 2)//" of the internal one at time "//text(state%time, 3)//" " &
-               & //self%unit//", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
+         if (control%kinetic_limit > 0.0_wp) then
+            call look_at_kinetic(self, control%kinetic_limit, is_root, state)
          end if
-         if (state%is_finished() .and. is_root) call self%job%note("quasi-static: the kinetic " &
-            & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
-            & //text(self%time, 3)//" "//self%unit)
       end associate
    end subroutine notify
+
+   !> Compare the kinetic with the internal energy
+   subroutine look_at_kinetic(self, limit, is_root, state)
+      class(quasi_static_monitor_type), intent(inout) :: self
+      !> Share above which there is a warning
+      real(wp), intent(in) :: limit
+      !> Whether this rank writes messages
+      logical, intent(in) :: is_root
+      type(state_type), intent(in) :: state
+
+      real(wp) :: share
+
+      associate (end => state%end)
+         if (state%time < end%begin + start_share*(end%time - end%begin)) return
+      end associate
+      share = state%energies%kinetic_share()
+      if (share > self%largest) then
+         self%largest = share
+         self%time = state%time
+      end if
+      if (share > limit .and. .not. self%has_warned) then
+         self%has_warned = .true.
+         if (is_root) call self%job%note("warning: the kinetic energy is " &
+            & //text(share, 2)//" of the internal one at time "//text(state%time, 3)//" " &
+            & //self%unit//", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
+      end if
+      if (state%is_finished() .and. is_root) call self%job%note("quasi-static: the kinetic " &
+         & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
+         & //text(self%time, 3)//" "//self%unit)
+   end subroutine look_at_kinetic
+
+   !> End the run with the next step where the power of the loads has fallen
+   subroutine look_at_load(self, least, is_root, state)
+      class(quasi_static_monitor_type), intent(in) :: self
+      !> Share of the largest power below which the run ends
+      real(wp), intent(in) :: least
+      !> Whether this rank writes messages
+      logical, intent(in) :: is_root
+      type(state_type), intent(inout) :: state
+
+      real(wp) :: power
+
+      associate (end => state%end, work => state%energies%external)
+         if (state%time - end%look_time < look_share*(end%time - end%begin)) return
+         power = (work - end%look_work)/(state%time - end%look_time)
+         end%look_time = state%time
+         end%look_work = work
+         end%largest_power = max(end%largest_power, power)
+         if (power >= least*end%largest_power .or. state%is_finished()) return
+         end%cycle = state%cycle + 1
+         if (is_root) call self%job%note("end after the largest load: the power of the loads " &
+            & //"fell to "//text(power/end%largest_power, 2)//" of its largest value")
+      end associate
+   end subroutine look_at_load
 
 end module plydyn_run_quasi_static_monitor

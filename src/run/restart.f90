@@ -101,6 +101,10 @@ contains
          call measure_energies(domain, reduction, state%step_before, state)
          e%external = e%external + e%total() - total
          call e%raise_reference()
+         state%end%begin = state%time
+         state%end%largest_power = 0.0_wp
+         state%end%look_time = state%time
+         state%end%look_work = e%external
       end associate
    end subroutine change_conditions
 

@@ -4,7 +4,7 @@ module plydyn_state_exchange
    use plydyn_base_text, only : text
    use plydyn_state_state, only : contact_memory_type, energies_type, fixture_state_type, &
       & impactor_state_type, &
-      & motion_sums_type, relaxation_state_type, state_type
+      & motion_sums_type, relaxation_state_type, run_end_type, state_type
    implicit none
    private
 
@@ -77,12 +77,16 @@ contains
       clock = [state%time]
       call exchange%reals("time", clock)
       state%time = clock(1)
-      clock = [state%step, state%step_before, state%first_step, state%end%time]
+      clock = [state%step, state%step_before, state%first_step]
       call exchange%reals("clock", clock)
       state%step = clock(1)
       state%step_before = clock(2)
       state%first_step = clock(3)
-      state%end%time = clock(4)
+      associate (end => state%end)
+         clock = [end%time, end%begin, end%largest_power, end%look_time, end%look_work]
+         call exchange%reals("end", clock)
+         end = run_end_type(clock(1), end%cycle, clock(2), clock(3), clock(4), clock(5))
+      end associate
       counts = [state%cycle, state%end%cycle]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)

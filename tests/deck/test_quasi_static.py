@@ -80,3 +80,60 @@ def test_warning_is_given_once(tmp_path: Path) -> None:
     assert "quasi-static" not in without.listing()
     told, silent = (each.table("energy").values for each in (results, without))
     assert np.array_equal(told, silent)
+
+
+#: Share of the time over which the power of the loads is averaged, and that at which they slow down
+LOOK, SLOW = 0.01, 0.5
+
+
+def slowed_deck(fall: float, name: str = "slowed") -> Deck:
+    """A bar whose end moves at a fifth of its speed from half of the time on."""
+    end = 40.0 * TRANSIT
+    mesh = regular(LENGTH, 1.0, 5, 1, 4)
+    deck = Deck(name, end)
+    deck.control(linear=True)
+    deck.mesh(mesh)
+    deck.laminate([Ply(isotropic(DENSITY, YOUNG, 0.0), 1.0)], order=1)
+    deck.hold(mesh.where(x=0.0), "x")
+    deck.hold(range(len(mesh.points)), "yz")
+    curve = deck.curve([(0.0, 0.0), (SLOW * end, 1.0), (end, 1.2)])
+    deck.move(mesh.where(x=LENGTH), 1, curve, SPEED * SLOW * end)
+    speed = SPEED * mesh.points[:, 0] / LENGTH
+    deck.velocities(np.stack([speed, 0.0 * speed, 0.0 * speed], axis=1))
+    deck.add("CONTROL_QUASI_STATIC", (0.5, fall))
+    return deck
+
+
+def end_share(results: Results) -> float:
+    """Time of the last row over the end time."""
+    return float(results.table("energy")["time"][-1] / (40.0 * TRANSIT))
+
+
+def test_run_ends_after_the_largest_load(tmp_path: Path) -> None:
+    """The power falls to a fifth at the half: the first look that has no more of the time before."""
+    results = run(slowed_deck(0.5), tmp_path)
+    share = end_share(results)
+    # a look comes with the first step after its time: a step of 1/5 of a transit late at most
+    late = 0.2 / 40.0
+    assert SLOW < share <= SLOW + 2.0 * LOOK + 3.0 * late
+    assert "end after the largest load: the power of the loads fell to 0.2" in results.listing()
+
+
+@pytest.mark.parametrize("fall", [0.0, 0.15])
+def test_smaller_falls_do_not_end_the_run(fall: float, tmp_path: Path) -> None:
+    """Not without a share, and not where the load stays above it."""
+    assert end_share(run(slowed_deck(fall), tmp_path)) == pytest.approx(1.0)
+
+
+def test_restart_before_the_fall_ends_at_the_same_step(tmp_path: Path) -> None:
+    """The largest power and the last look are in the restart file."""
+    whole = run(slowed_deck(0.5), tmp_path / "whole").table("energy").values
+    deck = slowed_deck(0.5)
+    deck.add("DATABASE_BINARY_D3DUMP", (113,))
+    path = deck.write(tmp_path / "job.k")
+    code, text = said("run", path, "-o", tmp_path)
+    assert code == 0, text
+    code, text = said("restart", tmp_path / "job.dump01")
+    assert code == 0, text
+    gone_on = Results(tmp_path, "job").table("energy").values
+    assert np.array_equal(gone_on, whole)

@@ -26,7 +26,7 @@ module plydyn_io_checkpoint_dump
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories or what contact remembers are arranged anew
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 10
+   integer, parameter, public :: dump_format = 11
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
