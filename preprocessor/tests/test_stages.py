@@ -44,7 +44,8 @@ def test_stages_remove_what_was_there(study: pre.Study) -> None:
 def test_a_quasi_static_stage_says_so(study: pre.Study) -> None:
     settle, press = decks(study)
     assert "CONTROL_QUASI_STATIC" not in settle
-    assert float(cards_of(press)["CONTROL_QUASI_STATIC"][0]) == 0.05
+    share, fall = (float(field) for field in cards_of(press)["CONTROL_QUASI_STATIC"][0].split())
+    assert (share, fall) == (0.05, 0.5)
 
 
 def test_numbers_of_a_stage_are_its_own(study: pre.Study) -> None:
@@ -74,6 +75,8 @@ def test_a_line_is_the_mesh_line_next_to_it(study: pre.Study) -> None:
         ({"end_time": 0.0}, "end_time"),
         ({"at_rest": 2.0}, "at_rest"),
         ({"quasi_static": 1.5}, "quasi_static"),
+        ({"quasi_static": 0.0, "until_fall": 2.0}, "until_fall"),
+        ({"until_fall": 0.5}, "needs quasi_static"),
         ({"contact": pre.Contact()}, "needs an impactor"),
     ],
 )

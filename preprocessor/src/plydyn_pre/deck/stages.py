@@ -38,7 +38,8 @@ def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator
     if stage.damping is not None:
         yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": stage.damping})
     if stage.quasi_static is not None:
-        yield keyword("CONTROL_QUASI_STATIC", {"share": stage.quasi_static})
+        fall = {"fall": stage.until_fall} if stage.until_fall else {}
+        yield keyword("CONTROL_QUASI_STATIC", {"share": stage.quasi_static} | fall)
     yield from _removed(study, number)
     yield keyword("DATABASE_BINARY_D3DUMP", {"cycl": END_ALONE})
     yield from chain(

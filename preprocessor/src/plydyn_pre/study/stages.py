@@ -23,6 +23,7 @@ class Stage:
     at_rest: float = 0.0  # dynamic relaxation until this share of the largest kinetic energy
     damping: float | None = None  # force per mass and velocity; as before if absent
     quasi_static: float | None = None  # warn above this kinetic over internal energy
+    until_fall: float = 0.0  # ends where the load is below this share of its largest value
     supports: tuple[Support, ...] = ()  # these and the loads replace those before, if any are given
     loads: tuple[Load, ...] = ()
     fixtures: tuple[Fixture, ...] = ()
@@ -40,6 +41,9 @@ class Stage:
             require_not_negative(self, "damping")
         if self.quasi_static is not None:
             require_between(self, 0.0, 1.0, "quasi_static")
+        require_between(self, 0.0, 1.0, "until_fall")
+        watched = self.until_fall == 0.0 or self.quasi_static is not None
+        require(watched, "until_fall", "needs quasi_static, which may be 0")
         hit = self.contact is None or self.impactor is not None
         require(hit, "contact", "needs an impactor of the stage")
 
