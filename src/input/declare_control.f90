@@ -205,8 +205,8 @@ contains
       keyword%once = .true.
       keyword%remark = "A warning tells the first time at which the kinetic energy of the plate " &
          & //"is above a share of the internal one, and a message at the end the largest share. " &
-         & //"The first tenth of the time with the present supports and loads is left out: nothing " &
-         & //"is stored when a load begins to move. With FALL the run ends normally once the " &
+         & //"The first tenth of the time with the present supports and loads is left out: " &
+         & //"nothing is stored when a load begins to move. With FALL the run ends normally once the " &
          & //"strength has passed. The load is measured by the power of the supports and loads, " &
          & //"the mean over each hundredth of the same time: it is proportional to the force " &
          & //"where they move at a constant speed."

@@ -95,7 +95,7 @@ module plydyn_state_state
       integer :: cycle = 0
       !> Time since when the supports and loads have been those of now
       real(wp) :: begin = 0.0_wp
-      !> Largest power of the loads since then, and time and work of the loads at the last look at it
+      !> Largest power of the loads since then, and time and work at the last look at it
       real(wp) :: largest_power = 0.0_wp, look_time = 0.0_wp, look_work = 0.0_wp
    end type run_end_type
 

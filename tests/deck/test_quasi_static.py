@@ -110,7 +110,7 @@ def end_share(results: Results) -> float:
 
 
 def test_run_ends_after_the_largest_load(tmp_path: Path) -> None:
-    """The power falls to a fifth at the half: the first look that has no more of the time before."""
+    """The power falls to a fifth at the half: the first look without the time before."""
     results = run(slowed_deck(0.5), tmp_path)
     share = end_share(results)
     # a look comes with the first step after its time: a step of 1/5 of a transit late at most
