@@ -206,10 +206,10 @@ contains
       keyword%remark = "A warning tells the first time at which the kinetic energy of the plate " &
          & //"is above a share of the internal one, and a message at the end the largest share. " &
          & //"The first tenth of the time with the present supports and loads is left out: " &
-         & //"nothing is stored when a load begins to move. With FALL the run ends normally once the " &
-         & //"strength has passed. The load is measured by the power of the supports and loads, " &
-         & //"the mean over each hundredth of the same time: it is proportional to the force " &
-         & //"where they move at a constant speed."
+         & //"nothing is stored when a load begins to move. With FALL the run ends normally " &
+         & //"once the strength has passed. The load is measured by the power of the supports " &
+         & //"and loads, the mean over each hundredth of the same time: it is proportional to " &
+         & //"the force where they move at a constant speed."
       call keyword%add_card()
       call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
          & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)
