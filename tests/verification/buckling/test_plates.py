@@ -17,15 +17,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize_scalar
 
 from comparison import Comparison
 from decks import Deck, Ply, ramp
-from elasticity import Array, Material
+from elasticity import Material
 from exact_plate import CrossPly, frequency
 from loaded_plate import LoadedPlate, membrane
 from meshes import regular
 from runs import run
+from swings import fitted, zero_of_line
 
 # T700/M21 of the library, elastic; 4.16 mm as the coupon of 16 plies
 T700 = Material(1.58e-9, (121.0e3, 9.2e3, 9.2e3), (0.3, 0.3, 0.4), (5.1e3, 5.1e3, 3.3e3))
@@ -68,21 +68,6 @@ def swinging(plate: LoadedPlate, strain: float, quads: tuple[int, int], folder: 
     after = table["time"] > rise
     deflection = 0.5 * (table[f"n{node + 1} bottom uz"] + table[f"n{node + 1} top uz"])
     return fitted(table["time"][after], deflection[after], omega)
-
-
-def fitted(times: Array, values: Array, guess: float) -> float:
-    """Angular frequency of the sine that fits a history best, within 30 % of a guess."""
-
-    def misfit(omega: float) -> float:
-        waves = np.stack([np.cos(omega * times), np.sin(omega * times)], axis=1)
-        return float(np.linalg.lstsq(waves, values, rcond=None)[1][0])
-
-    return float(minimize_scalar(misfit, bounds=(0.7 * guess, 1.3 * guess), method="bounded").x)
-
-
-def zero_of_line(strains: Array, squares: Array) -> float:
-    """Where the line through two points meets the axis."""
-    return float(strains[1] + squares[1] * (strains[1] - strains[0]) / (squares[0] - squares[1]))
 
 
 @pytest.mark.parametrize(
