@@ -55,7 +55,7 @@ class Impact:
     peak_time: float  # s
     threshold: float | None  # N, when delamination begins
     duration: float | None  # s, nothing while in contact
-    displacement: float  # mm
+    displacement: float  # mm, largest towards the plate
     absorbed: float | None  # mJ, nothing while in contact
     projected: float  # mm2
     interfaces: dict[int, float]  # mm2, by their numbers from the lowest up
@@ -167,7 +167,7 @@ def read_impact(run: Run) -> Impact:
         peak_time=float(time[peak]),
         threshold=None if began is None else float(np.interp(began, time, force)),
         duration=float(end - start) if over else None,
-        displacement=float(np.abs(history["displacement"]).max()),
+        displacement=-float(history["displacement"].min()),
         absorbed=parts * float(np.interp(end, time, history["absorbed"])) if over else None,
         projected=0.0 if areas is None else parts * float(areas["projected area"][-1]),
         interfaces={number: parts * areas[name][-1] for number, name in columns.items()},
