@@ -205,7 +205,7 @@ def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> li
             ],
             division_rows(known),
         ),
-        "#### On paper, one panel on more ranks",
+        "#### Extrapolated, one panel on more ranks",
         f"{LARGE} x {LARGE} quads, {chunks} chunks, {MEGA * costs.freedoms * chunks:.1f} million "
         f"degrees of freedom. {said}",
         table(
@@ -215,7 +215,7 @@ def on_paper(folder: Path, options: argparse.Namespace, each: paper.Bytes) -> li
             ],
             strong_rows(chunks, costs, known, network),
         ),
-        "#### On paper, a panel that grows with the ranks",
+        "#### Extrapolated, a panel that grows with the ranks",
         f"{WEAK} quads, {WEAK // quads} chunks for each rank.",
         table(
             [
