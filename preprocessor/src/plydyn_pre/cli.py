@@ -42,7 +42,7 @@ NEARLY_FOLDED = 0.1
 app = typer.Typer(
     add_completion=False,
     no_args_is_help=True,
-    help="Recipes of impacts on laminates, made into plydyn decks.",
+    help="Make plydyn decks from recipes of impacts on laminates.",
 )
 out = Console(highlight=False)
 err = Console(stderr=True, highlight=False)
@@ -86,7 +86,9 @@ def deck(
     output: Annotated[
         str | None,
         typer.Option(
-            "-o", "--output", help="The deck, or its folder with a /; else the recipe's name, here."
+            "-o",
+            "--output",
+            help="The deck, or a folder that ends in /. Default: the name of the recipe.",
         ),
     ] = None,
     overrides: Overrides = None,
@@ -107,12 +109,14 @@ def deck(
 @app.command()
 def ensemble(
     recipe: Recipe,
-    count: Annotated[int, typer.Option("-n", "--count", min=2, help="How many decks.")] = 5,
+    count: Annotated[int, typer.Option("-n", "--count", min=2, help="Number of decks.")] = 5,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the first one.")] = 1,
-    output: Annotated[str | None, typer.Option("-o", "--output", help="Folder, with a /.")] = None,
+    output: Annotated[
+        str | None, typer.Option("-o", "--output", help="Folder, ending in /.")
+    ] = None,
     overrides: Overrides = None,
 ) -> None:
-    """Make decks of a recipe with several realisations of its scattered strengths."""
+    """Make several decks of a recipe with different random strengths of the interfaces."""
     study, grid = _study_and_mesh(recipe, overrides)
     first = _deck_path(recipe, output)
     with blaming(recipe):
@@ -124,7 +128,7 @@ def ensemble(
 
 @app.command()
 def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
-    """Mesh a recipe, and tell how large and how good the mesh is."""
+    """Make the mesh of a recipe, and print its size, quality and node sets."""
     study, grid = _study_and_mesh(recipe, overrides)
     with blaming(recipe):
         _tell_counts(study, grid)
@@ -142,10 +146,10 @@ def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
 def layup(
     notation: Annotated[str, typer.Argument(help="Such as '[0/90]2s'.", show_default=False)],
     thickness: Annotated[
-        float | None, typer.Option(help="Of a ply; adds its heights above the bottom face.")
+        float | None, typer.Option(help="Thickness of a ply; adds a column of heights.")
     ] = None,
 ) -> None:
-    """Show the plies of a stacking sequence; the first one in the notation is at the bottom."""
+    """List the plies of a stacking sequence; the first one in the notation is at the bottom."""
     plies = parse(notation)
     out.print(_ply_table(plies, thickness))
     words = [f"{len(plies)} plies", "ply 1, the first of the notation, is the bottom one"]
@@ -156,7 +160,7 @@ def layup(
 
 @app.command()
 def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
-    """Show the in-situ strengths of the plies of a recipe, beside those of a single ply."""
+    """List the in-situ strengths of the plies of a recipe, beside those of a single ply."""
     study = load_recipe(recipe, overrides or [])
     rows = list(strengths_of(study))
     if not rows:
@@ -171,10 +175,10 @@ def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
 @app.command()
 def materials(
     name: Annotated[
-        str | None, typer.Argument(help="One of the library; all without.", show_default=False)
+        str | None, typer.Argument(help="Name of a material; without it, all.", show_default=False)
     ] = None,
 ) -> None:
-    """Show materials of the library, the source of each number, and one as cards of a deck."""
+    """List the library with the source of each number, or one material as cards of a deck."""
     if name is not None:
         for line in as_deck(find_card(name)):
             out.print(line, markup=False, soft_wrap=True)
@@ -187,22 +191,22 @@ def materials(
 
 @app.command()
 def models() -> None:
-    """Show the named sets of choices of plies that are damaged, which a recipe takes by `model`."""
+    """List the sets of modelling choices for plies with damage, for `model` of a recipe."""
     for line in model_lines():
         out.print(line, markup=False, soft_wrap=True)
 
 
 @app.command(name="translate")
 def translate_deck(
-    deck: Annotated[Path, typer.Argument(help="A deck of LS-DYNA.", show_default=False)],
+    deck: Annotated[Path, typer.Argument(help="An LS-DYNA deck.", show_default=False)],
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="The deck; else DECK_plydyn.k, here.")
+        Path | None, typer.Option("-o", "--output", help="The deck. Default: DECK_plydyn.k.")
     ] = None,
     like: Annotated[
-        str, typer.Option(help="A ply of the library, for toughnesses that a card has not.")
+        str, typer.Option(help="A ply of the library, for fracture energies that a card lacks.")
     ] = "",
 ) -> None:
-    """Translate a deck of LS-DYNA, with a page that tells what became of every field."""
+    """Translate an LS-DYNA deck, and report what became of every field."""
     path = output or Path(f"{deck.stem}_plydyn.k")
     lines, page, notes = translate(deck, path, like)
     write_deck(lines, path)
@@ -216,11 +220,9 @@ def translate_deck(
 @app.command()
 def new(
     path: Annotated[Path, typer.Argument(help="The recipe to write.")] = Path("recipe.toml"),
-    template: Annotated[
-        str, typer.Option(help=f"What to begin with: {', '.join(templates())}.")
-    ] = "impact",
+    template: Annotated[str, typer.Option(help=f"One of {', '.join(templates())}.")] = "impact",
 ) -> None:
-    """Write a recipe that explains itself: every key, or a test of a standard."""
+    """Write a recipe with comments on every key, or the recipe of a standard test."""
     text = example_recipe(template)
     try:
         with path.open("x", encoding="utf-8") as stream:
