@@ -50,10 +50,10 @@ def report(
     time: Time = None,
     mirror: Mirror = "auto",
     plain: Annotated[
-        bool, typer.Option("--plain", help="Draw pictures by matplotlib, not VTK.")
+        bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")
     ] = False,
 ) -> None:
-    """All figures and pictures, a CSV of the numbers, and a page with them."""
+    """Draw all figures, and write the numbers as a CSV and a page report.html."""
     found = tuple(open_results(job, mirror) for job in jobs)
     folder = output or beside(found[0], "report")
     plan = Plan(found, folder, tuple(measured or ()), mean, time, plain)
@@ -109,7 +109,7 @@ def _draw_history(
 @app.command()
 @tells_errors
 def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
-    """Depth of the dent in both faces, and the indentation by the impactor."""
+    """Depth of the dent in both faces, and indentation by the impactor."""
     found = open_results(job)
     made = draw_dent(found, output or beside(found, "dent.png"), impactor)
     console.print(str(made), markup=False)
@@ -120,9 +120,9 @@ def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
 def energy(
     job: Job,
     output: Output = None,
-    stacked: Annotated[bool, typer.Option("--stacked", help="Stack the parts.")] = False,
+    stacked: Annotated[bool, typer.Option("--stacked", help="Stack the energies.")] = False,
 ) -> None:
-    """Energies over time, and the error of their balance."""
+    """Energies over time, and the error of the energy balance."""
     found = open_results(job)
     path = output or beside(found, "energy.png")
     console.print(str(draw_energy(found, path, stacked)), markup=False)
@@ -157,28 +157,30 @@ def picture(
     job: Job,
     output: Output = None,
     show: Annotated[
-        str, typer.Option("--show", help="What colours show: uz, sxx, s13, plastic_strain, ...")
+        str, typer.Option("--show", help="Field to colour: uz, sxx, s13, plastic_strain, ...")
     ] = "uz",
     time: Time = None,
     factor: Annotated[
-        float | None, typer.Option("--factor", help="Factor of displacement.")
+        float | None, typer.Option("--factor", help="Scale factor of displacements.")
     ] = None,
     thickness: Annotated[
-        float | None, typer.Option("--thickness", help="Factor of thickness.")
+        float | None, typer.Option("--thickness", help="Scale factor of the thickness.")
     ] = None,
-    cut: Annotated[bool, typer.Option("--cut", help="Cut a quarter away.")] = False,
+    cut: Annotated[
+        bool, typer.Option("--cut", help="Remove a quarter to show the inside.")
+    ] = False,
     mirror: Mirror = "auto",
     zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 1.0,
     mesh: Annotated[bool, typer.Option(help="Draw lines between elements.")] = True,
     limits: Annotated[
-        tuple[float, float] | None, typer.Option("--limits", help="Ends of the colour bar.")
+        tuple[float, float] | None, typer.Option("--limits", help="Limits of the colour bar.")
     ] = None,
     view: Annotated[
         tuple[float, float] | None, typer.Option("--view", help="Azimuth and elevation, degrees.")
     ] = None,
-    plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Draw with matplotlib, not VTK.")] = False,
 ) -> None:
-    """The deformed plate at an instant, by default that of the largest deflection."""
+    """The deformed plate at a time, by default that of the largest deflection."""
     found = open_results(job, mirror)
     wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
     path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
@@ -192,7 +194,7 @@ def numbers(
     jobs: Jobs,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="CSV to write.")] = None,
 ) -> None:
-    """Peak force, duration, impulse, energies and the like."""
+    """Peak force, duration, impulse, indentation, dent, energies."""
     found = [open_results(job) for job in jobs]
     if output:
         for job in found:
@@ -208,7 +210,7 @@ def numbers(
 @app.command()
 @tells_errors
 def pvd(job: Job, output: Folder = None) -> None:
-    """States as single files with a .pvd, for ParaView 5.11 and older."""
+    """Write states as single files with a .pvd, for ParaView 5.11 and older."""
     found = open_results(job)
     with progress(len(read_times(found.fields))) as tick:
         path = write_pvd(found, output or beside(found, "pvd"), tick)

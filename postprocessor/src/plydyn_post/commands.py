@@ -22,7 +22,7 @@ ABOVE_NOTHING = ("zoom", "thickness", "rate")
 INPUT, OUTPUT = 2, 5
 
 app = typer.Typer(
-    help="Curves, profiles and pictures of plydyn results.",
+    help="Draw curves, profiles and pictures of plydyn results.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
@@ -39,21 +39,23 @@ Folder = Annotated[Path | None, typer.Option("-o", "--output", help="Folder to w
 Measured = Annotated[
     list[Path] | None,
     typer.Option(
-        "--measured", "--test", help="CSV of a test to lay over, with names and units on top."
+        "--measured", "--test", help="CSV of a measurement, with a header line of names and units."
     ),
 ]
 Window = Annotated[
     float | None,
-    typer.Option("--mean", help="Time spanned by the running mean of a noisy force; 0 for none."),
+    typer.Option("--mean", help="Time span of the running mean of a noisy force; 0 for none."),
 ]
-Time = Annotated[float | None, typer.Option("--time", help="Instant, in the job's unit of time.")]
-Whole = Annotated[bool, typer.Option("--whole", help="Show the whole plate, not the damage only.")]
+Time = Annotated[
+    float | None, typer.Option("--time", help="Time of the state, in the unit of the job.")
+]
+Whole = Annotated[bool, typer.Option("--whole", help="Show the whole plate, not only the damage.")]
 Mirror = Annotated[
     str,
     typer.Option(
         "--mirror",
-        help="Draw a half or a quarter whole, mirrored about its sides across x, y or xy; none for"
-        " as it is. Without it the fields tell.",
+        help="Mirror a half or quarter model across x, y or xy, or draw only the model: none. The"
+        " default finds the planes of symmetry from the fields.",
     ),
 ]
 Impactor = Annotated[int | None, typer.Option("--impactor", help="Number of the impactor.")]

@@ -33,11 +33,11 @@ def compression(
         typer.Option("--gauge", help="Profile at strain gauges; may be given again.  [2, 3]"),
     ] = None,
     middle: Annotated[
-        int | None, typer.Option("--middle", help="Profile in the middle.  [4]")
+        int | None, typer.Option("--middle", help="Profile at the centre of the plate.  [4]")
     ] = None,
     measured: Measured = None,
     plain: Annotated[
-        bool, typer.Option("--plain", help="Draw pictures by matplotlib, not VTK.")
+        bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")
     ] = False,
 ) -> None:
     """Strength after impact: one page over all stages, and the strength as a CSV."""

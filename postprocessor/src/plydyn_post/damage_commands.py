@@ -53,7 +53,7 @@ def cscan(
     whole: Whole = False,
     mirror: Mirror = "auto",
 ) -> None:
-    """Delaminated interfaces over each other, coloured by depth, with their areas."""
+    """C-scan: delaminated interfaces over each other, coloured by depth, with areas."""
     found = open_results(job, mirror)
     made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole)
     console.print(str(made), markup=False)
@@ -62,7 +62,7 @@ def cscan(
 @app.command()
 @tells_errors
 def ensemble(jobs: Jobs, output: Folder = None) -> None:
-    """Mean and band of the force, numbers with their spread, probability of delamination."""
+    """Mean and range of the force, numbers with scatter, probability of delamination."""
     found = [open_results(job) for job in jobs]
     if len(found) < 2:
         raise ResultsError("an ensemble has two jobs or more")
@@ -91,7 +91,7 @@ def delamination(
         bool, typer.Option("--over-time", help="Draw areas over time, not a map.")
     ] = False,
 ) -> None:
-    """Damage of every interface in a panel of its own, or areas over time."""
+    """Damage of every interface in a separate panel, or areas over time."""
     found = open_results(job, mirror)
     path = output or beside(found, "areas.png" if over_time else "delamination.png")
     made = draw_areas(found, path) if over_time else draw_delamination(found, path, time, whole)
@@ -108,7 +108,7 @@ def damage(
     whole: Whole = False,
     mirror: Mirror = "auto",
 ) -> None:
-    """Damage of every ply in a panel of its own, a row for each mechanism."""
+    """Damage of every ply in a separate panel, with a row for each mechanism."""
     found = open_results(job, mirror)
     path = output or beside(found, "damage.png")
     console.print(str(draw_ply_maps(found, path, time, tuple(show or ()), whole)), markup=False)
@@ -127,7 +127,7 @@ def section(
     whole: Whole = False,
     mirror: Mirror = "auto",
 ) -> None:
-    """Cuts through the point of impact: damage of the plies, interfaces that came apart."""
+    """Cross-sections through the point of impact: damage of plies, delaminated interfaces."""
     found = open_results(job, mirror)
     path = output or beside(found, "section.png")
     made = draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
@@ -137,7 +137,7 @@ def section(
 @app.command()
 @tells_errors
 def dissipation(job: Job, output: Output = None) -> None:
-    """Energy that each mechanism of damage took, over time."""
+    """Energy dissipated by each mechanism, over time."""
     found = open_results(job)
     path = output or beside(found, "dissipation.png")
     console.print(str(draw_dissipation(found, path)), markup=False)
@@ -149,18 +149,18 @@ def animate(
     job: Job,
     output: Output = None,
     show: Annotated[
-        str | None, typer.Option("--show", help="What colours show, as in picture.")
+        str | None, typer.Option("--show", help="Field to colour, as in picture.")
     ] = None,
-    cut: Annotated[bool, typer.Option(help="Cut a quarter away.")] = True,
+    cut: Annotated[bool, typer.Option(help="Remove a quarter to show the inside.")] = True,
     zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 2.0,
     limits: Annotated[
-        tuple[float, float] | None, typer.Option("--limits", help="Ends of the colour bar.")
+        tuple[float, float] | None, typer.Option("--limits", help="Limits of the colour bar.")
     ] = None,
-    rate: Annotated[float | None, typer.Option("--rate", help="Frames a second.")] = None,
+    rate: Annotated[float | None, typer.Option("--rate", help="Frames per second.")] = None,
     mirror: Mirror = "auto",
-    plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Draw with matplotlib, not VTK.")] = False,
 ) -> None:
-    """The impact as a GIF or an MP4 with its frames as PNG: plate, delamination and force."""
+    """The impact as a GIF or MP4 with its frames as PNG: plate, delamination and force."""
     found = open_results(job, mirror)
     wish = Wish(show or quantity_of(found), cut=cut, zoom=zoom, mesh=False, limits=limits)
     with progress(len(read_times(found.fields))) as tick:
