@@ -15,7 +15,7 @@ from runner.jobs import Queue, console, find_tools
 from runner.pages import Page
 
 app = typer.Typer(
-    help="Studies of the impacts of the paper: times, profiles, convergence, damage.",
+    help="Run studies of the cases: times, profiles, convergence, damage, validation.",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
@@ -28,9 +28,9 @@ class Options:
     """The options of all studies."""
 
     output: Annotated[Path, typer.Option("-o", "--output", help="Folder for everything made.")]
-    kept: Annotated[bool, typer.Option("--kept", help="Run nothing: print what lies there.")] = (
-        False
-    )
+    kept: Annotated[
+        bool, typer.Option("--kept", help="Run nothing, and print the tables of earlier results.")
+    ] = False
     into: Annotated[
         Path | None,
         typer.Option(help="Page that gets the tables between its marks.", show_default=False),
