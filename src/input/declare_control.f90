@@ -21,9 +21,10 @@ contains
       keywords(1) = new_keyword("KEYWORD", standard, &
          & "First keyword of a deck; LONG=Y behind it gives every field 20 columns.")
       keywords(2) = new_keyword("COMMENT", standard, &
-         & "Lines of text that nothing reads, up to the next keyword.")
+         & "Lines of comment, up to the next keyword.")
       keywords(3) = new_keyword("END", standard, &
-         & "Last keyword of a deck. A deck without it is refused: it may have been cut short.")
+         & "Last keyword of a deck. A deck without it is an error, since its end may be " &
+         & //"missing.")
       keywords(4) = new_keyword("INCLUDE", standard, &
          & "Files that are read in place of this keyword.")
       keywords(4)%remark = "One path per line, relative to the file that includes it; the " &
@@ -113,7 +114,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_ENERGY", standard, &
-         & "Which energies LS-DYNA computes; plydyn always computes all that it has.")
+         & "Energies to be computed in LS-DYNA; plydyn always computes all energies.")
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_unused("HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN", &
@@ -125,7 +126,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
-         & "Processors.")
+         & "Number of threads.")
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_integer("NCPU", "threads; the word ncpu on the command line goes before, " &
@@ -141,7 +142,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTROL_LAYERWISE", extension, &
-         & "Kinematics, energy balance and scheme of the run.")
+         & "Kinematics, limits of energy and volume, and time integration scheme.")
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_integer("KINEM", &
@@ -149,19 +150,21 @@ contains
       call keyword%add_real("ENGLIM", "-", &
          & "the run stops when the energy balance is off by more than this share", &
          & default=0.05_wp, above=0.0_wp)
-      call keyword%add_integer("IMPL", "0 central differences throughout, 1 interfaces locally " &
-         & //"implicit: their springs no longer bound the step, 2 interfaces and thickness: nor " &
-         & //"does the thickness of plies", default=0, allowed=[0, 1, 2])
+      call keyword%add_integer("IMPL", "0 explicit central differences, 1 interfaces locally " &
+         & //"implicit: their stiffness does not limit the time step, 2 interfaces and " &
+         & //"thickness: the thickness of plies does not limit it, either", &
+         & default=0, allowed=[0, 1, 2])
       call keyword%add_real("DTMAX", "time", "largest step; 0 for none", default=0.0_wp, &
          & least=0.0_wp)
       call keyword%add_real("VOLLIM", "-", "with KINEM 1 the run stops when the volume of an " &
          & //"element at a Gauss point falls below this share of that at time zero", &
          & default=0.0_wp, most=1.0_wp)
-      keyword%remark = "With IMPL the step may be several times larger, and inertia is added to " &
-         & //"the opening of interfaces, with 2 also to stretch and shear through the thickness, " &
-         & //"in proportion to the square of the step; the listing says how much. DTMAX keeps " &
-         & //"it small. IMPL 2 does not go with *BOUNDARY_FACE_MOTION. See the theory, Locally " &
-         & //"implicit operators."
+      keyword%remark = "IMPL 1 and 2 allow a time step that is several times larger. They add " &
+         & //"inertia to the opening and sliding of interfaces, and IMPL 2 also to stretch and " &
+         & //"shear through the thickness. The added inertia is proportional to the square of " &
+         & //"the step; the listing prints it, and DTMAX limits it. LS-DYNA's selective mass " &
+         & //"scaling is similar. IMPL 2 does not work with *BOUNDARY_FACE_MOTION. See the " &
+         & //"theory, Locally implicit operators."
    end function control_layerwise
 
    !> Damping in proportion to mass
@@ -169,7 +172,8 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("DAMPING_GLOBAL", standard, &
-         & "Forces against the velocity of every point of the plate.")
+         & "Mass-proportional damping: forces against the velocity of every point of the " &
+         & //"plate.")
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_unused("LCID")
@@ -185,11 +189,11 @@ contains
       keyword = new_keyword("DAMPING_RELAXATION", extension, "Brings the plate to rest by " &
          & //"dynamic relaxation, and ends the run there.")
       keyword%once = .true.
-      keyword%remark = "Forces against the velocity of every point of the plate are critical for " &
-         & //"the frequency that moves: it is found from the motion itself, every 50 steps. A " &
-         & //"restart may bring it or, with DRTOL 0, end it; impactors are not damped. The " &
-         & //"messages of the run tell when the plate was at rest. See the theory, Dynamic " &
-         & //"relaxation."
+      keyword%remark = "Damping forces act against the velocity of every point of the plate. " &
+         & //"The damping is critical for the lowest frequency of the present motion, which is " &
+         & //"estimated every 50 steps. The deck of a restart may begin dynamic relaxation or, " &
+         & //"with DRTOL 0, end it. Impactors are not damped. A message says when the plate is " &
+         & //"at rest. See the theory, Dynamic relaxation."
       call keyword%add_card()
       call keyword%add_real("DRTOL", "-", "the run ends normally when the kinetic energy is " &
          & //"below this share of the largest since dynamic relaxation began; 0 for no dynamic " &
@@ -200,16 +204,16 @@ contains
    function control_quasi_static() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("CONTROL_QUASI_STATIC", extension, "Says that a run is to be " &
+      keyword = new_keyword("CONTROL_QUASI_STATIC", extension, "Checks that a run is " &
          & //"quasi-static.")
       keyword%once = .true.
-      keyword%remark = "A warning tells the first time at which the kinetic energy of the plate " &
-         & //"is above a share of the internal one, and a message at the end the largest share. " &
-         & //"The first tenth of the time with the present supports and loads is left out: " &
-         & //"nothing is stored when a load begins to move. With FALL the run ends normally " &
-         & //"once the strength has passed. The load is measured by the power of the supports " &
-         & //"and loads, the mean over each hundredth of the same time: it is proportional to " &
-         & //"the force where they move at a constant speed."
+      keyword%remark = "A warning gives the first time at which the kinetic energy of the " &
+         & //"plate exceeds a share of the internal energy, and a message at the end gives the " &
+         & //"largest share. The first tenth of the time with the present supports and loads is " &
+         & //"not checked, since little energy is stored when loading begins. With FALL the run " &
+         & //"ends normally after the largest load has passed. The load is measured by the power " &
+         & //"of the supports and loads, averaged over each hundredth of that time. It is " &
+         & //"proportional to the force where they move at a constant velocity."
       call keyword%add_card()
       call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
          & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)

@@ -20,10 +20,10 @@ contains
       keyword = new_keyword("MAT_PLY_CODAM2", extension, &
          & "Ply with damage of fibres and of matrix " &
          & //"after nonlinear shear: CODAM2 at the level of the ply.", suffixes="TITLE")
-      keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. Damage starts at a " &
-         & //"strength, and the stress then falls linearly with strain until the toughness is " &
-         & //"spent over the width of the crack band, which is a length of the quad. The listing " &
-         & //"prints the strains and widths made of it."
+      keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. Damage starts at " &
+         & //"a strength. The stress then falls linearly with strain, until the fracture energy " &
+         & //"is dissipated over the width of the crack band, which depends on the size of the " &
+         & //"quad. The listing prints these strains and widths."
       call add_ply_elastic_cards(keyword)
       call add_strength_cards(keyword)
       call add_shear_card(keyword)
@@ -115,11 +115,11 @@ contains
 
       call keyword%add_card(optional=.true.)
       call add_band_rule(keyword)
-      call keyword%add_integer("SNAP", "where the crack band is too wide for the toughness: 0 " &
-         & //"start damage early, the toughness stays right; 1 refuse the mesh; 2 let the stress " &
-         & //"drop at once from the strength", default=0, allowed=[0, 1, 2])
-      call keyword%add_real("RSNAP", "-", "least ratio of the strains at the end and at onset of " &
-         & //"damage, for SNAP 0 and 1", default=1.05_wp, least=1.0_wp)
+      call keyword%add_integer("SNAP", "if the crack band is too wide for the fracture energy: " &
+         & //"0 damage starts below the strength, and the fracture energy is right; 1 error; 2 " &
+         & //"the stress drops at once from the strength", default=0, allowed=[0, 1, 2])
+      call keyword%add_real("RSNAP", "-", "smallest ratio of the strains at complete damage " &
+         & //"and at onset of damage, for SNAP 0 and 1", default=1.05_wp, least=1.0_wp)
       call keyword%zero_is_default()
       call keyword%add_integer("MCOMP", "onset of matrix damage in compression: 0 quadratic in " &
          & //"stress and shear; 1 of Hashin (1980)", default=0, allowed=[0, 1])
@@ -149,12 +149,12 @@ contains
 
       keyword = new_keyword("MAT_CODAM2", standard, "Ply whose damage begins and is complete at " &
          & //"strains that the deck gives.", suffixes="TITLE", alias="MAT_219")
-      keyword%remark = "One ply, alike in all directions across its fibres (a): EC = EB, PRCA = " &
-         & //"PRBA, GCA = GAB, GBC = EB/(2 (1 + PRCB)). Each ply of *PART_COMPOSITE has damage " &
-         & //"of its own, so the sub-laminate has one layer. Without the average over " &
-         & //"neighbours (R1) a crack costs more where quads are larger; with it, about what a " &
-         & //"band of 1.4 R1 costs. The listing prints it. *MAT_PLY_CODAM2 takes toughnesses " &
-         & //"instead. Nothing is deleted."
+      keyword%remark = "One ply, transversely isotropic about its fibres (a): EC = EB, PRCA = " &
+         & //"PRBA, GCA = GAB, GBC = EB/(2 (1 + PRCB)). Each ply of *PART_COMPOSITE has its own " &
+         & //"damage, so the sub-laminate has one layer. Without the nonlocal average (R1) a " &
+         & //"crack dissipates more energy in larger quads; with it, about as much as a band of " &
+         & //"the width 1.4 R1. The listing prints this energy. *MAT_PLY_CODAM2 takes fracture " &
+         & //"energies instead. No element is deleted."
       call add_layer_cards(keyword)
       call add_axis_cards(keyword)
       call add_strain_card(keyword, "T", "tension")

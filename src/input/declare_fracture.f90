@@ -20,10 +20,11 @@ contains
          & //"of fracture, found by all six stresses, friction of closed cracks, and permanent " &
          & //"shear.", suffixes="TITLE")
       keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. The matrix cracks " &
-         & //"on the plane through the fibres that is most exposed to tension, shear and " &
-         & //"pressure, and softens there over the width of the crack band; closed cracks bear " &
-         & //"pressure and rub. Where the band is too wide for a toughness, damage starts early " &
-         & //"and the toughness stays right. DEBRIS and SHARE are fitted to a test of the dent."
+         & //"on the plane parallel to the fibres with the largest failure index of tension, " &
+         & //"shear and pressure, and softens there over the width of the crack band. Closed " &
+         & //"cracks carry pressure and friction. If the band is too wide for the fracture " &
+         & //"energy, damage starts below the strength, and the fracture energy is right. DEBRIS " &
+         & //"and SHARE are fitted to the dent of a test."
       call add_ply_elastic_cards(keyword)
       call add_strength_cards(keyword)
       call add_shear_card(keyword)

@@ -23,7 +23,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("CONTACT_IMPACTOR", extension, &
-         & "An impactor against a face of the plate.", suffixes="TITLE")
+         & "Contact between an impactor and a face of the plate.", suffixes="TITLE")
       call keyword%add_card()
       call keyword%add_integer("CID", "number of the contact", least=1)
       call keyword%add_integer("IID", "impactor", least=1)

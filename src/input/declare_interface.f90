@@ -15,20 +15,22 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("INTERFACE_COHESIVE", extension, &
-         & "What lies between the plies of a laminate.", repeated=.true.)
+         & "Interfaces between the plies of a laminate: cohesive zones, springs, or none.", &
+         & repeated=.true.)
       keyword%remark = "Interface k lies between plies k and k + 1, counted from the bottom. " &
          & //"Interfaces that no card names are perfectly tied. CLOSE, FRIC and FIT need a " &
-         & //"material that fails. CLOSE 1 is the classical law; faces that fail and close again " &
-         & //"then gain energy in steps near the stable one, see the theory. FIT 1 replaces the " &
-         & //"shear stiffness by EN GIC/GIIC (S/T)**2, FIT 2 lowers both strengths by one " &
-         & //"factor, FIT 3 does both; the listing prints what came of it. The constants must be " &
-         & //"sound as the material has them, too. All parts have the same interfaces, materials " &
-         & //"and options."
+         & //"material that fails. CLOSE 1 is the classical law; failed faces that close again " &
+         & //"can then gain energy if the time step is near the stable step, see the theory. FIT " &
+         & //"1 replaces the shear stiffness by EN GIC/GIIC (S/T)**2, FIT 2 lowers both " &
+         & //"strengths by one factor, so that the process zone (cohesive zone) spans three " &
+         & //"distances between nodes, FIT 3 does both; the listing prints the fitted constants. " &
+         & //"The constants of the material itself must be valid, too. All parts have the same " &
+         & //"interfaces, materials and options."
       call keyword%add_card()
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)
       call keyword%add_integer("IFAC2", "last interface", least=0)
-      call keyword%add_integer("MID", "interface material; -1 for faces that nothing joins", &
+      call keyword%add_integer("MID", "interface material; -1 for no connection", &
          & least=-1)
       call keyword%add_integer("NQ", "quadrature: 0 Gauss points, 1 nodes", default=0, &
          & allowed=[0, 1])
@@ -45,18 +47,18 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("INTERFACE_LAW", extension, &
-         & "How an interface material fails where modes change, and under pressure.", &
+         & "Failure of an interface material under varying mode mixity and under pressure.", &
          & repeated=.true.)
-      keyword%remark = "MIX 0 takes the mix of modes from the present opening. Where it changes " &
-         & //"on the way, as before a crack in a beam that is bent, the work differs " &
-         & //"from the toughness by some 10 %. MIX 1 takes it from the work of both " &
-         & //"modes so far: then the work of failure is the toughness of its own mix " &
-         & //"on every path. Both are the same in pure modes and on straight paths. " &
-         & //"With ETA a pressure p makes the shear strength S + ETA p, and the " &
-         & //"toughness of sliding grows with its square."
+      keyword%remark = "MIX 0 takes the mode mixity from the present opening. Where it changes " &
+         & //"during loading, as ahead of a crack in a bent beam, the work of failure differs " &
+         & //"from the fracture energy by some 10 %. MIX 1 takes it from the work of both modes " &
+         & //"so far: the work of failure is then the fracture energy of its own mode mixity on " &
+         & //"every path. Both are the same in pure modes and on straight paths. With ETA a " &
+         & //"pressure p increases the shear strength to S + ETA p, and the fracture energy of " &
+         & //"mode II grows with the square of the strength."
       call keyword%add_card()
       call keyword%add_integer("MID", "interface material that fails", least=1)
-      call keyword%add_integer("MIX", "mix of modes: 0 of the present opening, 1 of the work so " &
+      call keyword%add_integer("MIX", "mode mixity: 0 of the present opening, 1 of the work so " &
          & //"far", default=0, allowed=[0, 1])
       call keyword%add_real("ETA", "-", "growth of the shear strength with the pressure", &
          & default=0.0_wp, least=0.0_wp)
@@ -67,12 +69,12 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("INTERFACE_SCATTER", extension, &
-         & "Strengths of an interface material that scatter from point to point.", repeated=.true.)
-      keyword%remark = "Both strengths are multiplied by a factor of mean 1 with the " &
-         & //"distribution of Weibull; the toughness stays. Factors of points LENGTH apart are " &
-         & //"correlated by some 0.6, those of different interfaces not at all. They depend on " &
-         & //"the position, the interface and SEED alone: not on the mesh, nor on the number of " &
-         & //"ranks. The coefficient of variation is some 1.2/M."
+         & "Random scatter of the strengths of an interface material.", repeated=.true.)
+      keyword%remark = "Both strengths are multiplied by a Weibull-distributed factor of mean " &
+         & //"1; the fracture energy does not change. The correlation of two points at the " &
+         & //"distance LENGTH is some 0.6; different interfaces are not correlated. The factor " &
+         & //"depends only on the position, the interface and SEED, not on the mesh or the " &
+         & //"number of ranks. The coefficient of variation is some 1.2/M."
       call keyword%add_card()
       call keyword%add_integer("MID", "interface material that fails", least=1)
       call keyword%add_integer("SEED", "number of the realisation", least=0)
@@ -98,16 +100,16 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("MAT_COHESIVE_MIXED_MODE", standard, &
-         & "Bond between two plies that softens and fails in opening (mode I), sliding (mode II) " &
-         & //"and both.", &
+         & "Cohesive zone between two plies that softens and fails in opening (mode I), " &
+         & //"sliding (mode II) and mixed mode.", &
          & suffixes="TITLE", alias="MAT_138")
       keyword%remark = "A bilinear law: damage starts at (t_n/T)**2 + (t_s/S)**2 = 1 and is " &
-         & //"complete when the toughness of the mix of modes is spent. XMU above 0: power law, " &
-         & //"(G_I/GIC)**XMU + (G_II/GIIC)**XMU = 1. XMU below 0: Benzeggagh-Kenane, " &
+         & //"complete when the fracture energy of the mode mixity is dissipated. XMU above 0: " &
+         & //"power law, (G_I/GIC)**XMU + (G_II/GIIC)**XMU = 1. XMU below 0: Benzeggagh-Kenane, " &
          & //"GIC + (GIIC - GIC) B**|XMU| with the share B of shear in the energy. T or S of 0 " &
          & //"follow from the ultimate displacements: T = 2 GIC/UND, S = 2 GIIC/UTD. Failed " &
-         & //"faces are never deleted: closed, they still push (INTFAIL 0). Quadrature: NQ of " &
-         & //"*INTERFACE_COHESIVE."
+         & //"faces are never deleted: they still transmit pressure when closed (INTFAIL 0). " &
+         & //"Quadrature: NQ of *INTERFACE_COHESIVE."
       call keyword%add_card()
       call add_cohesive_head(keyword)
       call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
@@ -135,12 +137,12 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("MAT_COHESIVE_GENERAL", standard, &
-         & "Bond between two plies that softens along a curve of traction over separation.", &
+         & "Cohesive zone between two plies with a curve of traction over separation.", &
          & suffixes="TITLE", alias="MAT_186")
-      keyword%remark = "Where it means the same as *MAT_COHESIVE_MIXED_MODE with XMU 1: the " &
-         & //"dimensionless separation, TES 2, and the triangle (0, 0), (l, 1), (1, 0) as " &
-         & //"TSLC. EN is then T**2/(2 GIC l), ET is S**2/(2 GIIC l). The separations of TES 0 " &
-         & //"and 1 mix the modes in another way and are refused, as are other curves."
+      keyword%remark = "Only the case that is equal to *MAT_COHESIVE_MIXED_MODE with XMU 1 is " &
+         & //"supported: the dimensionless separation, TES 2, and the triangle (0, 0), (l, 1), " &
+         & //"(1, 0) as TSLC. EN is then T**2/(2 GIC l), ET is S**2/(2 GIIC l). TES 0 and 1, " &
+         & //"which mix the modes in another way, and other curves are errors."
       call keyword%add_card()
       call add_cohesive_head(keyword)
       call keyword%add_integer("TES", "separation: 2 dimensionless", default=0, least=0, most=2)
@@ -161,11 +163,11 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("INITIAL_DELAMINATION", extension, &
-         & "Interfaces that have failed before the run begins.", repeated=.true.)
-      keyword%remark = "The interfaces need a material that fails, as their faces still have " &
-         & //"contact and friction. The area counts as failed; its toughness is not in the " &
-         & //"energies. A circle " &
-         & //"must have a point of the interfaces in it, see NQ of *INTERFACE_COHESIVE."
+         & "Delaminations that exist at the start of the run.", repeated=.true.)
+      keyword%remark = "The interfaces need a material that fails, which gives their faces " &
+         & //"contact and friction. The area counts as failed; its fracture energy is not part " &
+         & //"of the energies. A circle must contain a point of the interfaces, see NQ of " &
+         & //"*INTERFACE_COHESIVE."
       call keyword%add_card()
       call add_interface_place(keyword)
       call add_circle(keyword)
@@ -176,10 +178,10 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("INITIAL_DAMAGE", extension, &
-         & "Interfaces that are damaged before the run begins.", repeated=.true.)
-      keyword%remark = "The damage is that of the law: with DAMAGE d the interface has 1 - d of " &
-         & //"its stiffness, and takes what is left of its toughness. Of two values for one " &
-         & //"point the larger counts."
+         & "Damage of interfaces at the start of the run.", repeated=.true.)
+      keyword%remark = "The damage is the damage variable of the law: with DAMAGE d the " &
+         & //"interface has 1 - d of its stiffness, and dissipates the rest of its fracture " &
+         & //"energy. Of two values for one point the larger counts."
       call keyword%add_card()
       call add_interface_place(keyword)
       call keyword%add_real("DAMAGE", "-", "damage, above 0 and up to 1", above=0.0_wp, &

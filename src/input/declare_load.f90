@@ -16,11 +16,11 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("BOUNDARY_SPC_SET", standard, &
-         & "Holds nodes over the whole thickness; clamped with all three.", repeated=.true., &
-         & suffixes="ID")
-      keyword%remark = "A held direction is held at all points through the thickness. The points " &
-         & //"have no rotations of their own: DOFRX to DOFRZ may be 1 where DOFX, DOFY and DOFZ " &
-         & //"are all 1, since nothing can turn there."
+         & "Fixes nodes over the whole thickness; clamped with all three directions.", &
+         & repeated=.true., suffixes="ID")
+      keyword%remark = "A direction is fixed at all points through the thickness. The points " &
+         & //"have no rotations: DOFRX to DOFRZ may be 1 where DOFX, DOFY and DOFZ are all 1 " &
+         & //"(clamped), since the points cannot rotate there."
       call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call keyword%add_unused("CID")
@@ -34,7 +34,8 @@ contains
    function boundary_face() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("BOUNDARY_FACE", extension, "Holds one face or plane of some nodes.", &
+      keyword = new_keyword("BOUNDARY_FACE", extension, "Fixes one face, or one plane of " &
+         & //"points, of some nodes.", &
          & repeated=.true.)
       call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)

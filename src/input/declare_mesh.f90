@@ -159,9 +159,10 @@ contains
       keyword = new_keyword("DEFINE_CURVE", standard, &
          & "A curve, over time or of a material, linear between its points.", &
          & suffixes="TITLE")
-      keyword%remark = "Abscissa SFA (A1 + OFFA), ordinate SFO (O1 + OFFO). The points are used " &
-         & //"as they are, they are not sampled anew. Over time a curve is constant before its " &
-         & //"first point and behind its last; materials say how they go on."
+      keyword%remark = "The abscissa is SFA (A1 + OFFA), the ordinate SFO (O1 + OFFO). The " &
+         & //"points are used directly, without resampling. A curve over time is constant before " &
+         & //"its first point and after its last point. For curves of materials see the page of " &
+         & //"the material."
       call keyword%add_card()
       call keyword%add_integer("LCID", "number of the curve", least=1)
       call keyword%add_unused("SIDR")

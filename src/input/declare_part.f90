@@ -72,7 +72,7 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword("SECTION_LAYERWISE", extension, &
-         & "How the displacement runs through the thickness of a laminate.")
+         & "Expansion of the displacement through the thickness of a laminate.")
       keyword%remark = "Without the keyword: order 2 and one numerical layer per ply."
       call keyword%add_card()
       call keyword%add_integer("PID", "part", least=1)

@@ -32,8 +32,9 @@ contains
       keyword = new_keyword("DATABASE_BINARY_RUNRSF", standard, &
          & "Restart files that replace each other.")
       keyword%once = .true.
-      keyword%remark = "The file is JOB.runrsf, or JOB.runrsf1 to JOB.runrsfNR in turn. It is " &
-         & //"replaced in one stroke: whenever the run is killed, there is a whole one."
+      keyword%remark = "The file is JOB.runrsf, or JOB.runrsf1 to JOB.runrsfNR in turn. A new " &
+         & //"file replaces the old one only when it is complete, so that there is a complete " &
+         & //"file whenever the run is killed."
       call keyword%add_card()
       call keyword%add_integer("CYCL", "steps between two files", least=1)
       call keyword%add_integer("NR", "how many files there are, the oldest is replaced", &
@@ -46,10 +47,12 @@ contains
    function control_stage() result(keyword)
       type(keyword_type) :: keyword
 
-      keyword = new_keyword("CONTROL_STAGE", extension, "Times of a deck that changes a run.")
+      keyword = new_keyword("CONTROL_STAGE", extension, "Start of time in the deck of a " &
+         & //"restart (a stage).")
       keyword%once = .true.
-      keyword%remark = "A stage of a chain does not know when the stage before it ends. The time " &
-         & //"of the restart file is added to ENDTIM and to the abscissas of this deck's curves."
+      keyword%remark = "The end of the stage before is usually not known in advance. The time " &
+         & //"of the restart file is therefore added to ENDTIM and to the abscissas of the " &
+         & //"curves of this deck."
       call keyword%add_card()
       call keyword%add_integer("TIME", "1 ENDTIM and the curves of this deck count from the " &
          & //"restart, 0 from the beginning of the run", default=1, allowed=[0, 1])
