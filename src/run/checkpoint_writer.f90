@@ -97,7 +97,7 @@ contains
       if (is_kept) call self%job%note("restart file "//path//when)
       if (.not. allocated(requests%stopped_by)) return
       call fail(error, exit_stopped, "stopped by "//requests%stopped_by//when &
-         & //"; to go on: plydyn restart "//path)
+         & //"; continue with: plydyn restart "//path)
    end subroutine save
 
    !> Whether a restart file is due: at every so many steps, and at the end

@@ -129,7 +129,7 @@ contains
 
       call system_clock(now, rate)
       if (real(now - self%started, wp)/rate > self%most_seconds) then
-         self%asked_by = "the limit of "//text(self%most_seconds)//" s on the wall"
+         self%asked_by = "the wall-clock limit of "//text(self%most_seconds)//" s"
          self%has_request = .true.
       end if
       if (now - self%looked < seconds_per_look*rate) return

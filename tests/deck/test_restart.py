@@ -83,7 +83,7 @@ def test_restart_gives_the_same_bits(case: str, tmp_path: Path) -> None:
     code, text = said("restart", dumps[-1], "ncpu=2")
     assert code == NORMAL, text
     assert unlike(whole, broken) == []
-    assert "goes on from" in (broken / "job.out").read_text()
+    assert "continues from" in (broken / "job.out").read_text()
 
 
 def test_last_restart_files_are_the_same(tmp_path: Path) -> None:
@@ -234,7 +234,7 @@ def test_other_supports_have_a_table_of_their_own(tmp_path: Path) -> None:
     code, text = said("restart", tmp_path / "job.dump02", small)
     assert code == NORMAL, text
     assert f"other supports act from here on: their forces are in {tmp_path}/job.supports_2" in text
-    broken_off = float(re.search(r"goes on from .*, time (\S+)", text)[1])
+    broken_off = float(re.search(r"continues from .*, time (\S+)", text)[1])
     ended = tmp_path.joinpath("job.supports.csv").read_text()
     assert before.startswith(ended)
     assert column(tmp_path, "supports", "time")[-1] <= broken_off

@@ -46,7 +46,7 @@ def goes_on(run: subprocess.Popen[str], folder: Path, whole: Path, by: str) -> N
     dump = sorted(folder.glob("job.dump??"))[-1]
     for place in (text, (folder / "job.out").read_text()):
         assert f"stopped by {by}" in place
-        assert f"to go on: plydyn restart {dump}" in place
+        assert f"continue with: plydyn restart {dump}" in place
     code, text = said("restart", dump)
     assert code == NORMAL, text
     assert unlike(whole, folder) == []
@@ -63,7 +63,7 @@ def test_signal_stops_the_run(name: str, whole: Path, tmp_path: Path) -> None:
 def test_wall_time_stops_the_run(whole: Path, tmp_path: Path) -> None:
     """A limit below what the run takes leaves a restart file."""
     run = start(tmp_path / "broken", "--wall-time", "0:00.25")
-    goes_on(run, tmp_path / "broken", whole, "the limit of 0.250000 s on the wall")
+    goes_on(run, tmp_path / "broken", whole, "the wall-clock limit of 0.250000 s")
 
 
 def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:

@@ -79,7 +79,7 @@ contains
       character(:), allocatable :: words
 
       call write_section(job%listing, "Restart")
-      words = "goes on from "//path//" at cycle "//text(state%cycle)//", time "//text(state%time)
+      words = "continues from "//path//" at cycle "//text(state%cycle)//", time "//text(state%time)
       write (job%listing, "(a)") build, words
       if (written_by /= job%version) write (job%listing, "(3a)") "the restart file is of plydyn ", &
          & written_by, ": the last bits may differ from those of an unbroken run"
