@@ -42,6 +42,9 @@ module plydyn_element_group
       procedure :: find_volume
       ! stable step
       procedure :: find_rates
+      procedure :: find_layer_rates
+      procedure :: add_layer_mass
+      procedure :: raise_spring_rates
       procedure :: rate_without_thickness
       procedure :: has_springs
       procedure :: point_factor
@@ -203,6 +206,48 @@ contains
 
       allocate (rate(0), layer(0))
    end subroutine find_rates
+
+   !> Largest eigenvalue and mass of each layer of each element of the rank; no layers where the
+   !> group has no mass of its own
+   subroutine find_layer_rates(self, model, implicit, rate, mass)
+      class(element_group_type), intent(in) :: self
+      !> The model
+      type(model_type), intent(in) :: model
+      !> As in `find_rates`
+      real(wp), intent(in) :: implicit
+      !> Eigenvalues, 1/time squared, and masses, (layers, elements)
+      real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+
+      allocate (rate(0, 0), mass(0, 0))
+   end subroutine find_layer_rates
+
+   !> Add a share of the mass of one layer of each element to the masses of its points
+   subroutine add_layer_mass(self, model, layer, share, elements, local_node, columns, mass)
+      class(element_group_type), intent(in) :: self
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The layer, as in `find_layer_rates`
+      integer, intent(in) :: layer
+      !> Share for each element of the mesh, 0 for those of other groups
+      real(wp), intent(in) :: share(:)
+      !> As in `add_masses`
+      integer, intent(in) :: elements(:), local_node(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+   end subroutine add_layer_mass
+
+   !> Raise the eigenvalues of springs at the faces of the layers of the group's part
+   subroutine raise_spring_rates(self, model, columns, factor, rate)
+      class(element_group_type), intent(in) :: self
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Largest `point_factor` of the model
+      real(wp), intent(in) :: factor
+      !> Largest eigenvalue of the springs at either face so far, by layer
+      real(wp), intent(inout) :: rate(:)
+   end subroutine raise_spring_rates
 
    !> Largest eigenvalue that an element would have if its thickness were implicit; 0 where that
    !> does not apply

@@ -3,11 +3,12 @@
 module plydyn_element_brick_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick_bricks, only : bricks_type, corners
+   use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
    use plydyn_element_brick_energies, only : add_brick_dissipation, add_control_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, brick_volume_ratios
-   use plydyn_element_brick_make, only : add_brick_masses, find_shapes, set_batches
+   use plydyn_element_brick_make, only : add_brick_masses, add_brick_shares, brick_density, &
+      & find_shapes, set_batches
    use plydyn_element_brick_stable_rate, only : part_rates
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_crack_bands, only : crack_band_type
@@ -34,9 +35,9 @@ module plydyn_element_brick_group
       !> The rank's number of each node of the bricks it has, (8, bricks)
       integer, allocatable :: node(:, :)
    contains
-      procedure :: take_elements, set_targets, add_masses
+      procedure :: take_elements, set_targets, add_masses, add_layer_mass
       procedure :: history_shape, set_history, start_history
-      procedure :: add_forces, find_volume, find_rates
+      procedure :: add_forces, find_volume, find_rates, find_layer_rates
       procedure :: add_dissipation, add_hourglass_energy, add_crack_bands
       procedure :: work, add_memory, element_id
       procedure :: sheets, find_cell, list_elements, element_nodes, node_weights
@@ -107,6 +108,18 @@ contains
       call add_brick_masses(model, self%part, self%bricks%brick, local_node, columns, mass)
    end subroutine add_masses
 
+   !> Bricks of other ranks are not in the group: those of the mesh that have a share count
+   subroutine add_layer_mass(self, model, layer, share, elements, local_node, columns, mass)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: layer, elements(:), local_node(:)
+      real(wp), intent(in) :: share(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+
+      call add_brick_shares(model, share, local_node, columns, mass)
+   end subroutine add_layer_mass
+
    !> One block of history, a batch after the other
    pure function history_shape(self) result(blocks)
       class(brick_group_type), intent(in) :: self
@@ -166,6 +179,20 @@ contains
       rate = part_rates(model, self%bricks)
       layer = spread(model%parts(self%part)%id, 1, size(rate))
    end subroutine find_rates
+
+   !> A brick is one layer
+   subroutine find_layer_rates(self, model, implicit, rate, mass)
+      class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: implicit
+      real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+
+      integer :: e
+
+      rate = reshape(part_rates(model, self%bricks), [1, size(self%element)])
+      mass = reshape([(brick_density(model, self%part)*sum(brick_shares(model%mesh%position(:, &
+         & model%mesh%brick_node(:, self%element(e))))), e=1, size(self%element))], shape(rate))
+   end subroutine find_layer_rates
 
    pure subroutine add_dissipation(self, history, sums)
       class(brick_group_type), intent(in) :: self

@@ -13,7 +13,7 @@ module plydyn_element_brick_make
    implicit none
    private
 
-   public :: add_brick_masses, brick_density, find_shapes, new_bricks, set_batches
+   public :: add_brick_masses, add_brick_shares, brick_density, find_shapes, new_bricks, set_batches
 
    !> Batches of bricks in a chunk, but for the last one of a part
    integer, parameter, public :: most_batches = 256
@@ -256,5 +256,34 @@ contains
          end do
       end do
    end subroutine add_brick_masses
+
+   !> Add a share of the mass of bricks to the masses of the points that a rank has
+   pure subroutine add_brick_shares(model, share, local_node, columns, mass)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Share for each brick of the mesh
+      real(wp), intent(in) :: share(:)
+      !> As in `add_brick_masses`
+      integer, intent(in) :: local_node(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+
+      integer :: c, e, here(corners), place
+      real(wp) :: added(corners)
+
+      do e = 1, size(share)
+         if (share(e) <= 0.0_wp) cycle
+         associate (node => model%mesh%brick_node(:, e))
+            here(:) = local_node(node)
+            added(:) = share(e)*brick_density(model, model%mesh%brick_part(e)) &
+               & *brick_shares(model%mesh%position(:, node))
+         end associate
+         do c = 1, corners
+            if (here(c) == 0) cycle
+            place = columns%mass_of(1, 1, here(c))
+            mass(place) = mass(place) + added(c)
+         end do
+      end do
+   end subroutine add_brick_shares
 
 end module plydyn_element_brick_make

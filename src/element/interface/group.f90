@@ -40,7 +40,7 @@ module plydyn_element_interface_group
       procedure :: add_forces
       procedure :: has_springs
       procedure :: point_factor
-      procedure :: spring_rate
+      procedure :: spring_rate, raise_spring_rates
       procedure :: add_joint_stiffness
       procedure :: add_losses
       procedure :: mark_areas
@@ -213,6 +213,29 @@ contains
          end do
       end do
    end function spring_rate
+
+   subroutine raise_spring_rates(self, model, columns, factor, rate)
+      class(interface_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(in) :: factor
+      real(wp), intent(inout) :: rate(:)
+
+      type(layers_type) :: layers
+      real(wp) :: inverse
+      integer :: l
+
+      layers = new_layers(model%parts(self%part))
+      do l = 1, lanes
+         associate (lower => self%batch%lower(l), upper => self%batch%upper(l))
+            if (lower == 0) cycle
+            inverse = 1.0_wp/face_density(model, columns, self%part, layers, lower) &
+               & + 1.0_wp/face_density(model, columns, self%part, layers, upper)
+            rate([lower, upper]) = max(rate([lower, upper]), &
+               & maxval(self%batch%law%stiffness)*factor*inverse)
+         end associate
+      end do
+   end subroutine raise_spring_rates
 
    !> Mass per area that a layer has on one of its faces
    pure real(wp) function face_density(model, columns, p, layers, layer) result(density)

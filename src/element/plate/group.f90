@@ -12,10 +12,12 @@ module plydyn_element_plate_group
    use plydyn_element_plate_initial_history, only : start_histories
    use plydyn_element_plate_layers, only : history_rows, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
-   use plydyn_element_plate_masses, only : add_plate_masses => add_masses
+   use plydyn_element_plate_masses, only : add_plate_masses => add_masses, &
+      & add_mass_of_layer
    use plydyn_element_plate_output, only : layer_levels, layer_motion, layer_place_type, &
       & node_shares, plate_cell, values_at_nodes
-   use plydyn_element_plate_stable_rate, only : layer_rates, plane_rate, quad_corners, quad_factor
+   use plydyn_element_plate_stable_rate, only : largest_quad_factor, layer_rates, plane_rate, &
+      & rates_and_masses
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover_anywhere, only : plane_shares_type
    use plydyn_element_thickness, only : springs_of_layer => layer_springs
@@ -46,10 +48,10 @@ module plydyn_element_plate_group
       !> Index of the group, which crack bands name
       integer :: number = 0
    contains
-      procedure :: take_elements, set_targets, add_masses
+      procedure :: take_elements, set_targets, add_masses, add_layer_mass
       procedure :: history_shape, set_history, start_history
       procedure :: add_forces, find_volume
-      procedure :: find_rates, rate_without_thickness, point_factor, layer_springs
+      procedure :: find_rates, find_layer_rates, rate_without_thickness, point_factor, layer_springs
       procedure :: add_dissipation, add_crack_bands
       procedure :: work, add_memory, element_id
       procedure :: sheets, sheet_levels, find_cell, list_elements, element_nodes, node_weights
@@ -143,6 +145,17 @@ contains
       call add_plate_masses(model, self%part, self%plate, elements, local_node, columns, mass)
    end subroutine add_masses
 
+   subroutine add_layer_mass(self, model, layer, share, elements, local_node, columns, mass)
+      class(plate_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: layer, elements(:), local_node(:)
+      real(wp), intent(in) :: share(:)
+      type(columns_type), intent(in) :: columns
+      real(wp), intent(inout) :: mass(:)
+
+      call add_mass_of_layer(model, self%part, layer, share, elements, local_node, columns, mass)
+   end subroutine add_layer_mass
+
    !> One block of history for each batch of layers
    pure function history_shape(self) result(blocks)
       class(plate_group_type), intent(in) :: self
@@ -206,6 +219,15 @@ contains
       call layer_rates(model, self%part, self%plate, implicit, rate, layer)
    end subroutine find_rates
 
+   subroutine find_layer_rates(self, model, implicit, rate, mass)
+      class(plate_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      real(wp), intent(in) :: implicit
+      real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+
+      call rates_and_masses(model, self%part, self%plate, implicit, rate, mass)
+   end subroutine find_layer_rates
+
    real(wp) function rate_without_thickness(self, model, element, implicit) result(rate)
       class(plate_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
@@ -219,15 +241,8 @@ contains
    real(wp) function point_factor(self, mesh) result(factor)
       class(plate_group_type), intent(in) :: self
       type(mesh_type), intent(in) :: mesh
-      integer :: e
 
-      factor = 0.0_wp
-      associate (plate => self%plate)
-         do e = 1, size(plate%quad)
-            factor = max(factor, quad_factor(plate, &
-               & quad_corners(mesh, plate%side, plate%quad(e:e))))
-         end do
-      end associate
+      factor = largest_quad_factor(self%plate, mesh)
    end function point_factor
 
    pure function layer_springs(self, slot) result(spring)

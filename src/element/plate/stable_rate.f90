@@ -11,7 +11,7 @@ module plydyn_element_plate_stable_rate
    implicit none
    private
 
-   public :: layer_rates, plane_rate, quad_corners, quad_factor
+   public :: largest_quad_factor, layer_rates, plane_rate, rates_and_masses
 
 contains
 
@@ -55,6 +55,42 @@ contains
       end do
    end subroutine layer_rates
 
+   !> Largest eigenvalue and mass of each layer of each quad of a plate, (layers, quads)
+   subroutine rates_and_masses(model, p, plate, implicit, rate, mass)
+      !> As in `layer_rates`
+      type(model_type), intent(in) :: model
+      integer, intent(in) :: p
+      type(plate_type), intent(in) :: plate
+      real(wp), intent(in) :: implicit
+      !> Eigenvalues and masses
+      real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+
+      type(layers_type) :: layers
+      real(wp), allocatable :: corner(:, :, :), density(:, :), lambda(:, :, :)
+      integer :: b, e, f, l
+
+      layers = new_layers(model%parts(p))
+      corner = quad_corners(model%mesh, plate%side, plate%quad)
+      allocate (rate(size(layers%ply), size(plate%quad)), mass(size(layers%ply), size(plate%quad)))
+      do f = 1, size(plate%batches)
+         associate (layer_of => plate%batches(f)%layer)
+            density = surface_density(model, p, layers, layer_of)
+            allocate (lambda(size(layer_of, 1), size(layer_of, 2), size(plate%quad)))
+            call largest_eigenvalues(plate%batches(f), density, plate%side, corner, implicit, &
+               & lambda)
+            do b = 1, size(layer_of, 2)
+               do l = 1, size(layer_of, 1)
+                  if (layer_of(l, b) == 0) cycle
+                  rate(layer_of(l, b), :) = lambda(l, b, :)
+                  mass(layer_of(l, b), :) = density(l, b) &
+                     & *[(sum(quad_node_area(plate%side, corner(:, :, e))), e=1, size(plate%quad))]
+               end do
+            end do
+         end associate
+         deallocate (lambda)
+      end do
+   end subroutine rates_and_masses
+
    !> Largest eigenvalue that one quad would have if the thickness of its plies were implicit
    real(wp) function plane_rate(model, p, plate, quad, implicit) result(rate)
       !> As in `layer_rates`
@@ -94,6 +130,22 @@ contains
          corner(:, :, e) = mesh%position(1:2, mesh%quad_node(tensor_order(side), quads(e)))
       end do
    end function quad_corners
+
+   !> Bound on the eigenvalues of the areas of the Gauss points of any quad against those of its
+   !> nodes
+   real(wp) function largest_quad_factor(plate, mesh) result(factor)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      integer :: e
+
+      factor = 0.0_wp
+      do e = 1, size(plate%quad)
+         factor = max(factor, quad_factor(plate, &
+            & quad_corners(mesh, plate%side, plate%quad(e:e))))
+      end do
+   end function largest_quad_factor
 
    !> Bound on the eigenvalues of the areas of the Gauss points against those of the nodes
    real(wp) function quad_factor(plate, corner) result(factor)
