@@ -10,13 +10,14 @@ module plydyn_domain_build
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
    use plydyn_domain_build_fixtures, only : build_fixtures
    use plydyn_domain_build_groups, only : build_groups
-   use plydyn_domain_build_elements, only : build_elements, build_masses
+   use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
+   use plydyn_domain_mass_scaling, only : scale_masses
    use plydyn_domain_subdomain, only : join_ranks, renumber_chunks, subdomain_type, take_chunks, &
       & take_columns
    use plydyn_domain_step_limit, only : find_step_limit
@@ -85,8 +86,9 @@ contains
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
       call build_elements(model, division, numbering, domain, subdomain)
-      call limit_step(model, domain, error)
+      call limit_step(model, division, numbering, domain, error)
       if (allocated(error)) return
+      call invert_masses(domain)
       domain%crack_bands = find_bands(model, domain)
       call build_averages(model, division, rank_of_chunk, domain, error)
       if (allocated(error)) return
@@ -101,14 +103,20 @@ contains
       call join_ranks(division, numbering, owner, domain)
    end subroutine build_subdomain
 
-   !> The stable step, to which each rank adds what its own elements ask for
-   subroutine limit_step(model, domain, error)
+   !> The stable step, to which each rank adds what its own elements ask for, and mass for a larger
+   !> one
+   subroutine limit_step(model, division, numbering, domain, error)
       type(model_type), intent(in) :: model
+      !> As in `build_subdomain`
+      type(decomposition_type), intent(in) :: division
+      type(local_to_global_type), intent(in) :: numbering
+      !> Has its elements and masses
       type(domain_type), intent(inout) :: domain
       !> Says that there is none; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
       domain%limit = find_step_limit(model, domain)
+      call scale_masses(model, division, numbering, domain)
       domain%step = largest_step(domain)
       ! a step that does not move the time is none
       if (domain%limit%step > epsilon(1.0_wp)*domain%control%end_time) then

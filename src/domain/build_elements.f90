@@ -12,7 +12,7 @@ module plydyn_domain_build_elements
    implicit none
    private
 
-   public :: build_elements, build_masses, whole_mass
+   public :: build_elements, build_masses, invert_masses, whole_mass
 
 contains
 
@@ -151,6 +151,15 @@ contains
                & domain%columns, domain%inertia%mass)
          end associate
       end do
+   end subroutine build_masses
+
+   !> Inverses of the masses that move with each point
+   subroutine invert_masses(domain)
+      !> Has its masses and tied faces
+      type(domain_type), intent(inout) :: domain
+
+      integer :: k
+
       allocate (domain%inertia%inverse_mass(size(domain%inertia%mass)), &
          & domain%inertia%far_ties(2, 0))
       where (domain%inertia%mass > 0.0_wp)
@@ -161,7 +170,7 @@ contains
       do k = 1, size(domain%inertia%ties)
          call tie_layers(domain, domain%inertia%ties(k))
       end do
-   end subroutine build_masses
+   end subroutine invert_masses
 
    !> Let the top of a layer and the bottom of the next move as one: both get the inverse of the sum
    !> of their masses

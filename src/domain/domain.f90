@@ -84,11 +84,12 @@ module plydyn_domain_domain
 
    !> Where the time step comes from
    type, public :: step_limit_type
-      !> Stable step of central differences
-      real(wp) :: step = huge(1.0_wp)
+      !> Stable step of central differences, and that without added mass
+      real(wp) :: step = huge(1.0_wp), unscaled_step = huge(1.0_wp)
       !> The user's number of the element with the largest eigenvalue, the first of `slowest`
       integer :: element_id = 0
-      !> Largest eigenvalue of the elements and that of the interfaces, 1/time squared
+      !> Largest eigenvalue of the elements, with added mass, and that of the interfaces, without,
+      !> 1/time squared
       real(wp) :: element_rate = 0.0_wp, interface_rate = 0.0_wp
       !> Bound of the element with the former, if its thickness were implicit; 0 where that does not
       !> apply
@@ -134,13 +135,27 @@ module plydyn_domain_domain
       type(halo_type) :: halo
    end type chunks_type
 
+   !> Mass that mass scaling adds to a part
+   type, public :: added_mass_type
+      !> The user's number of the part
+      integer :: part = 0
+      !> Mass without added mass, and what is added
+      real(wp) :: own = 0.0_wp, added = 0.0_wp
+      !> Elements, each layer over a quad by itself, and those of them that get mass
+      integer :: elements = 0, raised = 0
+      !> Largest ratio of the masses of an element with and without
+      real(wp) :: largest = 1.0_wp
+   end type added_mass_type
+
    !> Masses, and inertia that locally implicit operators add between points
    type, public :: inertia_type
       !> Mass of each point, and the inverse of the mass that moves with it (both points of a tied
       !> face move as one); zero where there is no point
       real(wp), allocatable :: mass(:), inverse_mass(:)
-      !> Mass of the whole model
+      !> Mass of the whole model, with added mass
       real(wp) :: total_mass = 0.0_wp
+      !> Mass that is added to each part; of no length where none is
+      type(added_mass_type), allocatable :: added(:)
       !> Lower layers of the faces that move as one
       integer, allocatable :: ties(:)
       !> Those of them whose layers are of different order groups: points below and above,

@@ -9,7 +9,7 @@ module plydyn_domain_step_limit
    implicit none
    private
 
-   public :: find_step_limit
+   public :: find_step_limit, largest_point_factor
 
 contains
 
@@ -64,12 +64,35 @@ contains
       !> Of all springs, and of those that are not implicit
       real(wp), intent(out) :: rate, rest
 
-      logical :: has_springs(size(domain%groups))
-      real(wp) :: largest(1)
+      real(wp) :: factor
       integer :: g
 
       rate = 0.0_wp
       rest = 0.0_wp
+      factor = largest_point_factor(model, domain)
+      if (factor <= 0.0_wp) return
+      do g = 1, size(domain%groups)
+         rate = max(rate, domain%groups(g)%item%spring_rate(model, domain%columns, factor))
+      end do
+      rest = rate
+      if (domain%control%scheme /= all_explicit) then
+         rest = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
+      end if
+   end subroutine add_spring_rates
+
+   !> Largest eigenvalue that the points of springs over one element have against the areas of its
+   !> nodes; 0 without springs. All ranks must come here
+   real(wp) function largest_point_factor(model, domain) result(factor)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain; the elements of this rank are known
+      type(domain_type), intent(in) :: domain
+
+      logical :: has_springs(size(domain%groups))
+      real(wp) :: largest(1)
+      integer :: g
+
+      factor = 0.0_wp
       has_springs(:) = [(domain%groups(g)%item%has_springs(), g=1, size(has_springs))]
       if (.not. any(has_springs)) return
       largest(:) = 0.0_wp
@@ -77,13 +100,7 @@ contains
          largest(:) = max(largest, domain%groups(g)%item%point_factor(model%mesh))
       end do
       call domain%comm%max(largest)
-      do g = 1, size(domain%groups)
-         rate = max(rate, domain%groups(g)%item%spring_rate(model, domain%columns, largest(1)))
-      end do
-      rest = rate
-      if (domain%control%scheme /= all_explicit) then
-         rest = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/largest(1))
-      end if
-   end subroutine add_spring_rates
+      factor = largest(1)
+   end function largest_point_factor
 
 end module plydyn_domain_step_limit

@@ -33,6 +33,8 @@ module plydyn_model_control
       real(wp) :: step_factor = 0.9_wp
       !> First step; 0 for the stable one
       real(wp) :: first_step = 0.0_wp
+      !> Stable step that elements get by added mass where their own is smaller; 0 for none
+      real(wp) :: mass_scaled_step = 0.0_wp
       !> Largest step; 0 for none
       real(wp) :: largest_step = 0.0_wp
       !> `all_explicit` or what is implicit
@@ -67,8 +69,10 @@ module plydyn_model_control
 
    !> What the newest deck of a restart changes
    type, public :: changes_type
-      !> Supports or loads; the end; dynamic relaxation; impactors or fixtures
-      logical :: conditions = .false., end = .false., relaxation = .false., bodies = .false.
+      !> Supports or loads; the end; dynamic relaxation; impactors or fixtures; the time step and
+      !> the mass that is added for it
+      logical :: conditions = .false., end = .false., relaxation = .false., bodies = .false., &
+         & step = .false.
    end type changes_type
 
    !> Stress through the thickness at a place of the plane

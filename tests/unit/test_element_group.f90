@@ -3,7 +3,7 @@
 program test_element_group
    use bars, only : bar_group_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_domain_build_elements, only : build_elements, build_masses
+   use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_groups, only : add_group
    use plydyn_domain_chunks, only : set_targets
    use plydyn_domain_decomposition, only : decomposition_type
@@ -114,6 +114,7 @@ contains
       call take_columns(model%mesh, division, numbering, domain, share)
       call take_chunks(division, [.true.], domain)
       call build_masses(model, division, numbering, domain)
+      call invert_masses(domain)
       call build_elements(model, division, numbering, domain, share)
       call set_targets(domain)
    end subroutine build

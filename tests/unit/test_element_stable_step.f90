@@ -7,7 +7,10 @@ program test_element_stable_step
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
-   use plydyn_model_control, only : all_explicit, implicit_thickness
+   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
+   use plydyn_model_layup, only : faces_tied
+   use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use plydyn_parallel_thread_team, only : thread_team_type, new_thread_team
    use plydyn_method_forces, only : find_internal_forces
@@ -34,8 +37,8 @@ program test_element_stable_step
    real(wp), parameter :: matrix(3, 3) = reshape([2.0_wp, -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp, &
       & -1.0_wp, 0.0_wp, -1.0_wp, 2.0_wp], [3, 3])
    real(wp), parameter :: largest = 2.0_wp + sqrt(2.0_wp)
-   !> Elastic layers have no history
-   real(wp) :: history(0)
+   !> Plies joined by interface material 1
+   integer, parameter :: springs = 1
    integer :: order, side
 
    call begin("power iteration")
@@ -51,6 +54,10 @@ program test_element_stable_step
          call test_mesh(side, order, all_explicit)
          call test_mesh(side, order, implicit_thickness)
       end do
+      call test_scaled(side, all_explicit, faces_tied)
+      call test_scaled(side, all_explicit, springs)
+      call test_scaled(side, implicit_interfaces, springs)
+      call test_scaled(side, implicit_thickness, springs)
    end do
    do side = 2, 3
       call test_alone(side)
@@ -114,28 +121,73 @@ contains
       call build_domain(model, domain, error)
       call check(.not. allocated(error), "the domain is built")
       ! with the inertia that is added for this step
-      exact = 2.0_wp/sqrt(largest_eigenvalue(domain))
+      exact = 2.0_wp/sqrt(largest_eigenvalue(domain, .true.))
       call check(domain%limit%step <= exact, "is not above that of the mesh")
       call check(domain%limit%step >= 0.8_wp*exact, "nor far below: elements bound their mesh")
    end subroutine test_mesh
 
+   !> With added mass, no eigenvalue of a mesh of unlike elements is above that of the step that the
+   !> deck asks for, between the largest and the smallest of its own
+   subroutine test_scaled(side, scheme, joint)
+      !> Nodes along a side, what is implicit, and what joins the plies
+      integer, intent(in) :: side, scheme, joint
+
+      real(wp), parameter :: stiffness(2) = [3.0e4_wp, 2.0e4_wp], times = 1.5_wp
+      type(domain_type) :: domain, plain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      real(wp) :: largest, step
+
+      call begin("mass scaling")
+      model = rectangle_model(rectangle_mesh(side, 2, 1, 2.0_wp, 1.0_wp, 0.1_wp), &
+         & [0.0_wp, 60.0_wp], 0.25_wp, [1, 1])
+      model%parts(1)%plies(2)%thickness = 0.4_wp
+      model%parts(1)%joint(:) = joint
+      model%control%scheme = scheme
+      model%control%step_factor = 1.0_wp
+      model%interface_materials = [interface_material_type(id=1, title="springs", &
+         & constants=cohesive_constants_type(stiffness=stiffness))]
+      call build_domain(model, plain, error)
+      step = times*plain%limit%step
+      model%control%mass_scaled_step = step
+      call build_domain(model, domain, error)
+      call check(.not. allocated(error), "the domain is built")
+      call check(domain%step, step, 0.0_wp, "the step is that of the deck")
+      call check(domain%limit%unscaled_step, plain%limit%step, 0.0_wp, "its own is known")
+      largest = largest_eigenvalue(domain, joint == faces_tied)
+      call check(2.0_wp/sqrt(largest) >= step, "it is stable for the mesh")
+      associate (added => domain%inertia%added(1))
+         call check(sum(domain%inertia%mass) - sum(plain%inertia%mass), added%added, &
+            & 1.0e-12_wp*added%own, "the points have what the part has got")
+         call check(sum(plain%inertia%mass), added%own, 1.0e-12_wp*added%own, "and its own mass")
+         call check(added%largest <= times**2*(1.0_wp + 1.0e-12_wp), &
+            & "no element has more than the one that sets the step")
+         call check(added%elements, 4, "each layer of a quad is an element")
+      end associate
+   end subroutine test_scaled
+
    !> Largest eigenvalue of K x = lambda M x, column by column through forces and accelerations
-   real(wp) function largest_eigenvalue(domain) result(lambda)
+   real(wp) function largest_eigenvalue(domain, is_tied) result(lambda)
       type(domain_type), intent(in) :: domain
+      !> Whether the plies move as one where they meet
+      logical, intent(in) :: is_tied
 
       type(thread_team_type) :: team
       type(motion_sums_type) :: sums
       integer, allocatable :: free(:)
-      real(wp), allocatable :: a(:), k(:, :), left(:, :), right(:, :), u(:), wi(:), work(:), wr(:)
+      real(wp), allocatable :: a(:), history(:), k(:, :), left(:, :), right(:, :), u(:), wi(:)
+      real(wp), allocatable :: work(:), wr(:)
       integer :: i, info, n
 
-      free = independent(domain)
+      free = independent(domain, is_tied)
       n = size(free)
       allocate (a(domain%columns%freedoms), u(domain%columns%freedoms), k(n, n), wr(n), wi(n))
       allocate (work(8*n), left(1, 1), right(1, 1))
+      allocate (history(domain%histories), source=0.0_wp)
       do i = 1, n
          u(:) = 0.0_wp
-         u(twins(domain, free(i))) = 1.0_wp
+         u(free(i)) = 1.0_wp
+         if (is_tied) u(twins(domain, free(i))) = 1.0_wp
          a(:) = 0.0_wp
          call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
          call find_internal_forces(domain, team, 0.0_wp, u, &
@@ -149,8 +201,9 @@ contains
    end function largest_eigenvalue
 
    !> Places of all points but the upper ones of tied faces
-   function independent(domain) result(free)
+   function independent(domain, is_tied) result(free)
       type(domain_type), intent(in) :: domain
+      logical, intent(in) :: is_tied
       integer, allocatable :: free(:)
       integer :: c, n, t
 
@@ -158,7 +211,8 @@ contains
       do n = 1, domain%columns%nodes
          do c = 1, 3
             free = [free, (domain%columns%freedom(1, t, c, n), t=1, domain%columns%levels(1)), &
-               & (domain%columns%freedom(2, t, c, n), t=2, domain%columns%levels(2))]
+               & (domain%columns%freedom(2, t, c, n), t=merge(2, 1, is_tied), &
+               & domain%columns%levels(2))]
          end do
       end do
    end function independent

@@ -1,0 +1,177 @@
+!> Mass scaling: mass for elements whose stable step is below the one that the deck asks for.
+!>
+!> An element is a layer over a quad, or a brick. Its mass is raised in proportion, so that its
+!> eigenvalue, and that of the springs at its faces, fall by the same factor. Springs are divided
+!> between the layers at either side in proportion to the inverse masses that they had, by
+!> k (a - b)**2 <= k (1/m + 1/n) (m a**2 + n b**2): so each layer is scaled by itself.
+module plydyn_domain_mass_scaling
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_decomposition, only : decomposition_type
+   use plydyn_domain_domain, only : added_mass_type, domain_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
+   use plydyn_domain_pair_inertia, only : implicit_share
+   use plydyn_domain_step_limit, only : largest_point_factor
+   use plydyn_model_control, only : all_explicit, implicit_thickness
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: scale_masses
+
+   !> Sums of a part: masses without and that are added, elements, and those that get mass
+   integer, parameter :: own_at = 1, added_at = 2, elements_at = 3, raised_at = 4
+   integer, parameter :: sums_of_part = 4
+
+   !> What the groups of a model have in common
+   type :: scaling_type
+      !> Largest eigenvalue that is left, 1/time squared
+      real(wp) :: most = 0.0_wp
+      !> Eigenvalue of the springs at the faces of each layer, (layers, parts)
+      real(wp), allocatable :: spring(:, :)
+      !> The rank's number of each node of the mesh, 0 where it does not have it
+      integer, allocatable :: local_node(:)
+      !> Sums of each part over the elements of this rank
+      type(exact_sums_type) :: sums
+      !> Largest ratio of masses of each part
+      real(wp), allocatable :: largest(:)
+      !> Largest eigenvalues of elements with added mass, without springs, and of those of families
+      !> that take none
+      real(wp) :: rate(2) = 0.0_wp
+   end type scaling_type
+
+contains
+
+   !> Add mass where the deck asks for it. All ranks must come here
+   subroutine scale_masses(model, division, numbering, domain)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> All elements
+      type(decomposition_type), intent(in) :: division
+      !> The rank's numbers of columns
+      type(local_to_global_type), intent(in) :: numbering
+      !> Has its elements, the masses of its points and the limit of the step; both may change
+      type(domain_type), intent(inout) :: domain
+
+      type(scaling_type) :: scaling
+      integer :: g, k
+
+      domain%limit%unscaled_step = domain%limit%step
+      allocate (domain%inertia%added(0))
+      if (domain%control%mass_scaled_step <= domain%limit%step) return
+      scaling%most = 4.0_wp/domain%control%mass_scaled_step**2
+      scaling%spring = spring_rates(model, domain)
+      scaling%local_node = numbering%node([(k, k=1, size(model%mesh%node_id))])
+      scaling%sums = new_exact_sums(sums_of_part*size(model%parts))
+      scaling%largest = spread(1.0_wp, 1, size(model%parts))
+      do g = 1, size(domain%groups)
+         call scale_group(model, division, g, scaling, domain)
+      end do
+      call domain%comm%max(scaling%rate)
+      domain%limit%element_rate = maxval(scaling%rate)
+      domain%limit%step = domain%control%mass_scaled_step
+      if (scaling%rate(2) > scaling%most) domain%limit%step = 2.0_wp/sqrt(scaling%rate(2))
+      call collect(model, scaling, domain)
+   end subroutine scale_masses
+
+   !> Eigenvalues of the springs at the faces of each layer of each part, as far as they are
+   !> explicit, (layers, parts)
+   function spring_rates(model, domain) result(rate)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      real(wp), allocatable :: rate(:, :)
+
+      real(wp) :: factor
+      integer :: g
+
+      ! bricks are one layer each
+      allocate (rate(max(1, size(domain%layers%order)), size(model%parts)), source=0.0_wp)
+      factor = largest_point_factor(model, domain)
+      if (factor <= 0.0_wp) return
+      do g = 1, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            call group%raise_spring_rates(model, domain%columns, factor, rate(:, group%part))
+         end associate
+      end do
+      if (domain%control%scheme == all_explicit) return
+      rate(:, :) = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
+   end function spring_rates
+
+   !> Add mass to the elements of a group, layer by layer
+   subroutine scale_group(model, division, g, scaling, domain)
+      type(model_type), intent(in) :: model
+      type(decomposition_type), intent(in) :: division
+      !> Index of the group
+      integer, intent(in) :: g
+      type(scaling_type), intent(inout) :: scaling
+      type(domain_type), intent(inout) :: domain
+
+      real(wp), allocatable :: fixed(:), mass(:, :), rate(:, :), share(:), whole(:)
+      integer, allocatable :: layer(:)
+      integer :: k
+
+      allocate (whole(size(model%mesh%quad_id) + size(model%mesh%brick_id)))
+      associate (group => domain%groups(g)%item)
+         call group%find_layer_rates(model, merge(4.0_wp*implicit_share, 0.0_wp, &
+            & domain%control%scheme == implicit_thickness), rate, mass)
+         if (size(rate, 1) == 0) then
+            call group%find_rates(model, 0.0_wp, fixed, layer)
+            scaling%rate(2) = max(scaling%rate(2), maxval([0.0_wp, fixed]))
+         end if
+         do k = 1, size(rate, 1)
+            share = max(0.0_wp, (rate(k, :) + scaling%spring(k, group%part))/scaling%most - 1.0_wp)
+            scaling%rate(1) = max(scaling%rate(1), maxval([0.0_wp, rate(k, :)/(1.0_wp + share)]))
+            call count_layer(group%part, share, mass(k, :), scaling)
+            ! elements of other ranks add to nodes where ranks meet
+            whole(:) = 0.0_wp
+            whole(group%element) = share
+            call domain%comm%max(whole)
+            if (any(whole > 0.0_wp)) call group%add_layer_mass(model, k, whole, &
+               & division%parts(group%set)%element, scaling%local_node, domain%columns, &
+               & domain%inertia%mass)
+         end do
+      end associate
+   end subroutine scale_group
+
+   !> Add the elements of a layer to the sums of their part
+   pure subroutine count_layer(part, share, mass, scaling)
+      !> Index of the part
+      integer, intent(in) :: part
+      !> Share of its mass that each element gets, and its mass
+      real(wp), intent(in) :: share(:), mass(:)
+      type(scaling_type), intent(inout) :: scaling
+      integer :: e, first
+
+      first = sums_of_part*(part - 1)
+      do e = 1, size(share)
+         call scaling%sums%add(first + own_at, mass(e))
+         call scaling%sums%add(first + added_at, share(e)*mass(e))
+         call scaling%sums%add(first + elements_at, 1.0_wp)
+         call scaling%sums%add(first + raised_at, merge(1.0_wp, 0.0_wp, share(e) > 0.0_wp))
+      end do
+      scaling%largest(part) = max(scaling%largest(part), 1.0_wp + maxval([0.0_wp, share]))
+   end subroutine count_layer
+
+   !> Sums over all ranks
+   subroutine collect(model, scaling, domain)
+      type(model_type), intent(in) :: model
+      type(scaling_type), intent(inout) :: scaling
+      !> Gets what was added to each part
+      type(domain_type), intent(inout) :: domain
+      integer :: p
+
+      call domain%comm%sum(scaling%sums%limb)
+      call domain%comm%max(scaling%largest)
+      deallocate (domain%inertia%added)
+      allocate (domain%inertia%added(size(model%parts)))
+      do p = 1, size(model%parts)
+         associate (sums => scaling%sums, first => sums_of_part*(p - 1))
+            domain%inertia%added(p) = added_mass_type(model%parts(p)%id, &
+               & sums%value(first + own_at), sums%value(first + added_at), &
+               & nint(sums%value(first + elements_at)), nint(sums%value(first + raised_at)), &
+               & scaling%largest(p))
+         end associate
+      end do
+   end subroutine collect
+
+end module plydyn_domain_mass_scaling
