@@ -1,6 +1,8 @@
 !> Changes that the deck of a restart makes to the decks before it.
 module plydyn_input_changes
+   use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_deck_cards, only : cards_type
    use plydyn_deck_deck, only : deck_type
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : catalogue_type
@@ -16,7 +18,8 @@ module plydyn_input_changes
    character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
    !> Keywords that a restart may have besides; of those that stand in a deck once the last counts
    character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
-      & "CONTROL_TERMINATION", "CONTROL_STAGE", "DAMPING_GLOBAL", "DAMPING_RELAXATION", &
+      & "CONTROL_TERMINATION", "CONTROL_TIMESTEP", "CONTROL_STAGE", "DAMPING_GLOBAL", &
+      & "DAMPING_RELAXATION", &
       & "CONTROL_QUASI_STATIC", "DELETE_IMPACTOR", "DELETE_FIXTURE", "DEFINE_CURVE", &
       & "DEFINE_BOX", "SET_NODE_LIST", "SET_NODE_GENERAL", "SET_SHELL_LIST", &
       & "DATABASE_GLSTAT", "DATABASE_IMPACTOR", "DATABASE_FIXTURE", "DATABASE_NODOUT", &
@@ -25,7 +28,7 @@ module plydyn_input_changes
 
    !> All of these in words
    character(*), parameter :: changeable = "supports, loads, impactors, fixtures, damping, the " &
-      & //"end time, intervals of results, and the sets, boxes and curves for them"
+      & //"time step, the end time, intervals of results, and the sets, boxes and curves for them"
 
 contains
 
@@ -48,6 +51,8 @@ contains
                call delete_bodies(deck, i, "IMPACTOR", "IID", catalogue)
             else if (keywords(i)%name == "DELETE_FIXTURE") then
                call delete_bodies(deck, i, "FIXTURE", "FID", catalogue)
+            else if (keywords(i)%name == "CONTROL_TIMESTEP" .and. root > 1) then
+               call refuse_first_step(keywords(i), catalogue)
             else if (keywords(i)%name == "CONTROL_STAGE" .and. root == 1) then
                call catalogue%report%refuse(keywords(i)%head(), "the first deck of a run is no " &
                   & //"stage", "the keyword in the deck of a restart")
@@ -63,6 +68,17 @@ contains
       end associate
    end subroutine apply_changes
 
+   !> A restart has no first step
+   subroutine refuse_first_step(cards, catalogue)
+      !> *CONTROL_TIMESTEP
+      type(cards_type), intent(in) :: cards
+      !> Gets the finding
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (cards%real("DTINIT") > 0.0_wp) call catalogue%refuse(cards, "DTINIT", "the first step " &
+         & //"of the run has been made", "0")
+   end subroutine refuse_first_step
+
    !> What the last deck changes, when there are others before it
    pure function changes_of(deck) result(changes)
       !> Decks, one after the other
@@ -77,6 +93,7 @@ contains
          if (deck%source%root(deck%keywords(i)%line) < max(2, last)) cycle
          if (is_replaced(deck%keywords(i)%name)) changes%conditions = .true.
          if (deck%keywords(i)%name == "CONTROL_TERMINATION") changes%end = .true.
+         if (deck%keywords(i)%name == "CONTROL_TIMESTEP") changes%step = .true.
          if (deck%keywords(i)%name == "DAMPING_RELAXATION") changes%relaxation = .true.
          if (is_body(deck%keywords(i)%name)) changes%bodies = .true.
          if (index(deck%keywords(i)%name, "DELETE_") == 1) changes%bodies = .true.

@@ -101,12 +101,22 @@ contains
          & "time-step scale factor: share of the stable step that is taken", &
          & default=0.9_wp, above=0.0_wp, most=1.0_wp)
       call keyword%zero_is_default()
-      call keyword%add_unused("ISDO TSLIMT DT2MS")
+      call keyword%add_unused("ISDO TSLIMT")
+      call keyword%add_real("DT2MS", "time", "mass scaling: where negative, elements whose " &
+         & //"stable step is below -DT2MS get as much mass as makes it that; 0 for none", &
+         & default=0.0_wp)
       call keyword%add_integer("LCTM", "curve of the largest step over time; 0 for none", &
          & default=0, least=0)
       call keyword%add_unused("ERODE MS1ST")
       call keyword%add_card(optional=.true.)
       call keyword%add_unused("DT2MSF DT2MSLC IMSCL UNUSED1 UNUSED2 RMSCL UNUSED3 IHDO")
+      keyword%remark = "DT2MS scales a layer over a quad, or a brick, as one element: the step " &
+         & //"is then TSSFAC times -DT2MS. Added mass has inertia and weight; the listing and " &
+         & //"plydyn check tell how much there is of it in each part, with a warning above 5 % " &
+         & //"unless *CONTROL_QUASI_STATIC watches the kinetic energy. A positive DT2MS, one " &
+         & //"step for all elements, is refused. A restart may change the keyword: all its fields " &
+         & //"count from there on, velocities stay, and the kinetic energy of the mass that is " &
+         & //"added or taken is external work. See the theory, Mass scaling."
    end function control_timestep
 
    !> Energies

@@ -36,7 +36,8 @@ module plydyn_input_keywords
       & keyword_row_type, stage_control, stage_definition, stage_element, stage_laminate, &
       & stage_load, stage_material, stage_output, stage_part, stage_set, stage_support, &
       & stage_table
-   use plydyn_input_read_control, only : read_control_layerwise, read_control_parallel, &
+   use plydyn_input_read_control, only : check_control_timestep, read_control_layerwise, &
+      & read_control_parallel, &
       & read_control_termination, read_control_timestep, read_control_units, &
       & read_control_quasi_static, read_damping_global, read_damping_relaxation, read_title
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
@@ -120,7 +121,8 @@ contains
       call list%add(control_termination(), read_control_termination, stage_control)
       call list%add_unread([control_stage(), delete_body("IMPACTOR", "IID"), &
          & delete_body("FIXTURE", "FID")])
-      call list%add(control_timestep(), read_control_timestep, stage_control)
+      call list%add(control_timestep(), read_control_timestep, stage_control, &
+         & check=check_control_timestep)
       call list%add_unread([control_energy()])
       call list%add(control_parallel(), read_control_parallel, stage_control)
       call list%add(control_layerwise(), read_control_layerwise, stage_control)

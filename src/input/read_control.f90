@@ -1,6 +1,7 @@
 !> Readers of title, units, time step, end and damping.
 module plydyn_input_read_control
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_units, only : derived_units
@@ -11,9 +12,12 @@ module plydyn_input_read_control
    implicit none
    private
 
-   public :: read_title, read_damping_global, read_damping_relaxation, &
+   public :: check_control_timestep, read_title, read_damping_global, read_damping_relaxation, &
       & read_control_quasi_static, read_control_units, read_control_termination, &
       & read_control_timestep, read_control_parallel, read_control_layerwise
+
+   !> Share of a step below which two are the same
+   real(wp), parameter :: round_off = 1.0e-9_wp
 
 contains
 
@@ -56,7 +60,7 @@ contains
       end if
    end subroutine read_control_termination
 
-   !> *CONTROL_TIMESTEP: first step, share of the stable one, bound
+   !> *CONTROL_TIMESTEP: first step, share of the stable one, mass scaling, bound
    subroutine read_control_timestep(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
@@ -64,6 +68,12 @@ contains
 
       model%control%first_step = cards%real("DTINIT")
       model%control%step_factor = cards%real("TSSFAC")
+      model%control%mass_scaled_step = max(0.0_wp, -cards%real("DT2MS"))
+      if (cards%real("DT2MS") > 0.0_wp) call catalogue%refuse(cards, "DT2MS", "a positive value, " &
+         & //"which gives all elements the same step, is not supported", "the negative of the " &
+         & //"smallest stable step that elements shall have")
+      ! of the card of a restart all fields count
+      model%control%step_curve = 0
       if (cards%integer("LCTM") > 0) then
          call catalogue%find(a_curve, cards, "LCTM", model%control%step_curve)
          model%control%curve_line = cards%line_of("LCTM")
@@ -73,6 +83,26 @@ contains
       call catalogue%refuse(cards, "LCTM", "the curve bounds the step by 0 or less somewhere", &
          & "a curve with ordinates above 0")
    end subroutine read_control_timestep
+
+   !> Refuse mass that is added for a step that is not taken
+   subroutine check_control_timestep(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      real(wp) :: bound, step
+
+      associate (control => model%control)
+         step = control%step_factor*control%mass_scaled_step
+         bound = huge(1.0_wp)
+         if (control%largest_step > 0.0_wp) bound = control%largest_step
+         if (control%step_curve > 0) bound = min(bound, maxval(model%curves(control%step_curve)%y))
+         if (cards%real("DT2MS") >= 0.0_wp .or. step <= bound*(1.0_wp + round_off)) return
+      end associate
+      call catalogue%refuse(cards, "DT2MS", "mass would be added for a step of "//text(step) &
+         & //", TSSFAC times -DT2MS, but DTMAX of *CONTROL_LAYERWISE or the curve LCTM keeps it " &
+         & //"at "//text(bound), "a DT2MS nearer to 0, or a larger bound")
+   end subroutine check_control_timestep
 
    !> *CONTROL_PARALLEL: threads
    subroutine read_control_parallel(cards, catalogue, model)

@@ -6,7 +6,7 @@ program test_input_read_control
    use plydyn_model_control, only : all_explicit, implicit_thickness, &
       & linear_strain, total_lagrangian
    use plydyn_model_model, only : model_type
-   use testing, only : begin, check, finish
+   use testing, only : begin, check, check_error, finish
    implicit none
 
    character(*), parameter :: path = "test_input_read_control.k"
@@ -44,6 +44,20 @@ program test_input_read_control
       call check(control%damping, 25.0_wp, 0.0_wp, "damping")
    end associate
    call check(model%title == "A plate, flat", "title")
+   call check(model%control%mass_scaled_step, 0.0_wp, 0.0_wp, "no mass is added")
+
+   call begin("read_control_timestep")
+   call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,-2.e-6|")
+   call check(.not. allocated(error), "is read")
+   call check(model%control%mass_scaled_step, 2.0e-6_wp, 0.0_wp, "step for which mass is added")
+   call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,2.e-6|")
+   call check_error(error, "DT2MS: a positive value", "one step for all is refused")
+   call read_plate("*CONTROL_TIMESTEP|0.,0.5,0,0.,-2.e-6|*CONTROL_LAYERWISE|0,0.1,0,1.e-6|")
+   call check(.not. allocated(error), "DTMAX may be the step")
+   call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,-2.e-6|*CONTROL_LAYERWISE|0,0.1,0,1.e-6|")
+   call check_error(error, "but DTMAX of *CONTROL_LAYERWISE", "mass for nothing is refused")
+   call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,-2.e-6,3|*DEFINE_CURVE|3,|0.,1.e-6|1.,1.e-6|")
+   call check_error(error, "or the curve LCTM keeps it at 0.1", "a curve counts as well")
 
    call begin("read_control_termination")
    call read_lines(path, "*KEYWORD|*CONTROL_TERMINATION|2.0,100,0.01,0.,0.,1|" &
