@@ -228,8 +228,9 @@ contains
       else
          write (unit, "(a)") "kinematics                    linear strain"
       end if
-      write (unit, "(a,es14.7,1x,a)") "mass of the plate            ", domain%inertia%total_mass, &
-         & trim(model%control%units%mass)
+      write (unit, "(a,es14.7,1x,2a)") "mass of the plate            ", domain%inertia%total_mass, &
+         & trim(model%control%units%mass), trim(merge(", added mass included", &
+         & "                     ", size(domain%inertia%added) > 0))
       call write_impactors(unit, model, contacts)
       do i = 1, size(domain%contact%fixtures)
          associate (fixture => domain%contact%fixtures(i))

@@ -73,7 +73,8 @@ contains
             self%cause = group%element_kind//" "//text(limit%element_id)//" " &
                & //group%layer_kind//" "//text(limit%slowest(1)%layer)
          end associate
-         if (limit%interface_rest > limit%element_rate) self%cause = "interfaces"
+         if (limit%interface_rest > limit%slowest(1)%rate) self%cause = "interfaces"
+         if (limit%unscaled_step < limit%step) self%cause = "DT2MS"
          self%largest = control%step_factor*limit%step
          self%has_curve = control%step_curve > 0
          if (control%largest_step > 0.0_wp .and. control%largest_step < self%largest) then

@@ -5,11 +5,13 @@ module plydyn_io_listing_time_step
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : all_explicit, implicit_thickness, total_lagrangian
    use plydyn_model_model, only : model_type
+   use plydyn_io_job, only : job_type
+   use plydyn_io_listing_mass_scaling, only : write_mass_scaling
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
    private
 
-   public :: write_step
+   public :: write_new_step, write_step
 
    !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
    real(wp), parameter :: plane_share = 0.5_wp
@@ -19,7 +21,8 @@ module plydyn_io_listing_time_step
 
 contains
 
-   !> The stable step, what governs it, and the quads that have the smallest
+   !> The stable step, what governs it, the quads that have the smallest, and the mass that is added
+   !> for a larger one
    subroutine write_step(unit, model, domain)
       !> Unit of the listing
       integer, intent(in) :: unit
@@ -32,9 +35,11 @@ contains
       call write_section(unit, "Stable step")
       associate (limit => domain%limit)
          write (unit, "(a,es12.5,a)") "stable step                  ", limit%step, time
+         if (is_scaled(domain)) write (unit, "(a,es12.5,a)") "without added mass           ", &
+            & limit%unscaled_step, time
          write (unit, "(a)") "governed by                   "//governor(domain)
          write (unit, "(a,es12.5,a)") "plies alone                  ", &
-            & 2.0_wp/sqrt(limit%element_rate), time
+            & 2.0_wp/sqrt(limit%slowest(1)%rate), time
          if (domain%control%scheme /= implicit_thickness .and. limit%plane_rate > 0.0_wp) then
             write (unit, "(a,es12.5,a)") "thickness implicit, about    ", &
                & 2.0_wp/sqrt(limit%plane_rate), time
@@ -53,9 +58,34 @@ contains
       call write_room(unit, domain)
       call write_added(unit, model, domain)
       call write_smallest(unit, model, domain)
+      call write_mass_scaling(unit, model, domain)
    end subroutine write_step
 
-   !> What governs the step
+   !> The step from a restart on, and what the change of the mass did
+   subroutine write_new_step(job, model, domain, kinetic)
+      type(job_type), intent(in) :: job
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      !> Kinetic energy of the plate before and after
+      real(wp), intent(in) :: kinetic(2)
+
+      call write_step(job%listing, model, domain)
+      write (job%listing, "(a)") ""
+      call job%note("*CONTROL_TIMESTEP of the restart: the step is at most " &
+         & //text(domain%step, 5)//" "//trim(model%control%units%time)//" from here on; the " &
+         & //"kinetic energy of the plate changes from "//text(kinetic(1), 5)//" to " &
+         & //text(kinetic(2), 5)//" "//trim(model%control%units%energy)//" with its mass, by " &
+         & //"external work")
+   end subroutine write_new_step
+
+   !> Whether mass is added for the step
+   pure logical function is_scaled(domain)
+      type(domain_type), intent(in) :: domain
+
+      is_scaled = size(domain%inertia%added) > 0
+   end function is_scaled
+
+   !> What governs the step without added mass
    function governor(domain) result(words)
       type(domain_type), intent(in) :: domain
       character(:), allocatable :: words
@@ -65,11 +95,11 @@ contains
             words = group%element_kind//" "//text(limit%element_id)//", "//group%layer_kind &
                & //" "//text(limit%slowest(1)%layer)
          end associate
-         if (limit%interface_rest > limit%element_rate) then
+         if (limit%interface_rest > limit%slowest(1)%rate) then
             words = "the springs of interfaces"
          else if (limit%plane_rate <= 0.0_wp) then
             return
-         else if (limit%plane_rate < plane_share*limit%element_rate) then
+         else if (limit%plane_rate < plane_share*limit%slowest(1)%rate) then
             words = words//", its thickness"
          else
             words = words//", its size in the plane"
@@ -88,7 +118,7 @@ contains
       associate (limit => domain%limit)
          share = 0.5_wp*domain%step*sqrt(limit%element_rate)
          if (domain%control%kinematics /= total_lagrangian .or. limit%plane_rate <= 0.0_wp) return
-         if (limit%plane_rate >= plane_share*limit%element_rate) return
+         if (limit%plane_rate >= plane_share*limit%slowest(1)%rate) return
          if (share <= roomy_share + slack) return
       end associate
       write (unit, "(5a)") "note: large displacement, ", fixed_text(share, 3), " of the stable ", &
@@ -148,7 +178,7 @@ contains
       end do
    end function largest_stretch
 
-   !> Table of the quads with the smallest steps
+   !> Table of the quads with the smallest steps without added mass
    subroutine write_smallest(unit, model, domain)
       integer, intent(in) :: unit
       type(model_type), intent(in) :: model
