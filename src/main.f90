@@ -17,6 +17,8 @@ program plydyn
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_listing, only : write_listing, write_restart
+   use plydyn_io_listing_mass_scaling, only : added_mass_warning
+   use plydyn_io_listing_time_step, only : write_new_step
    use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_listing_ranks, only : write_ranks
    use plydyn_io_checkpoint_broadcast_job, only : broadcast_job
@@ -102,7 +104,7 @@ contains
       type(dump_input_type) :: dump
       type(job_type) :: job
       type(run_type) :: parts
-      real(wp) :: seconds
+      real(wp) :: kinetic(2), seconds
 
       call begin_job(comm, command, job)
       call dump%open(command%restart, error)
@@ -121,7 +123,7 @@ contains
       if (allocated(error)) return
       call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
-      call resume(dump, parts, error)
+      call resume(dump, parts, kinetic, error)
       if (allocated(error)) return
       if (parts%model%control%check_only) then
          seconds = seconds_per_step(parts)
@@ -134,6 +136,9 @@ contains
       if (allocated(error)) return
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
          & command%deck, messages, parts%state)
+      if (comm%is_root() .and. parts%model%changes%step) then
+         call write_new_step(job, parts%model, parts%domain, kinetic)
+      end if
       if (parts%state%is_finished()) call job%note("nothing is left to do: the end that the run " &
          & //"has is reached; *CONTROL_TERMINATION in a deck of the restart moves it")
       call run_job(comm, job, command%most_seconds, parts, error)
@@ -211,7 +216,7 @@ contains
       character(:), allocatable, intent(out) :: messages
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: changes(4)
+      integer :: changes(5)
 
       if (comm%is_root()) call read_decks_of_run(job%archive, deck, &
          & job%start_time, model, messages, error)
@@ -223,11 +228,12 @@ contains
          messages = ""
       end if
       associate (own => model%changes)
-         changes(:) = merge(1, 0, [own%conditions, own%end, own%relaxation, own%bodies])
+         changes(:) = merge(1, 0, [own%conditions, own%end, own%relaxation, own%bodies, &
+            & own%step])
       end associate
       call comm%broadcast(changes)
       model%changes = changes_type(changes(1) == 1, changes(2) == 1, changes(3) == 1, &
-         & changes(4) == 1)
+         & changes(4) == 1, changes(5) == 1)
    end subroutine read_model
 
    !> All that a run needs, with a state at time zero
@@ -235,10 +241,13 @@ contains
       type(comm_type), intent(in) :: comm
       !> Threads that the command line asks for, 0 when it does not
       integer, intent(in) :: threads
-      character(*), intent(in) :: messages
+      !> Warnings and notes; gets those on the domain
+      character(:), allocatable, intent(inout) :: messages
       !> Has the model, which gets the number of threads
       type(run_type), intent(inout) :: parts
       type(error_type), allocatable, intent(out) :: error
+
+      character(:), allocatable :: warning
 
       if (len(messages) > 0) write (output_unit, "(a)") messages
       parts%model%control%threads = choose_threads(threads, parts%model%control%threads)
@@ -250,6 +259,12 @@ contains
       end if
       call set_threads(parts%model%control%threads)
       call set_up(comm, parts, error)
+      if (allocated(error) .or. .not. comm%is_root()) return
+      warning = added_mass_warning(parts%domain)
+      if (len(warning) == 0) return
+      write (output_unit, "(a)") warning
+      if (len(messages) > 0) messages = messages//new_line("a")
+      messages = messages//warning
    end subroutine build_run
 
    !> Write the listing up to the first step

@@ -21,12 +21,14 @@ module plydyn_run_restart
 contains
 
    !> Take the state of a restart file
-   subroutine resume(dump, run, error)
+   subroutine resume(dump, run, kinetic, error)
       !> The file, open
       type(dump_input_type), intent(inout) :: dump
       !> All that a run needs; its state at time zero is replaced, and its contacts get their memory
       !> back
       type(run_type), intent(inout) :: run
+      !> Kinetic energy of the plate before and after the changes of the deck
+      real(wp), intent(out) :: kinetic(2)
       !> The file is not for this model; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
@@ -37,6 +39,7 @@ contains
          end_time = state%end%time
          end_cycle = state%end%cycle
          state%fixtures%height = huge(1.0_wp)
+         kinetic(:) = 0.0_wp
          call dump%read_state(run%state_parts, changes, state, error)
          if (allocated(error)) return
          if (changes%bodies) then
@@ -53,7 +56,13 @@ contains
             if (allocated(error)) return
          end if
          if (changes%relaxation) state%relaxation = relaxation_state_type()
-         if (changes%conditions .or. changes%bodies) call change_conditions(run%domain, state)
+         ! DTMIN counts from the new step
+         if (changes%step) state%first_step = run%domain%step
+         kinetic(1) = state%energies%kinetic
+         if (changes%conditions .or. changes%bodies .or. changes%step) then
+            call change_conditions(run%domain, changes%step, state)
+         end if
+         kinetic(2) = state%energies%kinetic
       end associate
    end subroutine resume
 
@@ -71,14 +80,15 @@ contains
          & //"; ENDTIM and ENDCYC, if given, must lie behind")
    end subroutine check_end
 
-   !> Change supports, loads and bodies. Energy that they take from the motion at once, or give to
-   !> it, is external work
-   subroutine change_conditions(domain, state)
-      !> The domain with the new supports and loads
+   !> Change supports, loads, bodies, and masses. Energy that they take from the motion at once, or
+   !> give to it, is external work: points keep their velocity when their mass changes
+   subroutine change_conditions(domain, has_new_step, state)
+      !> The domain with the new supports, loads and masses
       type(domain_type), intent(in) :: domain
+      !> Whether the step and the masses may be others
+      logical, intent(in) :: has_new_step
       type(state_type), intent(inout) :: state
 
-      real(wp), allocatable :: history(:)
       real(wp) :: total
       integer :: m
       type(global_reduction_type) :: reduction
@@ -87,17 +97,15 @@ contains
       deallocate (state%supports%load_factor, state%supports%force, state%supports%velocity)
       allocate (state%supports%load_factor(size(domain%loads)))
       allocate (state%supports%force(support_points(domain)))
-      allocate (state%supports%velocity(0))
-      do m = 1, size(domain%supports%motions)
-         state%supports%velocity = [state%supports%velocity, &
-            & state%velocity(domain%supports%motions(m)%freedom)]
-      end do
       associate (e => state%energies)
          total = e%total()
-         history = state%history
-         call begin_accelerations(domain, state, reduction)
-         ! no step was made: histories are as before
-         state%history(:) = history
+         if (has_new_step) call change_step(domain, state)
+         allocate (state%supports%velocity(0))
+         do m = 1, size(domain%supports%motions)
+            state%supports%velocity = [state%supports%velocity, &
+               & state%velocity(domain%supports%motions(m)%freedom)]
+         end do
+         call accelerate(domain, state, reduction)
          call measure_energies(domain, reduction, state%step_before, state)
          e%external = e%external + e%total() - total
          call e%raise_reference()
@@ -107,5 +115,36 @@ contains
          state%end%look_work = e%external
       end associate
    end subroutine change_conditions
+
+   !> Let the velocity that is kept be that half a new step before, with the new masses: at the full
+   !> step it stays what it was
+   subroutine change_step(domain, state)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(inout) :: state
+
+      real(wp), allocatable :: before(:)
+      type(global_reduction_type) :: reduction
+
+      before = state%acceleration(:size(state%velocity))
+      call accelerate(domain, state, reduction)
+      state%velocity(:) = state%velocity + 0.5_wp*(state%step_before*before &
+         & - domain%step*state%acceleration(:size(before)))
+      state%velocity(domain%supports%held) = 0.0_wp
+      state%step_before = domain%step
+   end subroutine change_step
+
+   !> Accelerations with the conditions of the deck; no step is made, and histories stay
+   subroutine accelerate(domain, state, reduction)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(inout) :: state
+      !> Sums over all points
+      type(global_reduction_type), intent(out) :: reduction
+
+      real(wp), allocatable :: history(:)
+
+      history = state%history
+      call begin_accelerations(domain, state, reduction)
+      state%history(:) = history
+   end subroutine accelerate
 
 end module plydyn_run_restart
