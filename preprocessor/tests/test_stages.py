@@ -48,6 +48,16 @@ def test_a_quasi_static_stage_says_so(study: pre.Study) -> None:
     assert (share, fall) == (0.05, 0.5)
 
 
+def test_a_stage_has_its_own_mass_scaling(study: pre.Study) -> None:
+    """With the other fields of the step as before; without the key the stage leaves the step."""
+    settle, press = decks(study)
+    assert "CONTROL_TIMESTEP" not in settle + press
+    stage = replace(study.stages[1], mass_scaled_step=2.0e-7)
+    scaled = replace(study, stages=(study.stages[0], stage))
+    card = [float(field) for field in cards_of(decks(scaled)[1])["CONTROL_TIMESTEP"][0].split()]
+    assert card == [0.0, study.control.step_factor, 0.0, 0.0, -2.0e-7, 0.0, 0.0, 0.0]
+
+
 def test_numbers_of_a_stage_are_its_own(study: pre.Study) -> None:
     """Those of the decks before are taken."""
     _, press = decks(study)
@@ -77,6 +87,7 @@ def test_a_line_is_the_mesh_line_next_to_it(study: pre.Study) -> None:
         ({"quasi_static": 1.5}, "quasi_static"),
         ({"quasi_static": 0.0, "until_fall": 2.0}, "until_fall"),
         ({"until_fall": 0.5}, "needs quasi_static"),
+        ({"mass_scaled_step": -1.0e-7}, "mass_scaled_step"),
         ({"contact": pre.Contact()}, "needs an impactor"),
     ],
 )

@@ -27,7 +27,7 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield keyword("TITLE", title_line(study.title))
     yield keyword("CONTROL_UNITS", _units(study))
     yield keyword("CONTROL_TERMINATION", _termination(control))
-    yield keyword("CONTROL_TIMESTEP", _step(control, names.curve(control.step_curve)))
+    yield step_keyword(control, names.curve(control.step_curve))
     yield keyword("CONTROL_LAYERWISE", _scheme(control))
     if control.damping > 0.0:
         unused = dict.fromkeys(("stx", "sty", "stz", "srx", "sry", "srz"), 0.0)
@@ -91,6 +91,11 @@ def _scheme(control: Control) -> Card:
     }
 
 
+def step_keyword(control: Control, curve: int) -> str:
+    """The time step; the curve bounds it."""
+    return keyword("CONTROL_TIMESTEP", _step(control, curve))
+
+
 def _step(control: Control, curve: int) -> Card:
     """The time step."""
     return {
@@ -98,7 +103,7 @@ def _step(control: Control, curve: int) -> Card:
         "tssfac": control.step_factor,
         "isdo": 0,
         "tslimt": 0.0,
-        "dt2ms": 0.0,
+        "dt2ms": -control.mass_scaled_step or 0.0,
         "lctm": curve,
         "erode": 0,
         "ms1st": 0,

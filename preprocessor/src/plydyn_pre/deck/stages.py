@@ -37,6 +37,9 @@ def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator
     yield keyword("DAMPING_RELAXATION", {"drtol": stage.at_rest})
     if stage.damping is not None:
         yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": stage.damping})
+    if stage.mass_scaled_step is not None:
+        scaled = replace(study.control, mass_scaled_step=stage.mass_scaled_step, first_step=0.0)
+        yield control.step_keyword(scaled, names.curve(scaled.step_curve))
     if stage.quasi_static is not None:
         fall = {"fall": stage.until_fall} if stage.until_fall else {}
         yield keyword("CONTROL_QUASI_STATIC", {"share": stage.quasi_static} | fall)

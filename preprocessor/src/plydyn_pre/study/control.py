@@ -51,6 +51,7 @@ class Control:
     largest_step: float = 0.0  # time; 0 for none
     step_factor: float | None = None  # share of the stable step; 0.8, or 0.9 where waves have room
     first_step: float = 0.0  # time; 0 for the stable one
+    mass_scaled_step: float = 0.0  # mass is added where the stable step is smaller; 0 for none
     smallest_step: float = 0.0  # share of the first step at which the run stops; 0 for none
     step_curve: str = ""  # name of a curve of the largest step over time
     end_cycle: int = 0  # 0 for none
@@ -69,6 +70,7 @@ class Control:
         require(self.step_factor <= 1.0, "step_factor", rule)
         require_between(self, 0.0, 1.0, "smallest_step")
         require_not_negative(self, "first_step", "largest_step", "damping", "end_cycle")
+        require_not_negative(self, "mass_scaled_step")
 
 
 @dataclass(frozen=True)

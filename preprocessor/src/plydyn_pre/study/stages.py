@@ -22,6 +22,7 @@ class Stage:
     remove: tuple[Literal["impactor", "fixtures"], ...] = ()  # of the stages before
     at_rest: float = 0.0  # dynamic relaxation until this share of the largest kinetic energy
     damping: float | None = None  # force per mass and velocity; as before if absent
+    mass_scaled_step: float | None = None  # as that of the control; as before if absent
     quasi_static: float | None = None  # warn above this kinetic over internal energy
     until_fall: float = 0.0  # ends where the load is below this share of its largest value
     supports: tuple[Support, ...] = ()  # these and the loads replace those before, if any are given
@@ -39,6 +40,8 @@ class Stage:
         require_between(self, 0.0, 1.0, "at_rest")
         if self.damping is not None:
             require_not_negative(self, "damping")
+        if self.mass_scaled_step is not None:
+            require_not_negative(self, "mass_scaled_step")
         if self.quasi_static is not None:
             require_between(self, 0.0, 1.0, "quasi_static")
         require_between(self, 0.0, 1.0, "until_fall")

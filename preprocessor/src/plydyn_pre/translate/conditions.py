@@ -52,17 +52,27 @@ def read_control(plate: Plate) -> None:
 
 
 def _read_step(plate: Plate) -> None:
-    """The share of the stable step: with large displacement waves need room."""
-    share = _MOST_SHARE
+    """The share of the stable step, as waves need room with large displacement; mass scaling."""
+    share, scaled = _MOST_SHARE, 0.0
     for block in find(plate.blocks, "CONTROL_TIMESTEP"):
         given = block.number("TSSFAC", 0.0) or 0.9
         share = min(given, _MOST_SHARE)
         if share < given:
             block.mark(REPLACED, f"{share:g}: with large displacement waves need room", "TSSFAC")
-        block.mark(
-            LOST, "no mass is scaled; IMPL of *CONTROL_LAYERWISE makes steps longer", "DT2MS"
-        )
-    plate.control.append(keyword("CONTROL_TIMESTEP", {"dtinit": 0.0, "tssfac": share}))
+        scaled = block.number("DT2MS", 0.0)
+        if scaled > 0.0:
+            block.mark(LOST, "elements with a larger step would lose mass", "DT2MS")
+            scaled = 0.0
+        elif scaled < 0.0:
+            block.mark(TAKEN, "mass where the stable step of a ply over a quad is smaller", "DT2MS")
+            plate.notes.append(
+                "DT2MS scales the mass of plies, whose stable step is smaller than that of shells: "
+                "look at Mass scaling in the listing of plydyn check before a run"
+            )
+    card = {"dtinit": 0.0, "tssfac": share}
+    if scaled < 0.0:
+        card |= {"isdo": 0.0, "tslimt": 0.0, "dt2ms": scaled}
+    plate.control.append(keyword("CONTROL_TIMESTEP", card))
 
 
 def read_supports(plate: Plate) -> None:
