@@ -32,6 +32,13 @@ def scattered() -> Deck:
     return deck
 
 
+def heavy_columns() -> Deck:
+    """Implicit columns whose masses are scaled."""
+    deck = impact(1, "springs", implicit=2)
+    deck.add("CONTROL_TIMESTEP", (0.0, 0.9, 0, 0.0, -2.0e-7))
+    return deck
+
+
 CASES: dict[str, Callable[[], Deck]] = {
     **KINDS,
     "tied": tied,
@@ -44,6 +51,9 @@ CASES: dict[str, Callable[[], Deck]] = {
     "bodies of every shape": all_bodies,
     "bodies of every shape, implicit": lambda: all_bodies(2),
     "fixtures under implicit columns": lambda: all_fixtures(2),
+    "added mass": lambda: springs(scaled=4.5e-8),
+    "added mass of bricks": lambda: solid(scaled=8.0e-8),
+    "added mass of implicit columns": heavy_columns,
 }
 
 

@@ -108,10 +108,14 @@ class Deck:
         share: float = 0.9,
         scheme: int = 0,
         largest: float = 0.0,
+        scaled: float = 0.0,
     ) -> None:
-        """Strain measure, damping per mass, share of the stable step, what is implicit, DTMAX."""
+        """Strain measure, damping per mass, share of the stable step, what is implicit, DTMAX.
+
+        Mass is added where the stable step of an element is below `scaled`.
+        """
         self.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05, scheme, largest))
-        self.add("CONTROL_TIMESTEP", (0.0, share))
+        self.add("CONTROL_TIMESTEP", (0.0, share, 0, 0.0, -scaled) if scaled else (0.0, share))
         if damping > 0.0:
             self.add("DAMPING_GLOBAL", (0, damping))
 

@@ -13,10 +13,10 @@ WIDTH, LENGTH = 18.0, 24.0
 THICKNESS = 1.5
 
 
-def start(title: str, mesh: Mesh, *, linear: bool) -> Deck:
+def start(title: str, mesh: Mesh, *, linear: bool, scaled: float = 0.0) -> Deck:
     """A plate of more quads than fit in one chunk, held on one side."""
     deck = Deck(title, STEPS * STEP)
-    deck.control(linear=linear, damping=1.0e4)
+    deck.control(linear=linear, damping=1.0e4, scaled=scaled)
     deck.mesh(mesh)
     deck.hold(mesh.where(x=0.0), "xyz")
     return deck
@@ -49,10 +49,10 @@ def tied() -> Deck:
     return deck
 
 
-def springs() -> Deck:
-    """Ten plies joined by springs, linear, four nodes to a quad."""
+def springs(scaled: float = 0.0) -> Deck:
+    """Ten plies joined by springs, linear, four nodes to a quad; with mass for a step, if given."""
     mesh = distorted(regular(LENGTH, WIDTH, 12, 9, 4), 0.3)
-    deck = start("springs", mesh, linear=True)
+    deck = start("springs", mesh, linear=True, scaled=scaled)
     deck.laminate([Ply(CARBON, 0.1 * THICKNESS, 30.0 * k) for k in range(10)], order=1)
     deck.interfaces(1.0e5, 5.0e4)
     load(deck, mesh, 1)
@@ -71,11 +71,11 @@ def metal() -> Deck:
     return deck
 
 
-def solid() -> Deck:
+def solid(scaled: float = 0.0) -> Deck:
     """Bricks of three chunks and a bit, alike but for the round-off of their nodes."""
     mesh = box((LENGTH / 0.7, WIDTH / 0.7, THICKNESS), (34, 31, 6))
     deck = Deck("solid", STEPS * STEP)
-    deck.control(linear=True, damping=1.0e4)
+    deck.control(linear=True, damping=1.0e4, scaled=scaled)
     add_bricks(deck, mesh, _aluminium, hourglass=(6, 0.1))
     deck.hold(mesh.where(x=0.0), "xyz")
     centre = (0.5 * LENGTH, 0.5 * WIDTH, 8.0 + THICKNESS)
