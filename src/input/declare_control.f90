@@ -114,9 +114,9 @@ contains
          & //"is then TSSFAC times -DT2MS. Added mass has inertia and weight; the listing and " &
          & //"plydyn check tell how much there is of it in each part, with a warning above 5 % " &
          & //"unless *CONTROL_QUASI_STATIC watches the kinetic energy. A positive DT2MS, one " &
-         & //"step for all elements, is refused. A restart may change the keyword: all its fields " &
-         & //"count from there on, velocities stay, and the kinetic energy of the mass that is " &
-         & //"added or taken is external work. See the theory, Mass scaling."
+         & //"step for all elements, is refused. A restart may change the keyword: all its " &
+         & //"fields count from there on, velocities stay, and the kinetic energy of the mass " &
+         & //"that is added or taken is external work. See the theory, Mass scaling."
    end function control_timestep
 
    !> Energies
