@@ -239,11 +239,9 @@ contains
    !> Raise the eigenvalues of springs at the faces of the layers of the group's part
    subroutine raise_spring_rates(self, model, columns, factor, rate)
       class(element_group_type), intent(in) :: self
-      !> The model
+      !> As in `spring_rate`
       type(model_type), intent(in) :: model
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> Largest `point_factor` of the model
       real(wp), intent(in) :: factor
       !> Largest eigenvalue of the springs at either face so far, by layer
       real(wp), intent(inout) :: rate(:)
