@@ -127,6 +127,20 @@ def test_friction_of_the_contact_is_that_of_the_impactor(tmp_path: Path) -> None
     assert "a table, the friction of parts" in page
 
 
+def test_negative_mass_scaling_is_taken(tmp_path: Path) -> None:
+    """A positive one would take mass from most elements, and is lost."""
+    text, page = translated(tmp_path, composite("comma"))
+    step = [float(word) for word in cards_of(text)["CONTROL_TIMESTEP"][0].split()]
+    assert (step[0], *step[2:]) == (0.0, 0.0, 0.0, -1.0e-7)
+    assert "look at Mass scaling in the listing" in page
+    assert re.search(r"\| DT2MS \| -1e-07 \| taken", page)
+    positive = composite("comma").replace("-1e-07", "1e-07")
+    assert positive != composite("comma")
+    text, page = translated(tmp_path, positive)
+    assert len(cards_of(text)["CONTROL_TIMESTEP"][0].split()) == 2
+    assert re.search(r"\| DT2MS \| 1e-07 \| lost: elements with a larger step", page)
+
+
 def test_quads_are_raised_and_edges_held_with_their_mid_sides(tmp_path: Path) -> None:
     cards = cards_of(translated(tmp_path, composite())[0])
     assert len(cards["NODE"]) == (2 * 4 + 1) ** 2
