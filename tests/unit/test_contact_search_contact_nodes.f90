@@ -41,6 +41,9 @@ contains
       call check(.not. allocated(error), "a sphere much wider than the plate has few nodes over it")
       call new_nodes(nodes, surface, flat, touching, ball_body(radius), 1.0e-3_wp, error)
       call check(allocated(error), "millions of nodes are refused")
+      call new_nodes(nodes, surface, flat, [0.0_wp, 0.0_wp, 1.0e9_wp], ball_body(1.0e9_wp), &
+         & spacing, error)
+      call check(allocated(error), "billions of rings of which few have nodes are not counted")
       call new_nodes(nodes, surface, flat, touching, ball_body(radius), 4.0_wp, error)
       call check(allocated(error), "a few nodes are refused")
    end subroutine check_spacing

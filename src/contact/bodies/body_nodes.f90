@@ -22,7 +22,7 @@ module plydyn_contact_bodies_body_nodes
       real(wp) :: height(2) = [-huge(1.0_wp), huge(1.0_wp)]
       !> 1 when the plate lies below the body, -1 when above
       integer :: side = 1
-      !> About how many nodes to count at most
+      !> About how many nodes to count at most; rings of an arc or side beyond count as more
       integer :: most = huge(1)
    end type node_range_type
 
@@ -119,7 +119,7 @@ contains
       integer :: r, rings
 
       if (angle(2) <= angle(1) .or. body%rounding <= 0.0_wp) return
-      rings = max(1, ceiling((angle(2) - angle(1))*body%rounding/range%spacing))
+      call count_rings(range, (angle(2) - angle(1))*body%rounding, rings, list)
       do r = 1, rings
          call add_ring(body, range, corner, angle(1) + r*((angle(2) - angle(1))/rings), list)
       end do
@@ -142,12 +142,28 @@ contains
       steepest = cos(angle)*upward + sin(angle)*sqrt(max(0.0_wp, 1.0_wp - upward**2))
       if (steepest <= round_off) return
       associate (length => min(norm2(edge), abs(corner(1)) + 2.0_wp*range%horizontal))
-         rings = max(1, ceiling(length/range%spacing))
+         call count_rings(range, length, rings, list)
          do r = 1, rings
             call add_ring(body, range, corner + edge*(length/norm2(edge)*r/rings), angle, list)
          end do
       end associate
    end subroutine add_side
+
+   !> Number of rings along a length of the outline; none, and too many nodes, where they are
+   !> more than may be counted
+   pure subroutine count_rings(range, length, rings, list)
+      type(node_range_type), intent(in) :: range
+      real(wp), intent(in) :: length
+      integer, intent(out) :: rings
+      type(node_list_type), intent(inout) :: list
+
+      rings = 0
+      if (length > range%most*range%spacing) then
+         list%count = huge(list%count)
+      else
+         rings = max(1, ceiling(length/range%spacing))
+      end if
+   end subroutine count_rings
 
    !> Nodes evenly spaced on a circle around the axis, half a spacing from the first direction:
    !> those that face the plate and lie in the range

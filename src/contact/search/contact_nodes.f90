@@ -41,7 +41,7 @@ module plydyn_contact_search_contact_nodes
    !> How often nodes are added at most: up to a thousand radii
    integer, parameter :: most_growths = 13
 
-   !> Most contact nodes on an impactor at the start
+   !> Most contact nodes on an impactor at the start, and most rings of them in all
    integer, parameter :: most_nodes = 1000000
 
    !> Contact nodes with their search data and multipliers of the last step
@@ -108,8 +108,9 @@ contains
       self%range%most = huge(1)
       if (nodes > most_nodes) then
          call fail(error, exit_input, "a spacing of "//text(self%range%spacing)//" gives more " &
-            & //"than "//text(most_nodes)//" contact nodes where an impactor of radius " &
-            & //text(body%radius)//" touches first: set a larger SPACING, or use METHOD 2")
+            & //"than "//text(most_nodes)//" contact nodes, or rings of them, where an impactor " &
+            & //"of radius "//text(body%radius)//" touches first: set a larger SPACING, or use " &
+            & //"METHOD 2")
       else if (self%range%spacing > largest_spacing*body%radius) then
          call fail(error, exit_input, "a spacing of "//text(spacing)//" leaves too few contact " &
             & //"nodes on an impactor of radius "//text(body%radius)//": set SPACING to at most " &
