@@ -1,10 +1,14 @@
-!> Warnings of numbers that no material or impactor has in the units of the deck.
+!> Warnings of numbers that no material, interface or impactor has in the units of the deck.
 module plydyn_input_check_units
    use plydyn_base_precision, only : wp
    use plydyn_deck_report, only : deck_location_type
    use plydyn_deck_values, only : number_words
-   use plydyn_input_catalogue, only : a_material, an_impactor, catalogue_type
+   use plydyn_input_catalogue, only : a_material, an_impactor, an_interface_material, &
+      & catalogue_type
    use plydyn_input_units, only : si_power
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -20,10 +24,14 @@ module plydyn_input_check_units
    real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
    !> Velocity beyond which nothing here is elastic, m/s
    real(wp), parameter :: most_velocity = 1.0e4_wp
+   !> Fracture energies of fibres, from brittle to tough ones with pull-out, J/m2
+   real(wp), parameter :: of_fibres(2) = [10.0_wp, 2.0e6_wp]
+   !> Fracture energies of matrix and interfaces, from weak to toughened adhesives, J/m2
+   real(wp), parameter :: of_matrix(2) = [0.1_wp, 1.0e5_wp]
 
 contains
 
-   !> Look at moduli, densities and velocities
+   !> Look at moduli, densities, fracture energies and velocities
    subroutine check_units(model, catalogue)
       type(model_type), intent(in) :: model
       !> Gets findings
@@ -42,7 +50,14 @@ contains
                   & material%law%young*stress, material%law%shear*stress, units)
                call look(catalogue, catalogue%registers(a_material)%line(i), material%density &
                   & *density, [least_density, most_density], "a density of", "kg/m3", units)
+               call look_at_plies(catalogue, catalogue%registers(a_material)%line(i), material, &
+                  & units)
             end associate
+         end do
+         do i = 1, size(model%interface_materials)
+            if (.not. model%interface_materials(i)%fails) cycle
+            call look_at_energies(catalogue, catalogue%registers(an_interface_material)%line(i), &
+               & model%interface_materials(i)%constants%toughness, of_matrix, units)
          end do
          do i = 1, size(model%impactors)
             call look(catalogue, catalogue%registers(an_impactor)%line(i), &
@@ -74,6 +89,45 @@ contains
       if (i > 0) call look(catalogue, line, shear(i), [least_shear, most_modulus], &
          & "a shear modulus of", "Pa", units)
    end subroutine look_at_moduli
+
+   !> Warn about fracture energies of a ply that is damaged
+   subroutine look_at_plies(catalogue, line, material, units)
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Line of the definition
+      integer, intent(in) :: line
+      type(material_type), intent(in) :: material
+      !> Units of the deck
+      type(units_type), intent(in) :: units
+
+      select type (law => material%law)
+      class is (ply_constants_type)
+         call look_at_energies(catalogue, line, law%fibre_toughness, of_fibres, units)
+         call look_at_energies(catalogue, line, law%matrix_toughness, of_matrix, units)
+      class is (fracture_constants_type)
+         call look_at_energies(catalogue, line, law%fibre_toughness, of_fibres, units)
+         call look_at_energies(catalogue, line, law%matrix_toughness, of_matrix, units)
+      end select
+   end subroutine look_at_plies
+
+   !> Warn about the first of two fracture energies out of its range
+   subroutine look_at_energies(catalogue, line, toughness, range, units)
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Line of the definition
+      integer, intent(in) :: line
+      !> Energies per area, in the units of the deck
+      real(wp), intent(in) :: toughness(2)
+      !> Smallest and largest one, J/m2
+      real(wp), intent(in) :: range(2)
+      !> Units of the deck
+      type(units_type), intent(in) :: units
+
+      real(wp) :: energy(2)
+      integer :: i
+
+      energy(:) = toughness*10.0_wp**si_power(units, 0, -2, 1)
+      i = findloc(energy < range(1) .or. energy > range(2), .true., 1)
+      if (i > 0) call look(catalogue, line, energy(i), range, "a fracture energy of", "J/m2", units)
+   end subroutine look_at_energies
 
    !> Warn about a number out of its range
    subroutine look(catalogue, line, number, range, what, unit, units)
