@@ -44,6 +44,8 @@ contains
       write (form, "(a,i0,a)") "(g0.", significant, ")"
       write (buffer, form) number
       string = trim(adjustl(buffer))
+      ! no point that nothing follows
+      if (string(len(string):) == ".") string = string(:len(string) - 1)
    end function text_of_real
 
    !> Text of a real with some digits after the point and at least one before it; no point for zero

@@ -7,6 +7,8 @@ program test_base_text
 
    call begin("text")
    call check(text(-42) == "-42", "an integer without blanks")
+   call check(text(50.0_wp, 2) == "50", "a real without a point at its end: "//text(50.0_wp, 2))
+   call check(text(0.25_wp, 2) == "0.25", "digits behind the point stay: "//text(0.25_wp, 2))
 
    call begin("fixed_text")
    call check(fixed_text(0.04_wp, 1) == "0.0", "a zero before the point: "//fixed_text(0.04_wp, 1))
