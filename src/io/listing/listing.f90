@@ -25,6 +25,9 @@ module plydyn_io_listing_listing
 
    public :: write_end, write_listing, write_restart
 
+   !> Share of the size of terms below which their sum is round-off, of a thousand plies too
+   real(wp), parameter :: share_of_round_off = 1.0e-12_wp
+
 contains
 
    !> Everything that is known before the first step
@@ -107,7 +110,7 @@ contains
       type(model_type), intent(in) :: model
       type(part_type), intent(in) :: part
 
-      real(wp) :: z
+      real(wp) :: total, z
       type(table_type) :: table
       integer :: k
 
@@ -124,14 +127,15 @@ contains
          call table%add_column("above it", 24, "a")
          call table%write_heads()
       end associate
-      z = part%bottom_offset*sum(part%plies%thickness)
+      total = sum(part%plies%thickness)
+      z = part%bottom_offset*total
       do k = 1, size(part%plies)
          associate (ply => part%plies(k))
             call table%put(ply%id)
             call table%put(ply%angle)
-            call table%put(z)
+            call table%put(beyond_round_off(z, total))
             z = z + ply%thickness
-            call table%put(z)
+            call table%put(beyond_round_off(z, total))
             call table%put(model%materials(ply%material)%id)
             call table%put(ply%order)
             call table%put(ply%layers)
@@ -147,13 +151,14 @@ contains
       type(model_type), intent(in) :: model
       type(part_type), intent(in) :: part
 
-      real(wp) :: a(3, 3), b(3, 3), d(3, 3), z
+      real(wp) :: a(3, 3), b(3, 3), d(3, 3), total, z
       integer :: k
 
       a(:, :) = 0.0_wp
       b(:, :) = 0.0_wp
       d(:, :) = 0.0_wp
-      z = part%bottom_offset*sum(part%plies%thickness)
+      total = sum(part%plies%thickness)
+      z = part%bottom_offset*total
       do k = 1, size(part%plies)
          associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
             call add_ply_stiffness(material%law, ply%angle, [z, z + ply%thickness], a, b, d)
@@ -166,9 +171,19 @@ contains
             & "] of classical laminate theory (xx, yy, xy)"
       end associate
       do k = 1, 3
-         write (unit, "(3(3es12.4,3x))") a(k, :), b(k, :), d(k, :)
+         write (unit, "(3(3es12.4,3x))") beyond_round_off(a(k, :), maxval(abs(a))), &
+            & beyond_round_off(b(k, :), maxval(abs(a))*total), &
+            & beyond_round_off(d(k, :), maxval(abs(d)))
       end do
    end subroutine write_laminate
+
+   !> A number, or zero where it is round-off beside the numbers that it is the sum of
+   elemental real(wp) function beyond_round_off(number, size) result(rounded)
+      !> The number; size of what it is the sum of
+      real(wp), intent(in) :: number, size
+
+      rounded = merge(number, 0.0_wp, abs(number) > share_of_round_off*size)
+   end function beyond_round_off
 
    !> A part of bricks
    subroutine write_brick_part(unit, model, p)

@@ -1,0 +1,50 @@
+"""Numbers of the listing as a reader wants them."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from broken import said
+from decks import Deck, Ply
+from elasticity import CARBON
+from meshes import regular
+
+
+def listing(angles: tuple[float, ...], folder: Path) -> str:
+    """The listing of a laminate of sixteenths of a millimetre that binary numbers do not have."""
+    deck = Deck("listed", 1.0e-6)
+    deck.control(linear=True)
+    deck.mesh(regular(10.0, 10.0, 2, 2, 9))
+    deck.laminate([Ply(CARBON, 0.14, angle) for angle in angles], order=1)
+    code, text = said("check", deck.write(folder / "job.k"))
+    assert code == 0, text
+    return text
+
+
+def matrices(text: str) -> list[list[float]]:
+    """The rows of A, B and D."""
+    rows = text.split("(xx, yy, xy)\n")[1].splitlines()[:3]
+    return [[float(word) for word in row.split()] for row in rows]
+
+
+def test_heights_and_coupling_of_a_symmetric_laminate_are_zero(tmp_path: Path) -> None:
+    """The middle is at 0, B is 0, and A of a balanced laminate has no term of shear."""
+    text = listing((45.0, -45.0, 0.0, 90.0, 90.0, 0.0, -45.0, 45.0) * 2, tmp_path)
+    heights = re.findall(r"^ +\d+ +[\d.-]+ +(\S+) +(\S+) +1 ", text, re.M)
+    assert len(heights) == 16
+    middle = heights[7][1], heights[8][0]
+    assert [float(height) for height in middle] == [0.0, 0.0]
+    assert "E-1" not in "".join(word for pair in heights for word in pair)
+    rows = matrices(text)
+    assert all(number == 0.0 for row in rows for number in row[3:6])
+    assert rows[0][2] == rows[1][2] == rows[2][0] == rows[2][1] == 0.0
+    assert rows[0][0] > 0.0
+    assert rows[0][8] != 0.0
+
+
+def test_coupling_of_another_laminate_is_shown(tmp_path: Path) -> None:
+    """B of [0/90] couples stretching along x with bending along x."""
+    rows = matrices(listing((0.0, 90.0), tmp_path))
+    assert rows[0][3] < 0.0 < rows[1][4]
+    assert rows[0][5] == 0.0
