@@ -158,13 +158,13 @@ def _run_here(folder: Path, words: tuple[str, ...]) -> None:
 
 
 def _checked(folder: Path, solver: str) -> tuple[int, str]:
-    """What the solver says of a deck: it accepts what was made of a recipe."""
+    """What the solver says of a deck: it accepts what was made of a recipe, and does so soon."""
     result = subprocess.run(
         [solver, "check", "job.k"],
         cwd=folder,
         capture_output=True,
         check=False,
-        timeout=600,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS)),
     )
     text = (result.stdout + result.stderr).decode(errors="replace")
     return (0 if result.returncode == 0 else 70 + result.returncode), text

@@ -78,8 +78,27 @@ def test_minor_ratios_become_major_ones_and_strengths_are_kept(tmp_path: Path) -
 def test_without_toughnesses_a_ply_is_elastic_and_the_page_says_so(tmp_path: Path) -> None:
     deck, page = translated(tmp_path, composite(), like="")
     assert "*MAT_PLY_ELASTIC" in deck and "*MAT_PLY_CODAM2" not in deck
-    assert "It is elastic in the new deck, for no toughness is known" in page
+    first = page.split("## What to look at")[1].split("##")[0]
+    assert "elastic in the new deck, for its card has no toughness; --like gives one" in first
     assert re.search(r"\| XT \| 2537 \| lost: no toughness", page)
+
+
+def test_what_stands_in_and_what_cannot_fail_is_told_first(tmp_path: Path) -> None:
+    (tmp_path / "user.k").write_text(composite(), encoding="utf-8")
+    _, _, notes = translate(tmp_path / "user.k", tmp_path / "job.k", LIKE)
+    assert any(f"are those of {LIKE} of the library" in note for note in notes)
+    assert any(note.startswith("no delamination") for note in notes)
+    (tmp_path / "user.k").write_text(cohesive(), encoding="utf-8")
+    _, _, notes = translate(tmp_path / "user.k", tmp_path / "job.k", LIKE)
+    assert not any(note.startswith("no delamination") for note in notes)
+
+
+def test_a_card_that_is_missing_is_told_by_its_fields(tmp_path: Path) -> None:
+    with pytest.raises(TranslateError) as caught:
+        translated(tmp_path, "*KEYWORD\n*PART\nplate\n*END\n")
+    assert str(caught.value).endswith(
+        "card 2 is missing: PID SECID MID EOSID HGID GRAV ADPOPT TMID"
+    )
 
 
 def test_cohesive_bricks_between_shells_are_interfaces(tmp_path: Path) -> None:

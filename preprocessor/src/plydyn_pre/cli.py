@@ -27,9 +27,9 @@ from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
-from plydyn_pre.recipe import blaming, example_recipe, load_recipe, templates
+from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
 from plydyn_pre.strength_text import is_linear, strength_lines
-from plydyn_pre.study import Study, strengths_of, unused
+from plydyn_pre.study import Study, doubts, strengths_of, unused
 from plydyn_pre.study_text import told
 from plydyn_pre.translate import translate
 from plydyn_pre.version import VERSION
@@ -169,7 +169,7 @@ def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
         out.print(line, markup=False, soft_wrap=True)
     for name in sorted({cluster.material for _, cluster, ply, _ in rows if is_linear(ply)}):
         words = "its shear is taken as linear, which overstates SL and YC; give its curve"
-        err.print(f"note: {recipe}: materials.{name}: {words}", markup=False, soft_wrap=True)
+        _note(recipe, f"materials.{name}: {words}")
 
 
 @app.command()
@@ -286,10 +286,19 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
     """Read a recipe and make its mesh."""
     study = load_recipe(recipe, overrides or [])
     study = replace(study, title=title_with(study.title, overrides or []))
-    for key in unused(study):
-        err.print(f"note: {recipe}: {key} is never used", markup=False, soft_wrap=True)
+    idle = [key for key in unused(study) if is_given(recipe, overrides or [], key)]
+    for note in (f"{key} is never used" for key in idle):
+        _note(recipe, note)
     with _waiting("meshing"):
-        return study, make_mesh(study.mesh)
+        mesh = make_mesh(study.mesh)
+    for note in doubts(study, mesh):
+        _note(recipe, note)
+    return study, mesh
+
+
+def _note(recipe: Path, words: str) -> None:
+    """Tell what someone may have meant otherwise."""
+    err.print(f"note: {recipe}: {words}", markup=False, soft_wrap=True)
 
 
 def _tell_counts(study: Study, mesh: Mesh) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
@@ -12,7 +13,7 @@ from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_file
 from plydyn_pre.library import with_library
 from plydyn_pre.models import with_models
-from plydyn_pre.overrides import with_overrides
+from plydyn_pre.overrides import parse_override, with_overrides
 from plydyn_pre.study import Study
 from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table, merged
@@ -22,13 +23,45 @@ from plydyn_pre.typed import build
 _AFTER = "# after "
 #: Bytes of a recipe
 _LARGEST = 16 << 20
+#: Where a text is not TOML, and columns of a line that are shown
+_PLACE = re.compile(r"\(at line (\d+), column (\d+)\)")
+_SHOWN = 100
 
 
 def load_recipe(path: Path, overrides: Iterable[str] = ()) -> Study:
     """Read a recipe; overrides such as ``mesh.n=6`` have the last word."""
     with blaming(path):
-        table = _read(path, ())
-        return build(Study, with_models(with_library(with_overrides(table, overrides))))
+        table = with_overrides(_read(path, ()), overrides)
+        try:
+            return build(Study, with_models(with_library(table)))
+        except RecipeError as error:
+            raise RecipeError(error.path, error.message + _of_another_kind(path, error)) from error
+
+
+def is_given(path: Path, overrides: Iterable[str], key: str) -> bool:
+    """Whether a recipe itself, and not its base, or an override has a key such as sets.gauge."""
+    name, _, entry = key.partition(".")
+    table = _parse(path).get(name, {})
+    table = table if isinstance(table, dict) else {}
+    steps = [parse_override(text)[0] for text in overrides]
+    known = [*table, *(str(step[1]) for step in steps if step[0] == name and len(step) > 1)]
+    return any(entry == each or entry.startswith(f"{each}.") for each in known)
+
+
+def _of_another_kind(path: Path, error: RecipeError) -> str:
+    """Why a key that is missing is not that of the base: the table is of another kind there."""
+    table = _parse(path)
+    if not error.message.startswith("missing") or "base" not in table:
+        return ""
+    own, below = table, _read(path.parent / table["base"], (path.resolve(),))
+    for key in error.path.split(".")[:-1]:
+        own, below = (each.get(key, {}) if isinstance(each, dict) else {} for each in (own, below))
+    last = error.path.rpartition(".")[2]
+    if not isinstance(below, dict) or last not in below or "kind" not in own:
+        return ""
+    kind = below.get("kind")
+    before = f"is of kind {kind!r}" if kind else "has no kind"
+    return f"; that of the base is not taken, for its table {before}"
 
 
 @contextmanager
@@ -93,9 +126,21 @@ def _parse(path: Path) -> Table:
     except ValueError as error:
         if isinstance(error, RecipeError):
             raise
-        raise RecipeError("", f"{path.name} is not TOML: {error}") from error
+        raise RecipeError("", _not_toml(path, error)) from error
     except RecursionError:
         raise RecipeError("", f"{path.name} has lists or tables nested too deeply") from None
+
+
+def _not_toml(path: Path, error: ValueError) -> str:
+    """What is wrong with a text, and the line where it is."""
+    place = _PLACE.search(str(error))
+    words = f"not TOML: {error}"
+    if not isinstance(error, tomllib.TOMLDecodeError) or place is None:
+        return f"{path.name} is {words}"
+    line = path.read_text(encoding="utf-8").split("\n")[int(place[1]) - 1]
+    mark = " " * (int(place[2]) - 1) + "^"
+    shown = f"{path.name} is {words}"
+    return f"{shown}\n  {line[:_SHOWN]}\n  {mark}" if len(mark) <= _SHOWN else shown
 
 
 def _anchor(table: Table, folder: Path) -> None:

@@ -17,6 +17,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.doubts import doubts
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ
@@ -79,6 +80,7 @@ __all__ = [
     "Support",
     "Units",
     "clusters",
+    "doubts",
     "fitted_joints",
     "in_situ",
     "process_zone",

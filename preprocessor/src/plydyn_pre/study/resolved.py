@@ -34,9 +34,10 @@ def with_fitted_joints(study: Study) -> Study:
 
 
 def fitted_joints(study: Study) -> Iterator[tuple[str, Cohesive]]:
-    """Interfaces whose strengths are fitted to the core, by their names."""
+    """Interfaces in use whose strengths are fitted to the core, by their names."""
+    used = {laminate.joint for laminate in study.all_laminates}
     for name, joint in study.materials.items():
-        if isinstance(joint, Cohesive) and joint.fit == "core":
+        if name in used and isinstance(joint, Cohesive) and joint.fit == "core":
             yield name, joint
 
 

@@ -39,4 +39,18 @@ def translate(source: Path, deck: Path, like: str = "") -> tuple[Iterator[str], 
     read_supports(plate)
     read_contacts(plate)
     lines = list(deck_lines(plate))
+    notes += _first_things(plate)
     return iter(lines), page_text(source, deck, blocks, notes), notes
+
+
+def _first_things(plate: Plate) -> Iterator[str]:
+    """What stands in for constants of plies, and whether the laminate can delaminate."""
+    for block in plate.blocks:
+        for remark in block.remarks:
+            yield f"*{block.written}, line {block.line}: {remark}"
+    plies = sum(len(layer.body.plies) for layer in plate.stack.layers)
+    if plies > 1 and not plate.joints:
+        yield (
+            "no delamination, as in the deck of LS-DYNA: all plies are tied; *INTERFACE_COHESIVE"
+            " and *MAT_COHESIVE_MIXED_MODE let them fail"
+        )

@@ -44,7 +44,7 @@ def _block_lines(block: Block) -> Iterator[str]:
     yield f"### *{block.written}, line {block.line} of {block.file.name}"
     yield ""
     for remark in block.remarks:
-        yield from (f"{remark}.", "")
+        yield from (f"{remark[0].upper()}{remark[1:]}.", "")
     known: dict[str, list[object]] = {}
     for row in block.rows:
         for name, value in row.values.items():

@@ -59,7 +59,9 @@ def ply_material(block: Block, like: str) -> Material:
     if energies is None or strengths is None:
         words = "no toughness is known, so the ply is elastic; --like takes them from the library"
         block.mark(LOST, words, "XC", "XT", "YC", "YT", *DAMAGED[block.name])
-        block.remarks.append("It is elastic in the new deck, for no toughness is known")
+        block.remarks.append(
+            "elastic in the new deck, for its card has no toughness; --like gives one"
+        )
         return _made(block, lambda: PlyElastic(**elastic))
     return _made(block, lambda: PlyCodam2(**elastic, **strengths, **energies))
 
@@ -106,7 +108,7 @@ def _energies(block: Block, like: str) -> dict[str, float] | None:
     values = find_card(like).values
     if "G1T" not in values:
         raise RecipeError("--like", f"{like!r} has no toughnesses of a ply")
-    block.remarks.append(f"Its card has no toughnesses: those of {like} of the library stand in")
+    block.remarks.append(f"toughnesses, which its card has not, are those of {like} of the library")
     return {key: float(values[key].value) for key in own if key in values}
 
 

@@ -171,7 +171,8 @@ class _Reader:
                 block.rows.append(Row(line, values))
         needed = [card for card in cards if card[0] not in "?*"]
         if known and len(data) < len(needed):
-            raise block.fail("", f"card {len(data) + 1} is missing: {needed[len(data)]}")
+            names = " ".join(word.rpartition(":")[2] for word in needed[len(data)].split())
+            raise block.fail("", f"card {len(data) + 1} is missing: {names}")
         return block
 
     def _fields(
