@@ -8,54 +8,32 @@ from __future__ import annotations
 
 import os
 import random
-import resource
-import subprocess
 from pathlib import Path
 
 import pytest
 
+from broken import impact
+from fixture_decks import all_bodies, all_fixtures
+from fuzzing import (
+    CRASHES,
+    INPUT,
+    NORMAL,
+    OUTPUT,
+    RUN,
+    SECONDS,
+    STOPPED,
+    USAGE,
+    check,
+    check_finite,
+    run,
+)
 from mutants import mutate
 from ranks import launch
-from runs import ROOT, SOLVER
+from runs import ROOT
 
 MUTANTS = int(os.environ.get("FUZZ", "240"))
 SEED = int(os.environ.get("FUZZ_SEED", "20260"))
-NORMAL, USAGE, INPUT, RUN, STOPPED, OUTPUT = range(6)
-# words of the run-time libraries, none of which is to be seen
-CRASHES = ("Backtrace", "Fortran runtime error", "SIGSEGV", "Operating system error", "MPI_ABORT")
 REPEATED = 10  # good decks are fewer
-SECONDS, BYTES = 20.0, 4_000_000_000
-
-
-def bound() -> None:
-    """Limits of the child: memory and files of results."""
-    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (200_000_000, 200_000_000))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
-def run(folder: Path, *words: object) -> subprocess.CompletedProcess[bytes]:
-    """The solver on some words, within bounds of time and memory."""
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "OMPI_MCA_btl": "self"}
-    return subprocess.run(
-        [SOLVER, *map(str, words)],
-        cwd=folder,
-        capture_output=True,
-        timeout=SECONDS,
-        check=False,
-        preexec_fn=bound,
-        env=environment,
-    )
-
-
-def check(done: subprocess.CompletedProcess[bytes], codes: set[int], what: str) -> None:
-    """An exit code that is documented, and words."""
-    said = (done.stdout + done.stderr).decode("utf-8", "replace")
-    assert done.returncode in codes, f"{what}: {done.returncode}\n{said[-3000:]}"
-    assert not any(crash in said for crash in CRASHES), f"{what}\n{said[-3000:]}"
-    assert done.returncode == NORMAL or done.stderr.strip(), f"{what}: no words"
-    assert len(said) < 400_000, f"{what}: {len(said)} characters"
-    assert "\x1b" not in said, f"{what}: steers the terminal"
 
 
 def seeds() -> list[str]:
@@ -68,24 +46,48 @@ def seeds() -> list[str]:
     return [text for text in texts if len(text) < 20_000]
 
 
+def decks_of_bodies() -> list[str]:
+    """Decks with bodies of every kind, and with plies that crack in three dimensions."""
+    decks = [all_fixtures(), all_fixtures(1), all_fixtures(linear=True, method=2)]
+    decks += [all_bodies(), all_bodies(2), all_bodies(apart=True)]
+    decks += [impact(1, joint, fracture=True) for joint in ("tied", "springs", "cohesive")]
+    decks += [impact(2, "cohesive", fracture=True, implicit=1)]
+    for deck in decks[::2]:
+        deck.add("CONTROL_QUASI_STATIC", (0.05,))
+        deck.add("DAMPING_RELAXATION", (1.0e-6,))
+    return [deck.text() for deck in decks]
+
+
+def try_mutant(text: str, folder: Path, name: str, chance: random.Random, runs: float) -> None:
+    """Check a deck, and run a share of those that pass for a second."""
+    deck = folder / "mutant.k"
+    deck.write_text(text, errors="replace")
+    before = deck.read_bytes()
+    done = run(folder, "check", deck)
+    check(done, {NORMAL, INPUT, RUN}, f"mutant {name}")
+    if done.returncode == NORMAL and chance.random() < runs:
+        done = run(folder, "run", deck, "-j", "job", "--wall-time", "1")
+        check(done, {NORMAL, INPUT, RUN, STOPPED, OUTPUT}, f"run of mutant {name}")
+        if done.returncode == NORMAL:
+            check_finite(folder, "job", f"run of mutant {name}")
+        for path in folder.glob("job.*"):
+            path.unlink()
+    assert deck.read_bytes() == before, f"mutant {name} was changed"
+
+
 @pytest.mark.parametrize("part", range(4))
 def test_mutants_of_decks(part: int, tmp_path: Path) -> None:
     """All are checked, and some of those that pass run for a second."""
-    texts = seeds()
-    chance = random.Random(SEED + part)
+    texts, chance = seeds(), random.Random(SEED + part)
     for i in range(MUTANTS // 4):
-        deck = tmp_path / "mutant.k"
-        text = mutate(chance.choice(texts), chance)
-        deck.write_text(text, errors="replace")
-        before = deck.read_bytes()
-        done = run(tmp_path, "check", deck)
-        check(done, {NORMAL, INPUT, RUN}, f"mutant {part}.{i}")
-        if done.returncode == NORMAL and chance.random() < 0.15:
-            done = run(tmp_path, "run", deck, "-j", "job", "--wall-time", "1")
-            check(done, {NORMAL, INPUT, RUN, STOPPED, OUTPUT}, f"run of mutant {part}.{i}")
-            for path in tmp_path.glob("job.*"):
-                path.unlink()
-        assert deck.read_bytes() == before, f"mutant {part}.{i} was changed"
+        try_mutant(mutate(chance.choice(texts), chance), tmp_path, f"{part}.{i}", chance, 0.15)
+
+
+def test_mutants_of_bodies_and_cracks(tmp_path: Path) -> None:
+    """Fixtures, impactors of every shape and planes of fracture; half of what passes runs."""
+    texts, chance = decks_of_bodies(), random.Random(SEED + 5)
+    for i in range(max(2, MUTANTS // 12)):
+        try_mutant(mutate(chance.choice(texts), chance), tmp_path, f"{i}", chance, 0.5)
 
 
 def test_mutants_on_ranks(tmp_path: Path) -> None:
