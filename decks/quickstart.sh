@@ -29,4 +29,4 @@ printf '%s\n' \
   "listing   $results/$job.out" \
   "histories $results/$job.*.csv" \
   "fields    $results/$job.vtkhdf (opens in ParaView)" \
-  "pictures  $(find "$results" -name '*.png' -printf '%h\n' | sort -u | paste -sd' ')"
+  "report    $(find "$results" -name report.html | paste -sd' ') (opens in a browser; pictures beside it)"

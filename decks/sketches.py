@@ -1,4 +1,4 @@
-"""Sketches of the manual: layer-wise plate, crack band, cohesive law, contact row, fixture.
+"""Sketches of the manual: layer-wise plate, crack band, cohesive law, contact, fixture, coupon.
 
 .venv/bin/python decks/sketches.py
 """
@@ -7,9 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
+import plydyn_pre as pre
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.patches import Arc, Circle, Polygon, Rectangle
 from plydyn_post.style import COLOURS, INK, QUIET, WIDE, figure, save
 
@@ -188,7 +191,65 @@ def fixture() -> Path:
         return save(made, PICTURES / "sketch_fixture.png")
 
 
-SKETCHES: tuple[Callable[[], Path], ...] = (layerwise, crack_band, cohesive, contact_row, fixture)
+def template(name: str) -> pre.Study:
+    """The study of a template."""
+    with TemporaryDirectory() as folder:
+        recipe = Path(folder) / "recipe.toml"
+        recipe.write_text(pre.example_recipe(name))
+        return pre.load_recipe(recipe)
+
+
+def coupon() -> Path:
+    """The coupon of the template astm-d7136 from above, to scale: its mesh, base, clamps, tup."""
+    study = template("astm-d7136")
+    mesh = pre.make_mesh(study.mesh)
+    with figure(1, 1, size=(WIDE, 4.3)) as (made, axes):
+        bare(axes, (-81.0, 81.0), (-59.0, 54.0))
+        length, width = study.mesh.plate
+        hole = np.array(study.mesh.window)
+        axes.add_patch(Rectangle((-0.5 * length, -0.5 * width), length, width, color="0.82", lw=0))
+        axes.add_patch(Rectangle(tuple(-0.5 * hole), *hole, color="white", lw=0))
+        corners = mesh.nodes[mesh.quads[:, :4]] - mesh.nodes.mean(axis=0)
+        lines = PolyCollection(corners, facecolors="none", edgecolors=BLUE, linewidths=0.35)
+        axes.add_collection(lines)
+        axes.add_patch(Rectangle(tuple(-0.5 * hole), *hole, fill=False, ec=INK, lw=1.2))
+        core = study.mesh.core
+        square = Rectangle((-0.5 * core, -0.5 * core), core, core, fill=False, ec=GREEN, lw=1.4)
+        axes.add_patch(square)
+        for clamp in study.fixtures:
+            if isinstance(clamp, pre.Clamp):
+                axes.add_patch(Circle(clamp.centre, clamp.outer, color=ORANGE, alpha=0.75, lw=0))
+        axes.add_patch(Circle((0.0, 0.0), study.impactor.radius, fill=False, ec=INK, lw=1.3))
+        white = {"bbox": {"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.85}}
+        note(axes, "tup", (0.0, 0.0), **white)
+        note(axes, "core: equal quads", (0.0, 0.5 * core + 4.0), color=GREEN, **white)
+        note(axes, "window of the base", (-42.0, 31.5), **white)
+        note(axes, "base", (69.0, 0.0), rotation=90, **white)
+        note(axes, "clamps", (0.0, 44.0), color=ORANGE, **white)
+        for side in (-1, 1):
+            arrow(axes, (side * 10.0, 44.0), (side * 42.0, 44.0), color=ORANGE)
+        measure(axes, f"{length:g} mm, 0° along it", (-0.5 * length, -55.0), (0.5 * length, -55.0))
+        measure(axes, f"{width:g} mm", (-79.0, -0.5 * width), (-79.0, 0.5 * width), rotation=90)
+        return save(made, PICTURES / "sketch_coupon.png")
+
+
+def measure(
+    axes: Axes, text: str, start: tuple[float, float], end: tuple[float, float], rotation: float = 0
+) -> None:
+    """A length between two arrow heads."""
+    arrow(axes, start, end, arrowstyle="<|-|>")
+    middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
+    note(axes, text, middle, rotation=rotation, bbox={"fc": "white", "ec": "none", "pad": 2.0})
+
+
+SKETCHES: tuple[Callable[[], Path], ...] = (
+    layerwise,
+    crack_band,
+    cohesive,
+    contact_row,
+    fixture,
+    coupon,
+)
 
 if __name__ == "__main__":
     for draw in SKETCHES:
