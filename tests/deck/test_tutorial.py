@@ -15,7 +15,7 @@ PROGRAM = f"""#!/usr/bin/env bash
 more=()
 if [[ $1 == deck ]]; then
   case $2 in
-    coupon*|small*) more=({COUPON}) ;;
+    coupon*|small*|own*) more=({COUPON}) ;;
     *) more=({PLATE}) ;;
   esac
 fi
