@@ -108,9 +108,8 @@ contains
       self%range%most = huge(1)
       if (nodes > most_nodes) then
          call fail(error, exit_input, "a spacing of "//text(self%range%spacing)//" gives more " &
-            & //"than "//text(most_nodes)//" contact nodes, or rings of them, where an impactor " &
-            & //"of radius "//text(body%radius)//" touches first: set a larger SPACING, or use " &
-            & //"METHOD 2")
+            & //"than "//text(most_nodes)//" contact nodes or rings of them where an impactor of " &
+            & //"radius "//text(body%radius)//" touches first: set a larger SPACING or METHOD 2")
       else if (self%range%spacing > largest_spacing*body%radius) then
          call fail(error, exit_input, "a spacing of "//text(spacing)//" leaves too few contact " &
             & //"nodes on an impactor of radius "//text(body%radius)//": set SPACING to at most " &
