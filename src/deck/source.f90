@@ -162,7 +162,7 @@ contains
 
       type(file_type) :: file
       type(deck_location_type) :: place
-      character(:), allocatable :: wrong
+      character(:), allocatable :: right, wrong
       integer :: document
       logical :: is_fine
 
@@ -181,25 +181,32 @@ contains
       else
          call read_content(path, file%content, wrong)
       end if
-      if (len(wrong) == 0 .and. begins_as_hdf5(file)) then
-         call report%refuse(place, "the file '"//path//"' is an HDF5 file, not a deck", &
-            & "a deck; 'plydyn restart FILE' continues from a restart file")
-      else if (len(wrong) == 0) then
+      right = "the path of a file"//repeat(", relative to the file that includes it", &
+         & merge(1, 0, parent > 0))
+      if (len(wrong) == 0) call name_other_kind(file, wrong, right)
+      if (len(wrong) == 0) then
          call add_file(source, file)
          call add_lines(source, (source%file_count), report)
       else
-         call report%refuse(place, "the file '"//path//"' "//wrong, &
-            & "the path of a file"//repeat(", relative to the file that includes it", &
-            & merge(1, 0, parent > 0)))
+         call report%refuse(place, "the file '"//path//"' "//wrong, right)
       end if
    end subroutine load
 
-   !> Whether a file is one of HDF5
-   pure logical function begins_as_hdf5(file)
+   !> Name a file that is not a deck but one of HDF5 or a recipe, and what to do with it
+   pure subroutine name_other_kind(file, wrong, right)
       type(file_type), intent(in) :: file
+      !> What it is, and what would be right; unchanged for a deck
+      character(:), allocatable, intent(inout) :: wrong, right
 
-      begins_as_hdf5 = index(file%content(:min(len(file%content), len(hdf5_mark))), hdf5_mark) == 1
-   end function begins_as_hdf5
+      if (index(file%content(:min(len(file%content), len(hdf5_mark))), hdf5_mark) == 1) then
+         wrong = "is an HDF5 file, not a deck"
+         right = "a deck; 'plydyn restart FILE' continues from a restart file"
+      else if (index(file%path//" ", ".toml ") > 0 &
+         & .and. file%content(:min(1, len(file%content))) /= "*") then
+         wrong = "is a recipe, not a deck"
+         right = "the deck that 'plydyn-pre deck "//file%path//"' makes"
+      end if
+   end subroutine name_other_kind
 
    !> Append a file
    subroutine add_file(source, file)

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from runs import SOLVER
+from runs import ROOT, SOLVER
 
 DECK = Path(__file__).parent / "heads" / "deck.k"
+RECIPE = ROOT / "decks" / "elastic_impact" / "le2.toml"
 NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
 
 
@@ -52,6 +53,8 @@ def said(*words: object) -> tuple[int, str]:
         (["run", DECK, "--wall-time", "1:2:3:4"], USAGE, "hours, minutes and seconds"),
         (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
         (["check", Path(__file__).parent], INPUT, "cannot be read"),
+        (["check", RECIPE], INPUT, "le2.toml' is a recipe, not a deck"),
+        (["check", RECIPE], INPUT, "right would be: the deck that 'plydyn-pre deck"),
         (["run", DECK, "-o", DECK / "folder"], OUTPUT, "cannot make the folder"),
         (["run", DECK, "-o", "/proc"], OUTPUT, "cannot create /proc/deck.out"),
     ],
