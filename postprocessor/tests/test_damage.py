@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.image import imread
 from typer.testing import CliRunner
 
-from plydyn_post import cscan
+from plydyn_post import cscan, dissipation
 from plydyn_post.cli import app
 from plydyn_post.cscan import draw_cscan, drawn_areas, read_scan
 from plydyn_post.dissipation import draw_areas, mechanisms
@@ -147,6 +147,43 @@ def test_a_window_holds_all_damage_or_the_plate(damaged: Path) -> None:
     assert half_window(scan.sheets, scan.middle, whole=True) >= synthetic.SIDE / 2
     quiet = read_scan(open_results(damaged), time=0.0)
     assert quiet.half >= synthetic.SIDE / 2  # nothing is damaged yet
+
+
+def test_a_scan_is_drawn_around_what_is_delaminated(tmp_path: Path) -> None:
+    """Damage at a clamp, where no fracture energy is spent, widens the maps of damage only."""
+    job = known.write_job(tmp_path)
+    known.add_energy_share(tmp_path, "plate")
+    with h5py.File(tmp_path / "plate.interfaces.vtkhdf", "r+") as file:
+        root = file["VTKHDF"]
+        values = root["PointData/damage"][...]
+        count = int(root["NumberOfPoints"][0])
+        corner = np.all(root["Points"][:count, :2] < 0.1 * synthetic.SIDE, axis=1)
+        values[-count:][corner] = 1.0
+        root["PointData/damage"][...] = values
+    scan = read_scan(open_results(job))
+    assert scan.half >= synthetic.SIDE / 2
+    assert 6.0 < scan.near < 1.7 * 6.0 * (1 + known.RIM)
+    early = read_scan(open_results(job), time=0.0)
+    assert early.near == early.half  # nothing is delaminated yet
+
+
+def test_axes_keep_their_height_under_a_long_legend(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heights = []
+
+    def look(made: Figure, path: Path) -> Path:
+        made.draw_without_rendering()
+        heights.append(made.axes[0].get_window_extent().height / made.dpi)
+        return save(made, path)
+
+    monkeypatch.setattr(dissipation, "save", look)
+    for folder, count in (("few", 2), ("many", 15)):
+        many = [(6.0 - 0.15 * k, 3.0 + 0.1 * k) for k in range(count)]
+        monkeypatch.setattr(known, "ELLIPSES", many)
+        job = known.write_job(tmp_path / folder)
+        draw_areas(open_results(job), tmp_path / "a.png")
+    assert heights[1] > 0.9 * heights[0]
 
 
 def test_plies_are_sorted_into_columns(damaged: Path) -> None:

@@ -92,7 +92,7 @@ def make_film(results: Results, wish: Wish, plain: bool) -> Film:
         camera_for(scene),
         None if plain else offscreen.window(),
         results.impactor() if results.impactors else None,
-        read_scan(results).half if between else None,
+        read_scan(results).near if between else None,
     )
 
 
@@ -119,7 +119,7 @@ def _draw_map(made: Figure, film: Film, time: float) -> None:
     """Delaminated interfaces, as large as they become at the end."""
     scan = read_scan(film.results, time)
     axes = _axes(made, 0.02, (BELOW - 0.45) / WIDE, 0.4, BELOW - 0.05)
-    draw_map(axes, replace(scan, half=film.half))
+    draw_map(axes, replace(scan, near=film.half))
     words = f"delaminated: {area_words(scan.areas.projected, scan.areas.unit)}"
     made.text(0.02, 0.06 / made.get_size_inches()[1], words, fontsize=8, va="bottom")
 

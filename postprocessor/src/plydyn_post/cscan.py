@@ -45,6 +45,8 @@ from plydyn_post.units import readable
 DEPTHS, NEAR, FAR = "turbo", 0.90, 0.10
 #: Interfaces whose areas get a line of their own in the legend; height of the other rows, inches
 FEW, ROW = 8, 0.128
+#: Window of a C-scan over the one that just holds what is delaminated
+AROUND = 1.4
 #: Most panels side by side
 COLUMNS = 4
 
@@ -58,7 +60,8 @@ class Scan:
     damage: tuple[Sheet, ...]
     areas: Areas
     middle: np.ndarray  # (2,) below the impactor
-    half: float  # half the side of the window
+    half: float  # half the side of the window that holds all damage
+    near: float  # that of the window that holds what is delaminated
 
 
 def read_scan(results: Results, time: float | None = None, whole: bool = False) -> Scan:
@@ -71,7 +74,12 @@ def read_scan(results: Results, time: float | None = None, whole: bool = False) 
         areas = read_areas(results, state.time)
     else:
         areas = drawn_areas(state, sheets)
-    return Scan(state, sheets, damage, areas, middle, half_window(damage, middle, whole))
+    half = half_window(damage, middle, whole)
+    # damage at clamps, where little of the fracture energy is spent, is not delaminated
+    some = any(sheet.values.max() > DELAMINATED for sheet in sheets)
+    around = AROUND * half_window(sheets, middle, whole, DELAMINATED)
+    near = min(half, around) if some else half
+    return Scan(state, sheets, damage, areas, middle, half, near)
 
 
 def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
@@ -139,8 +147,8 @@ def draw_map(axes: Axes, scan: Scan) -> None:
         outline_beyond(axes, scan.sheets[place], DELAMINATED, "white", 1.5)
         outline_beyond(axes, scan.sheets[place], DELAMINATED, colour, 1.0)
     mark_impact(axes, scan.middle)
-    look_from_above(axes, scan.middle, scan.half)
-    scale_bar(axes, scan.middle, scan.half, scan.state.header.units.get("length", ""))
+    look_from_above(axes, scan.middle, scan.near)
+    scale_bar(axes, scan.middle, scan.near, scan.state.header.units.get("length", ""))
 
 
 def _colours(count: int) -> list[tuple[float, ...]]:

@@ -113,7 +113,7 @@ def draw_areas(results: Results, path: Path) -> Path:
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)
         if FAILED_AREA in table:
             failed = times * table[FAILED_AREA]
-            label = f"projected, completely failed, {area_words(failed[-1], unit)}"
+            label = f"projected, failed, {area_words(failed[-1], unit)}"
             axes.plot(x, failed, color="black", linewidth=0.8, linestyle="--", label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
         axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))

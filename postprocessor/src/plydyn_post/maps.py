@@ -37,16 +37,18 @@ def hit_from_above(header: Header) -> bool:
     return not bodies or bodies[0].centre[2] >= 0.0
 
 
-def half_window(sheets: Sequence[Sheet], middle: np.ndarray, whole: bool) -> float:
+def half_window(
+    sheets: Sequence[Sheet], middle: np.ndarray, whole: bool, seen: float = SEEN
+) -> float:
     """Half the side of a square around the impact that holds all damage, or the whole plate.
 
-    Where nothing is damaged, it is the whole plate, too.
+    Damage is what is above `seen`. Where nothing is damaged, it is the whole plate, too.
     """
     reach = max(float(np.abs(sheet.places - middle).max()) for sheet in sheets)
-    if whole or not any(np.any(sheet.values > SEEN) for sheet in sheets):
+    if whole or not any(np.any(sheet.values > seen) for sheet in sheets):
         return 1.04 * reach
     distances = [
-        float(np.abs(sheet.places[sheet.values > SEEN] - middle).max(initial=0.0))
+        float(np.abs(sheet.places[sheet.values > seen] - middle).max(initial=0.0))
         for sheet in sheets
     ]
     return float(np.clip((1.0 + MARGIN) * max(distances), SMALLEST * reach, 1.04 * reach))

@@ -27,6 +27,8 @@ QUIET = "#9a9a9a"
 INK = "#262626"
 # Widths of figures, inches, and dots per inch
 WIDE, NARROW, DPI = 6.3, 4.6, 200
+# Lines of a legend over the axes that figures have room for; the height of another one, inches
+FEW_ROWS, LEGEND_ROW = 2, 0.17
 # Colour maps of quantities with and without a meaning of zero
 SIGNED_MAP, PLAIN_MAP = colormaps["RdBu_r"], colormaps["viridis"]
 # Damage from nothing to all: paper, straw, orange, red, nearly black
@@ -113,11 +115,16 @@ def span(axes: Axes, x: np.ndarray) -> None:
 
 
 def legend_above(made: Figure, axes: Axes, longest: int = 52, title: str | None = None) -> None:
-    """A legend over the axes, where it covers no curve, with lines up to ``longest`` letters."""
+    """A legend over the axes, where it covers no curve, with lines up to ``longest`` letters.
+
+    A figure with a legend of many lines becomes higher: the axes keep their size.
+    """
     handles, names = axes.get_legend_handles_labels()
     columns = max(1, min(len(names), longest // (max(map(len, names), default=0) + 6)))
     if len(names) <= 4 and sum(len(name) + 6 for name in names) <= 1.25 * longest:
         columns = max(1, len(names))
+    rows = -(-len(names) // columns)
+    made.set_figheight(made.get_figheight() + LEGEND_ROW * max(0, rows - FEW_ROWS))
     made.legend(
         handles,
         names,
