@@ -68,7 +68,7 @@ def try_mutant(text: str, folder: Path, name: str, chance: random.Random, runs: 
     if done.returncode == NORMAL and chance.random() < runs:
         done = run(folder, "run", deck, "-j", "job", "--wall-time", "1")
         check(done, {NORMAL, INPUT, RUN, STOPPED, OUTPUT}, f"run of mutant {name}")
-        if done.returncode == NORMAL:
+        if done.returncode in (NORMAL, STOPPED):
             check_finite(folder, "job", f"run of mutant {name}")
         for path in folder.glob("job.*"):
             path.unlink()

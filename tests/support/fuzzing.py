@@ -50,7 +50,7 @@ def check(done: subprocess.CompletedProcess[bytes], codes: set[int], what: str) 
 
 
 def check_finite(folder: Path, job: str, what: str) -> None:
-    """No number of a run that ended well is missing or infinite, in tables and in fields."""
+    """No number of a run that ended well or was stopped is infinite or missing in its results."""
     for path in folder.glob(f"{job}.*csv"):
         values = np.genfromtxt(path, delimiter=",", skip_header=1)
         assert np.all(np.isfinite(values)), f"{what}: {path.name} is not finite"
