@@ -64,6 +64,8 @@ def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
         ("materials.carbon.nu12=5.0", "materials.carbon.nu12: 5 must be less than sqrt(E1/E2)"),
         ("materials.carbon.nu23=0.999", "materials.carbon.nu23: the three Poisson's ratios"),
         ("impactor={radius=1, mass=1, velocity=[1, 0, -1], guided=true}", "impactor.velocity: a g"),
+        ("impactor={radius=1, mass=1, velocity=[0, 1e30, -1]}", "impactor.velocity: 1e+30 is fas"),
+        ("impactor={kind='tup', radius=1, mass=1e-30, energy=1e6}", "impactor.energy: 1.41421e+18"),
         # a cap as high as an eighth of the radius: 2 pi 8 1 / 1e6 = 0.00709 ** 2
         ("contact.spacing=0.005", "contact.spacing: 0.005 gives too many contact nodes; 0.00716 o"),
         ("mesh.core=0.02", ", that of the mesh, gives too many contact nodes; 0.00716 or more"),

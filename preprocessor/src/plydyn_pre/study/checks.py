@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from math import hypot
 
 from plydyn_pre.errors import require
 from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.conditions import Curve
-from plydyn_pre.study.control import Control, Outputs
+from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.materials import Material, PlasticKinematic, PlyCodam2, PlyFracture3d
+from plydyn_pre.units import unit_factor
 
+#: Speed of the fastest guns of light gas, mm/s, and room above it
+_FASTEST = 2.0e7
 #: Fields that need a material of some kind, and what such a material does
 _NEEDS = {
     "plastic_strain": (PlasticKinematic | PlyFracture3d, "yields"),
@@ -46,6 +51,16 @@ def check_scheme(laminates: Iterable[Laminate], bricks: Bricks | None, control: 
     joined = any(each.opened and each.joint != "apart" for each in laminates)
     rule = "no plies are joined by an interface that could be implicit"
     require(joined or control.scheme != "implicit_interfaces", "control.scheme", rule)
+
+
+def check_speed(impactor: Impactor | None, units: Units) -> None:
+    """Refuse an impactor that is faster than any impact, which no time step can follow."""
+    if impactor is not None and impactor.velocity is not None:
+        speed = hypot(*impactor.velocity)
+        fastest = _FASTEST * unit_factor((1, -1, 0), vars(units))
+        rule = f"{speed:.6g} is faster than any impact, {fastest:g} {units.length}/{units.time}"
+        key = "velocity" if impactor.energy is None else "energy"
+        require(speed <= fastest, f"impactor.{key}", rule)
 
 
 def check_step_curve(curves: Mapping[str, Curve], control: Control) -> None:

@@ -9,7 +9,7 @@ from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.library import library
 from plydyn_pre.mesh import Coupon, Shape
 from plydyn_pre.study.bricks import Bricks
-from plydyn_pre.study.checks import check_fields, check_scheme, check_step_curve
+from plydyn_pre.study.checks import check_fields, check_scheme, check_speed, check_step_curve
 from plydyn_pre.study.conditions import (
     Contact,
     Curve,
@@ -80,6 +80,8 @@ class Study:
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
         check_step_curve(self.curves, self.control)
+        for part in (self, *self.stages):
+            check_speed(part.impactor, self.units)
         falls = self.impactor is not None and self.impactor.energy is not None
         rule = "a fall hits the top face; give a velocity"
         require(not falls or self.touch.face == "top", "contact.face", rule)
