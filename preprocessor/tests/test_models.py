@@ -35,7 +35,14 @@ CHOSEN = {
     "weakens_across": False,
     "largest_damage": 0.99,
 }
-COUPONS = ("astm-d7136", "astm-d7137", "aitm-1-0010", "ring", "indentation")
+COUPONS = (
+    "astm-d7136",
+    "astm-d7137",
+    "aitm-1-0010",
+    "aitm-1-0010-compression",
+    "ring",
+    "indentation",
+)
 
 
 def ply_of(folder: Path, more: str = "", like: str = "HTS40/977-2", *sets: str) -> pre.PlyCodam2:

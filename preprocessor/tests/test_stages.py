@@ -78,6 +78,33 @@ def test_a_line_is_the_mesh_line_next_to_it(study: pre.Study) -> None:
 
 
 @pytest.mark.parametrize(
+    ("template", "free"),
+    [("astm-d7137", (134.0, 90.0)), ("aitm-1-0010-compression", (130.0, 90.0))],
+)
+def test_a_compression_test_leaves_its_field_free(
+    template: str, free: tuple[float, float], tmp_path: Path
+) -> None:
+    """Ends are clamped beside the field, to one quad, and sides stand between knife edges."""
+    recipe = tmp_path / "cai.toml"
+    recipe.write_text(example_recipe(template))
+    study = load_recipe(recipe, ["mesh.quad=7.5"])
+    names = pre.deck.names.Names(study, pre.make_mesh(study.mesh))
+    press = study.stages[-1]
+    held = {support.set: support.hold for support in press.supports}
+    assert held["lower_end"] == "xz"
+    assert all(held[name] == "z" for name in ("lower_faces", "upper_faces"))
+    quad = np.diff(np.unique(names.mesh.nodes[:, 0].round(6))).max() * 2.0
+    for name, side in (("lower_faces", -1.0), ("upper_faces", 1.0)):
+        ends = side * names.mesh.nodes[names.nodes_of(name, "")][:, 0]
+        assert 0.5 * free[0] <= ends.min() <= 0.5 * free[0] + quad
+    for name, side in (("left_side", -1.0), ("right_side", 1.0)):
+        line = names.mesh.nodes[names.nodes_of(name, "")]
+        assert np.ptp(line[:, 1]) == 0.0
+        assert abs(side * line[0, 1] - 0.5 * free[1]) <= 0.5 * quad
+        assert np.abs(line[:, 0]).max() <= 0.5 * free[0]
+
+
+@pytest.mark.parametrize(
     ("change", "words"),
     [
         ({"name": "a b"}, "part of the names"),
