@@ -115,6 +115,8 @@ contains
          end%look_time = state%time
          end%look_work = work
          end%largest_power = max(end%largest_power, power)
+         ! a plate that still moves may push its supports before they load it
+         if (end%largest_power <= 0.0_wp) return
          if (power >= least*end%largest_power .or. state%is_finished()) return
          end%cycle = state%cycle + 1
          if (is_root) call self%job%note("end after the largest load: the power of the loads " &

@@ -86,8 +86,13 @@ def test_warning_is_given_once(tmp_path: Path) -> None:
 LOOK, SLOW = 0.01, 0.5
 
 
-def slowed_deck(fall: float, name: str = "slowed") -> Deck:
-    """A bar whose end moves at a fifth of its speed from half of the time on."""
+def slowed_deck(
+    fall: float, name: str = "slowed", *, start: float = 1.0, late: float = 1.2
+) -> Deck:
+    """A bar whose end moves at a fifth of its speed from half of the time on.
+
+    It starts at some times the speed that goes with that of its end.
+    """
     end = 40.0 * TRANSIT
     mesh = regular(LENGTH, 1.0, 5, 1, 4)
     deck = Deck(name, end)
@@ -96,10 +101,10 @@ def slowed_deck(fall: float, name: str = "slowed") -> Deck:
     deck.laminate([Ply(isotropic(DENSITY, YOUNG, 0.0), 1.0)], order=1)
     deck.hold(mesh.where(x=0.0), "x")
     deck.hold(range(len(mesh.points)), "yz")
-    curve = deck.curve([(0.0, 0.0), (SLOW * end, 1.0), (end, 1.2)])
+    curve = deck.curve([(0.0, 0.0), (SLOW * end, 1.0), (end, late)])
     deck.move(mesh.where(x=LENGTH), 1, curve, SPEED * SLOW * end)
     speed = SPEED * mesh.points[:, 0] / LENGTH
-    deck.velocities(np.stack([speed, 0.0 * speed, 0.0 * speed], axis=1))
+    deck.velocities(np.stack([start * speed, 0.0 * speed, 0.0 * speed], axis=1))
     deck.add("CONTROL_QUASI_STATIC", (0.5, fall))
     return deck
 
@@ -123,6 +128,18 @@ def test_run_ends_after_the_largest_load(tmp_path: Path) -> None:
 def test_smaller_falls_do_not_end_the_run(fall: float, tmp_path: Path) -> None:
     """Not without a share, and not where the load stays above it."""
     assert end_share(run(slowed_deck(fall), tmp_path)) == pytest.approx(1.0)
+
+
+def test_run_does_not_end_before_there_is_a_load(tmp_path: Path) -> None:
+    """A bar that is faster than its end pushes it at first: the work of the support is negative.
+
+    Its force, rho c A v (2 s - 1) at s transits, is below zero in the whole first look.
+    """
+    results = run(slowed_deck(0.01, start=2.0, late=2.0), tmp_path)
+    energy = results.table("energy")
+    first = np.searchsorted(energy["time"], LOOK * 40.0 * TRANSIT)
+    assert energy["external"][first] < 0.0
+    assert end_share(results) == pytest.approx(1.0)
 
 
 def test_restart_before_the_fall_ends_at_the_same_step(tmp_path: Path) -> None:
