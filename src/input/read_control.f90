@@ -97,7 +97,7 @@ contains
          bound = huge(1.0_wp)
          if (control%largest_step > 0.0_wp) bound = control%largest_step
          if (control%step_curve > 0) bound = min(bound, maxval(model%curves(control%step_curve)%y))
-         if (cards%real("DT2MS") >= 0.0_wp .or. step <= bound*(1.0_wp + round_off)) return
+         if (cards%real("DT2MS") >= 0.0_wp .or. step*(1.0_wp - round_off) <= bound) return
       end associate
       call catalogue%refuse(cards, "DT2MS", "mass would be added for a step of "//text(step) &
          & //", TSSFAC times -DT2MS, but DTMAX of *CONTROL_LAYERWISE or the curve LCTM keeps it " &
