@@ -42,6 +42,7 @@ FOREIGN = {
     "non_overridable",
     "objdump",
     "omp",
+    "own.toml",
     "qsub",
     "repo",
     "run_count",
