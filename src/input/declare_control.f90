@@ -221,9 +221,9 @@ contains
          & //"plate exceeds a share of the internal energy, and a message at the end gives the " &
          & //"largest share. The first tenth of the time with the present supports and loads is " &
          & //"not checked, since little energy is stored when loading begins. With FALL the run " &
-         & //"ends normally after the largest load has passed. The load is measured by the power " &
-         & //"of the supports and loads, averaged over each hundredth of that time. It is " &
-         & //"proportional to the force where they move at a constant velocity."
+         & //"ends normally behind that tenth, after the largest load has passed. The load is " &
+         & //"measured by the power of the supports and loads, averaged over each hundredth of " &
+         & //"that time. It is proportional to the force where they move at a constant velocity."
       call keyword%add_card()
       call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
          & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)

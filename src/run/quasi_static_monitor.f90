@@ -13,8 +13,8 @@ module plydyn_run_quasi_static_monitor
 
    public :: new_quasi_static_monitor
 
-   !> Share of the time with the present loads that passes before kinetic energies are compared:
-   !> nothing is stored when motion begins
+   !> Share of the time with the present loads that passes before energies are compared and a run
+   !> may end: nothing is stored when motion begins
    real(wp), parameter :: start_share = 0.1_wp
    !> Share of that time over which the power of the loads is averaged
    real(wp), parameter :: look_share = 0.01_wp
@@ -79,9 +79,7 @@ contains
 
       real(wp) :: share
 
-      associate (end => state%end)
-         if (state%time < end%begin + start_share*(end%time - end%begin)) return
-      end associate
+      if (in_first_share(state)) return
       share = state%energies%kinetic_share()
       if (share > self%largest) then
          self%largest = share
@@ -97,6 +95,15 @@ contains
          & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
          & //text(self%time, 3)//" "//self%unit)
    end subroutine look_at_kinetic
+
+   !> Whether the loads have only begun to move
+   pure logical function in_first_share(state)
+      type(state_type), intent(in) :: state
+
+      associate (end => state%end)
+         in_first_share = state%time < end%begin + start_share*(end%time - end%begin)
+      end associate
+   end function in_first_share
 
    !> End the run with the next step where the power of the loads has fallen
    subroutine look_at_load(self, least, is_root, state)
@@ -116,7 +123,7 @@ contains
          end%look_work = work
          end%largest_power = max(end%largest_power, power)
          ! a plate that still moves may push its supports before they load it
-         if (end%largest_power <= 0.0_wp) return
+         if (end%largest_power <= 0.0_wp .or. in_first_share(state)) return
          if (power >= least*end%largest_power .or. state%is_finished()) return
          end%cycle = state%cycle + 1
          if (is_root) call self%job%note("end after the largest load: the power of the loads " &

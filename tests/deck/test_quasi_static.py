@@ -142,6 +142,21 @@ def test_run_does_not_end_before_there_is_a_load(tmp_path: Path) -> None:
     assert end_share(results) == pytest.approx(1.0)
 
 
+def test_run_does_not_end_as_loading_begins(tmp_path: Path) -> None:
+    """A bar that swings: its load falls to less than the share in the first tenth, not later."""
+    fall = 0.35
+    results = run(slowed_deck(fall, start=4.0, late=2.0), tmp_path)
+    energy = results.table("energy")
+    looks = np.arange(0.0, 1.0, LOOK)
+    work = np.interp(looks, energy["time"] / (40.0 * TRANSIT), energy["external"])
+    power = np.diff(work)
+    largest = np.maximum.accumulate(power)
+    falls = (largest > 0.0) & (power < fall * largest)
+    assert falls[looks[1:] < 0.1].any()
+    assert not falls[looks[1:] > 0.1].any()
+    assert end_share(results) == pytest.approx(1.0)
+
+
 def test_restart_before_the_fall_ends_at_the_same_step(tmp_path: Path) -> None:
     """The largest power and the last look are in the restart file."""
     whole = run(slowed_deck(0.5), tmp_path / "whole").table("energy").values
