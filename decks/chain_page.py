@@ -3,7 +3,8 @@
     .venv/bin/python decks/chain_page.py decks/compression/README.md [FOLDER]
 
 The commands are the lines of the first block of the page that is marked `sh`. They run in FOLDER,
-without it results/chain; stages that have run there are not run again. What `plydyn-post
+without it results/chain, where $DECKS is the folder of this file; stages that have run there are
+not run again. What `plydyn-post
 compression` prints goes between the marks of the page, its figures into manual/pictures.
 """
 
@@ -25,8 +26,8 @@ FIGURES = {
     "faces": "Both faces in the middle of the plate",
     "event": "What breaks",
 }
-#: First line and last file of what the report prints
-FIRST, LAST = "strength, peak force", "compression_stress.png"
+#: First line of a report below its heading, and the endings of files that it names
+FIRST, FILES = "strength, peak force", (".png", ".csv", ".html", ".gif")
 
 
 def commands(page: Path) -> str:
@@ -47,7 +48,7 @@ def run(text: str, folder: Path) -> str:
     done = subprocess.run(
         ["bash", "-ec", text],
         cwd=folder,
-        env=os.environ | {"PATH": path, "COLUMNS": "120"},
+        env=os.environ | {"PATH": path, "DECKS": str(ROOT / "decks"), "COLUMNS": "120"},
         stdout=subprocess.PIPE,
         text=True,
         check=True,
@@ -55,19 +56,18 @@ def run(text: str, folder: Path) -> str:
     return done.stdout
 
 
-def table(printed: str) -> str:
-    """Numbers and notes of the report, from its heading to the files that it names."""
+def tables(printed: str) -> str:
+    """Numbers and notes of all reports, without the files that they name."""
     lines = [line.rstrip() for line in printed.splitlines()]
-    first = next(k for k, line in enumerate(lines) if line.startswith(FIRST))
-    last = next(k for k, line in enumerate(lines) if line.endswith(LAST))
-    return "\n".join(lines[first - 1 : last])
+    first = next(k for k, line in enumerate(lines) if line.startswith(FIRST)) - 1
+    return "\n".join(line for line in lines[first:] if not line.endswith(FILES)).strip("\n")
 
 
 def main() -> None:
     """Run, and write the page."""
     page = Path(sys.argv[1])
     folder = Path(sys.argv[2]) if len(sys.argv) > 2 else ROOT / "results/chain"
-    text = f"```\n{table(run(commands(page), folder))}\n```\n"
+    text = f"```\n{tables(run(commands(page), folder))}\n```\n"
     for name, words in FIGURES.items():
         picture = PICTURES / f"{page.parent.name}_{name}.png"
         shutil.copy(folder / f"page/compression_{name}.png", picture)
