@@ -15,6 +15,7 @@ module plydyn_domain_build
    use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
+   use plydyn_domain_constraints, only : build_constraints
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
    use plydyn_domain_mass_scaling, only : scale_masses
@@ -98,6 +99,7 @@ contains
       call assign_held_points(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
+      call build_constraints(model%constraints, numbering, owner, domain)
       call build_surfaces(model, numbering, owner, domain)
       call build_fixtures(model, numbering, owner, domain)
       call join_ranks(division, numbering, owner, domain)

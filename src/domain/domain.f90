@@ -46,6 +46,31 @@ module plydyn_domain_domain
       real(wp) :: scale = 1.0_wp, birth = 0.0_wp, death = huge(1.0_wp)
    end type prescribed_type
 
+   !> What a linear constraint leads, and how it resists
+   type, public :: constraint_type
+      !> As in `constraint_type` of the model
+      integer :: quantity = 0, curve = 0
+      real(wp) :: scale = 1.0_wp
+      !> Squares of the coefficients over the masses: acceleration of the sum by a multiplier of 1
+      real(wp) :: inverse_mass = 0.0_wp
+   end type constraint_type
+
+   !> Linear constraints between displacements. A term is a coefficient times the mean displacement
+   !> of some points by their masses
+   type, public :: constraints_type
+      !> The constraints
+      type(constraint_type), allocatable :: list(:)
+      !> Terms of all of them, one constraint after the other: which constraint, coefficient, and
+      !> inverse of the mass of its points
+      integer, allocatable :: constraint(:)
+      real(wp), allocatable :: coefficient(:), inverse_mass(:)
+      !> Terms that each rank counts, from rank 0 on, and those of all ranks, rank by rank
+      integer, allocatable :: counts(:), of_ranks(:)
+      !> Points that this rank has: place in the arrays of motion, term, and share of its mass
+      integer, allocatable :: freedom(:), term(:)
+      real(wp), allocatable :: share(:)
+   end type constraints_type
+
    !> The points of a face of the plate that an impactor may touch
    type, public :: surface_type
       !> Places in the arrays of motion, 0 where another rank has them, (3, points)
@@ -249,6 +274,8 @@ module plydyn_domain_domain
       type(inertia_type) :: inertia
       !> Supports and prescribed motions
       type(supports_type) :: supports
+      !> Linear constraints
+      type(constraints_type) :: constraints
       !> Forces
       type(load_type), allocatable :: loads(:)
       !> Impactors and contacts

@@ -9,7 +9,7 @@ module plydyn_domain_supports
    implicit none
    private
 
-   public :: face_point, find_held, new_prescribed
+   public :: face_point, find_held, new_prescribed, points_of
 
 contains
 
@@ -27,8 +27,11 @@ contains
 
    !> Layers and levels of the points on a face, a plane or everywhere, (2, points)
    pure function points_of(layers, face, height) result(points)
+      !> Layers of the laminate
       type(layers_type), intent(in) :: layers
+      !> `bottom_face`, `top_face`, `one_plane` or `all_planes`
       integer, intent(in) :: face
+      !> Height of the plane above the nodes, length; for `one_plane`
       real(wp), intent(in) :: height
       integer, allocatable :: points(:, :)
 

@@ -20,8 +20,9 @@ module plydyn_input_catalogue
    integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
       & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
       & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14, &
-      & a_solid_section = 15, an_hourglass = 16, a_brick = 17, a_fixture = 18
-   integer, parameter :: kinds = 18
+      & a_solid_section = 15, an_hourglass = 16, a_brick = 17, a_fixture = 18, &
+      & a_constraint = 19
+   integer, parameter :: kinds = 19
 
    !> Some nodes or quads
    type :: members_type
@@ -113,6 +114,7 @@ contains
       call register_kind(a_brick, "brick", "*ELEMENT_SOLID")
       call register_kind(a_solid_section, "solid section", "*SECTION_SOLID")
       call register_kind(an_hourglass, "hourglass control", "*HOURGLASS")
+      call register_kind(a_constraint, "constraint", "*CONSTRAINED_FACE_LINEAR")
       call register_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
       do i = 1, kinds
          call catalogue%registers(i)%sort()

@@ -3,9 +3,9 @@ module plydyn_input_check_model
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_input_catalogue, only : a_box, a_brick, a_contact, a_curve, a_fixture, a_material, &
-      & a_node, a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, a_solid_section, &
-      & a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
+   use plydyn_input_catalogue, only : a_box, a_brick, a_constraint, a_contact, a_curve, a_fixture, &
+      & a_material, a_node, a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, &
+      & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
    use plydyn_input_check_impact, only : check_impact
    use plydyn_input_check_joined, only : check_joined
@@ -22,7 +22,7 @@ module plydyn_input_check_model
    !> Kinds whose numbers must not repeat
    integer, parameter :: unique(*) = [a_node, a_quad, a_node_set, a_quad_set, a_box, a_curve, &
       & a_material, an_interface_material, a_part, an_impactor, a_contact, a_fixture, a_profile, &
-      & a_section, a_table, a_brick, a_solid_section, an_hourglass]
+      & a_section, a_table, a_brick, a_solid_section, an_hourglass, a_constraint]
 
 contains
 

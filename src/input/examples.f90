@@ -86,6 +86,9 @@ module plydyn_input_examples
       & "BOUNDARY_FACE|8-supports-motions-and-loads|1, -1, 0, 0, 0, 1|", &
       & "BOUNDARY_PRESCRIBED_MOTION_SET|8-supports-motions-and-loads|2, 3, 2, 1, -0.1|", &
       & "BOUNDARY_FACE_MOTION|8-supports-motions-and-loads|2, 1, 3, 2, 1, -0.1|", &
+      & "CONSTRAINED_LINEAR_GLOBAL|8-supports-motions-and-loads|1|7, 3, 1.0|8, 3, -2.0|", &
+      & "CONSTRAINED_FACE_LINEAR|8-supports-motions-and-loads|1, 2, 1, -0.5|7, -1, 3, -0.4|" &
+      & //"13, -1, 3, 1.4|", &
       & "INITIAL_VELOCITY|9-central-differences|2|0, 0, -1000.0|", &
       & "INITIAL_VELOCITY_NODE|9-central-differences|13, 0, 0, -1000.0|", &
       & "LOAD_NODE_SET|8-supports-motions-and-loads|2, 3, 1, -10.0|", &

@@ -11,10 +11,11 @@ module plydyn_input_keyword_row
 
    !> Stages of reading, in their order. A reader refers only to what earlier stages have read:
    !> definitions refer to nothing, tables to curves, materials to curves and tables, parts to
-   !> materials, elements to nodes and parts, sets to nodes and elements, laminates to parts
+   !> materials, elements to nodes and parts, sets to nodes and elements, laminates to parts,
+   !> constraints to supports and motions
    integer, parameter, public :: stage_definition = 1, stage_table = 2, stage_material = 3, &
       & stage_part = 4, stage_element = 5, stage_set = 6, stage_laminate = 7, stage_support = 8, &
-      & stage_load = 9, stage_control = 10, stage_output = 11
+      & stage_load = 9, stage_constraint = 10, stage_control = 11, stage_output = 12
    integer, parameter, public :: stages = stage_output
 
    !> Elements that a keyword is for

@@ -3,6 +3,8 @@
 !> A new keyword is a declaration in `declare_….f90`, a reader in `read_….f90`, and its row here.
 module plydyn_input_keywords
    use plydyn_deck_declaration, only : keyword_type, extension, standard
+   use plydyn_input_declare_constraint, only : constrained_face_linear, &
+      & constrained_linear_global
    use plydyn_input_declare_control, only : control_energy, control_layerwise, control_parallel, &
       & control_quasi_static, control_termination, control_timestep, control_units, &
       & damping_global, damping_relaxation, frame_keywords, title
@@ -33,9 +35,10 @@ module plydyn_input_keywords
       & hourglass, load_segment, part, section_solid
    use plydyn_input_examples, only : add_example
    use plydyn_input_keyword_row, only : for_bricks, for_plates, keyword_list_type, &
-      & keyword_row_type, stage_control, stage_definition, stage_element, stage_laminate, &
-      & stage_load, stage_material, stage_output, stage_part, stage_set, stage_support, &
-      & stage_table
+      & keyword_row_type, stage_constraint, stage_control, stage_definition, stage_element, &
+      & stage_laminate, stage_load, stage_material, stage_output, stage_part, stage_set, &
+      & stage_support, stage_table
+   use plydyn_input_read_constraint, only : read_constrained_linear
    use plydyn_input_read_control, only : check_control_timestep, read_control_layerwise, &
       & read_control_parallel, &
       & read_control_termination, read_control_timestep, read_control_units, &
@@ -199,7 +202,7 @@ contains
       call list%add(initial_damage(), read_initial_damage, stage_support)
    end subroutine add_interface_rows
 
-   !> Supports, prescribed motions, initial velocities
+   !> Supports, prescribed motions, constraints, initial velocities
    subroutine add_support_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
@@ -207,6 +210,9 @@ contains
       call list%add(boundary_face(), read_boundary_face, stage_support, for_plates)
       call list%add(boundary_prescribed_motion_set(), read_boundary_motion, stage_load)
       call list%add(boundary_face_motion(), read_boundary_motion, stage_load, for_plates)
+      call list%add(constrained_linear_global(), read_constrained_linear, stage_constraint)
+      call list%add(constrained_face_linear(), read_constrained_linear, stage_constraint, &
+         & for_plates)
       call list%add(initial_velocity(), read_initial_velocity, stage_support)
       call list%add(initial_velocity_node(), read_initial_velocity_node, stage_support)
    end subroutine add_support_rows

@@ -159,6 +159,10 @@ contains
          if (control%scheme == all_explicit) return
          if (size(model%mesh%brick_id) > 0) then
             call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")
+         else if (size(model%constraints) > 0) then
+            call catalogue%refuse(cards, "IMPL", "implicit inertia joins the points of a column, " &
+               & //"which does not go with *CONSTRAINED_LINEAR_GLOBAL and " &
+               & //"*CONSTRAINED_FACE_LINEAR", "0")
          else if (control%scheme == implicit_interfaces .and. .not. has_interfaces(model)) then
             ! the card that joins plies may be the one that is wrong
             if (.not. catalogue%report%has_errors()) call catalogue%refuse(cards, "IMPL", &

@@ -51,8 +51,8 @@ contains
       case ("DATABASE_NODOUT")
          call warn_of_none(size(model%request%nodes), "nodes", "nodes in *DATABASE_HISTORY_NODE")
       case ("DATABASE_SPCFORC")
-         call warn_of_none(size(model%supports) + size(model%motions), "supports", &
-            & "*BOUNDARY_SPC_SET")
+         call warn_of_none(size(model%supports) + size(model%motions) &
+            & + size(model%constraints), "supports", "*BOUNDARY_SPC_SET")
       case default
          continue
       end select

@@ -10,7 +10,7 @@ module plydyn_input_read_support
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_support, only : all_planes, bottom_face, support_type, initial_velocity_type, &
-      & motion_type, one_plane, prescribes_displacement, top_face
+      & motion_type, one_plane, prescribes_displacement, share_points, top_face
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -276,14 +276,6 @@ contains
          & //" is held or moved in this direction already", "each point held or moved once", &
          & nth)
    end subroutine check_free
-
-   !> True when two choices of faces have points in common; planes are none of the faces
-   pure logical function share_points(one, other)
-      !> Which thickness points
-      integer, intent(in) :: one, other
-
-      share_points = one == other .or. one == all_planes .or. other == all_planes
-   end function share_points
 
    !> A node that is in both of two sets; 0 when there is none
    pure integer function common_node(one, other) result(node)

@@ -3,6 +3,7 @@ module plydyn_method_accelerations
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
+   use plydyn_method_constraints, only : constrain_forces
    use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
       & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
       & progress_messages
@@ -44,7 +45,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       can_predict = size(domain%loads) + size(domain%supports%motions) &
-         & + size(domain%inertia%far_ties) == 0
+         & + size(domain%constraints%list) + size(domain%inertia%far_ties) == 0
    end function can_predict
 
    !> Accelerations of all points at the end of a step. All threads come here together
@@ -66,6 +67,7 @@ contains
             call find_internal_forces(domain, work%team, work%step, u, v, state%history, force)
             call add_loads(domain, work%time, state%supports%load_factor, force)
             call hold_supports(domain, work%time, force, state%supports%force)
+            call constrain_forces(domain, force, state%supports%constraints, work%constraints)
             call apply_masses(domain, work, state)
          end if
       end associate

@@ -5,6 +5,7 @@ module plydyn_method_forces
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_average, only : average_points
+   use plydyn_method_constraints, only : add_constraint_power
    use plydyn_parallel_halo, only : messages_type
    use plydyn_method_supports, only : add_support_power
    use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
@@ -251,17 +252,18 @@ contains
       !$omp end single
    end subroutine add_loads
 
-   !> Add the power of loads and supports to a sum
+   !> Add the power of loads, supports and constraints to a sum
    pure subroutine add_external_power(domain, state, sum)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> Velocity, loads and forces of supports
+      !> Velocity, loads, forces of supports and constraints
       type(state_type), intent(in) :: state
       !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
       call add_load_power(domain, state%supports%load_factor, state%velocity, sum)
       call add_support_power(domain, state%supports%force, state%velocity, sum)
+      call add_constraint_power(domain, state%supports%constraints, sum)
    end subroutine add_external_power
 
    !> Add the power of the loads to a sum

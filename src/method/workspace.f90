@@ -6,6 +6,7 @@
 module plydyn_method_workspace
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_method_constraints, only : constraint_work_type, new_constraint_work
    use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type
    use plydyn_parallel_thread_team, only : new_thread_team, thread_team_type
    use plydyn_state_state, only : motion_sums_type, state_type
@@ -26,6 +27,8 @@ module plydyn_method_workspace
       type(thread_team_type) :: team
       !> Sums over the points that this rank counts in each chunk
       type(chunk_sums_type), allocatable :: chunk_sums(:)
+      !> Numbers of the linear constraints
+      type(constraint_work_type) :: constraints
       !> Time of the accelerations to come, and the step that ends there
       real(wp) :: time = 0.0_wp, step = 0.0_wp
       !> Coefficients of the step after it
@@ -48,6 +51,7 @@ contains
 
       call new_thread_team(domain%chunks%order, domain%chunks%outer, self%team)
       allocate (self%chunk_sums(size(domain%chunks%list)))
+      self%constraints = new_constraint_work(domain)
       self%time = state%time
       self%step = state%step_before
    end subroutine new_workspace

@@ -1,5 +1,6 @@
 !> The model: what the deck says, in an engineer's words and with the user's numbers.
 module plydyn_model_model
+   use plydyn_model_constraint, only : constraint_type
    use plydyn_model_control, only : changes_type, control_type, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_fixture, only : fixture_type
@@ -32,6 +33,8 @@ module plydyn_model_model
       type(support_type), allocatable :: supports(:)
       !> Prescribed motions
       type(motion_type), allocatable :: motions(:)
+      !> Linear constraints between displacements; no two share a point
+      type(constraint_type), allocatable :: constraints(:)
       !> Velocities at time zero; a later one overrides an earlier one
       type(initial_velocity_type), allocatable :: initial_velocities(:)
       !> Damage of interfaces at time zero; of two on one point the larger counts

@@ -7,6 +7,8 @@ module plydyn_model_support
    !> Thickness points that a support or load acts on
    integer, parameter, public :: bottom_face = -1, one_plane = 0, top_face = 1, all_planes = 2
 
+   public :: share_points
+
    !> What a prescribed motion prescribes, numbered as on the card
    integer, parameter, public :: prescribes_velocity = 0, prescribes_acceleration = 1, &
       & prescribes_displacement = 2
@@ -55,5 +57,15 @@ module plydyn_model_support
       !> Length per time
       real(wp) :: velocity(3) = 0.0_wp
    end type initial_velocity_type
+
+contains
+
+   !> True when two choices of faces have points in common; planes are none of the faces
+   elemental logical function share_points(one, other)
+      !> Which thickness points
+      integer, intent(in) :: one, other
+
+      share_points = one == other .or. one == all_planes .or. other == all_planes
+   end function share_points
 
 end module plydyn_model_support

@@ -4,6 +4,7 @@ module plydyn_run_initial_state
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : set_initial_damage, start_histories
    use plydyn_model_model, only : model_type
+   use plydyn_method_constraints, only : begin_constraints
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type
    implicit none
@@ -44,6 +45,7 @@ contains
          state%supports%velocity = [state%supports%velocity, &
             & state%velocity(domain%supports%motions(i)%freedom)]
       end do
+      call begin_constraints(domain, state%velocity, state%supports%constraints)
       allocate (state%fixtures(size(domain%contact%fixtures)))
       state%fixtures(:)%id = domain%contact%fixtures(:)%id
       state%fixtures(:)%height = domain%contact%fixtures(:)%height

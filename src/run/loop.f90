@@ -5,6 +5,7 @@ module plydyn_run_loop
    use plydyn_method_accelerations, only : add_motion_sums, begin_accelerations, &
       & update_accelerations
    use plydyn_method_central_difference, only : predict, undo_prediction
+   use plydyn_method_constraints, only : lead_constraints
    use plydyn_method_energy, only : measure_energies, update_energies
    use plydyn_method_contact_correction, only : update_impactors
    use plydyn_method_fixture_step, only : update_fixtures
@@ -54,6 +55,7 @@ contains
             call predict(domain, work, state)                             ! eq. 15
             !$omp master
             call prescribe_motion(domain, state, reduction)
+            call lead_constraints(domain, state, work%constraints, reduction)
             call contacts%correct(domain, state, reduction)               ! eqs 12-13, 16-17
             call add_external_power(domain, state, reduction%external_power_before)
             call work%team%signal_contact()

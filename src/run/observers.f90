@@ -2,6 +2,7 @@
 module plydyn_run_observers
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_io_csv_constraint_history, only : constraint_history_type
    use plydyn_io_csv_contact_history, only : contact_history_type
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
@@ -71,6 +72,7 @@ contains
       call add_output(energy_history_type(), job, run, observers, error)
       call add_output(node_history_type(), job, run, observers, error)
       call add_output(support_history_type(), job, run, observers, error)
+      call add_output(constraint_history_type(), job, run, observers, error)
       do i = 1, size(run%model%impactors)
          call add_output(new_impactor_history(i), job, run, observers, error)
       end do

@@ -2,9 +2,9 @@
 module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_state_state, only : contact_memory_type, energies_type, fixture_state_type, &
-      & impactor_state_type, &
-      & motion_sums_type, relaxation_state_type, run_end_type, state_type
+   use plydyn_state_state, only : constraint_state_type, contact_memory_type, energies_type, &
+      & fixture_state_type, impactor_state_type, motion_sums_type, relaxation_state_type, &
+      & run_end_type, state_type
    implicit none
    private
 
@@ -58,6 +58,7 @@ contains
       call exchange%reals("load_factor", state%supports%load_factor)
       call exchange%reals("support_force", state%supports%force)
       call exchange%reals("support_velocity", state%supports%velocity)
+      call exchange_constraints(exchange, state%supports%constraints)
       call exchange_relaxation(exchange, state%relaxation)
       call exchange_sums(exchange, state%sums, state%energies)
       call exchange_impactors(exchange, state%impactors)
@@ -109,6 +110,17 @@ contains
       call exchange%reals("acceleration", values)
       accelerations(:freedoms) = values
    end subroutine exchange_accelerations
+
+   !> Linear constraints; a model without any has no arrays of them
+   subroutine exchange_constraints(exchange, constraints)
+      class(exchange_type), intent(inout) :: exchange
+      type(constraint_state_type), intent(inout) :: constraints
+
+      if (size(constraints%force) == 0) return
+      call exchange%reals("constraint_force", constraints%force)
+      call exchange%reals("constraint_rate", constraints%rate)
+      call exchange%reals("constraint_displacement", constraints%displacement)
+   end subroutine exchange_constraints
 
    !> Dynamic relaxation
    subroutine exchange_relaxation(exchange, relaxation)

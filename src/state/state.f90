@@ -116,7 +116,17 @@ module plydyn_state_state
       procedure :: damping_at
    end type relaxation_state_type
 
-   !> Supports, prescribed motions and loads
+   !> Linear constraints, a number for each
+   type, public :: constraint_state_type
+      !> Multiplier: the force along the sum of displacements
+      real(wp), allocatable :: force(:)
+      !> Rate of the sum over the last step
+      real(wp), allocatable :: rate(:)
+      !> The sum
+      real(wp), allocatable :: displacement(:)
+   end type constraint_state_type
+
+   !> Supports, prescribed motions, linear constraints and loads
    type, public :: support_state_type
       !> Force that each held or prescribed point would feel free, in the order of
       !> `domain%supports%held`, then of `domain%supports%motions`
@@ -125,6 +135,8 @@ module plydyn_state_state
       real(wp), allocatable :: velocity(:)
       !> Value of each load's curve at this time
       real(wp), allocatable :: load_factor(:)
+      !> Linear constraints
+      type(constraint_state_type) :: constraints
    end type support_state_type
 
    !> The state of a run

@@ -26,6 +26,7 @@ from broken import (
 from decks import Deck
 from elasticity import Array
 from fixture_decks import all_bodies, all_fixtures
+from lever_decks import under_ball
 from runs import DIGITS, SOLVER, Results
 
 NORMAL, USAGE, INPUT, OUTPUT = 0, 1, 2, 5
@@ -38,6 +39,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "failing plies that close": lambda: impact(1, "springs", failing=True, closing=True),
     "averages on two parts, one of given strains": averaged_parts,
     "fixtures": all_fixtures,
+    "levers under a ball": under_ball,
     "bodies of every shape": all_bodies,
     "metal by points": lambda: metal(yielding_by_points),
     "metal by a power": lambda: metal(yielding_by_power),

@@ -15,6 +15,7 @@ from broken import CYCLES, KINDS, averaged, averaged_parts, impact, unlike, weak
 from decks import Deck, Ply
 from elasticity import CARBON
 from fixture_decks import all_bodies, all_fixtures
+from lever_decks import levers, under_ball
 from meshes import regular
 from ranks import launch, peaks, results
 from restart_files import change
@@ -46,6 +47,8 @@ CASES: dict[str, Callable[[], Deck]] = {
     "averages in two parts": averaged_parts,
     "bricks of many chunks": solid,
     "scattered strengths": scattered,
+    "levers": levers,
+    "levers under a ball": under_ball,
     "fixtures": all_fixtures,
     "fixtures and points of the plate": lambda: all_fixtures(method=2),
     "bodies of every shape": all_bodies,

@@ -115,7 +115,7 @@ contains
       allocate (model%initial_damages(0), model%point_loads(0), model%line_loads(0))
       allocate (model%pressures(0), model%segment_loads(0))
       allocate (model%body_loads(0), model%impactors(0), model%contacts(0), &
-         & model%fixtures(0))
+         & model%fixtures(0), model%constraints(0))
       model%control%end_time = 1.0e-4_wp
       model%control%kinematics = linear_strain
       model%request = request_type(field_interval=1.0e-5_wp)

@@ -219,10 +219,11 @@ contains
       real(wp), intent(in) :: steps
 
       !> Bytes of a number; columns of the energies, of an impactor and its contact, of a fixture,
-      !> of each face of a node, of each support and motion, of an interface, and of a profile
+      !> of each face of a node, of each support and motion, of a constraint, of an interface, and
+      !> of a profile
       real(wp), parameter :: number_bytes = 17.0_wp
       integer, parameter :: energy = 19 + mechanisms, impactor = 21 + 6, fixture = 12, node = 6, &
-         & support = 3, interface = 2, profile = 24
+         & support = 3, constraint = 2, interface = 2, profile = 24
       integer :: faces, i
 
       faces = merge(2, 1, any(domain%layers%order > 0))
@@ -232,7 +233,8 @@ contains
             & + size(model%fixtures)*fixture*lines(request%fixture_interval) &
             & + size(request%nodes)*node*faces*lines(request%node_interval)
          if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
-            & *support*(1 + size(model%supports) + size(model%motions))
+            & *(support*(1 + size(model%supports) + size(model%motions)) &
+            & + constraint*size(model%constraints))
          if (size(failing_interfaces(domain)) > 0) bytes = bytes &
             & + lines(request%delamination_interval) &
             & *(3 + interface*size(failing_interfaces(domain)))
