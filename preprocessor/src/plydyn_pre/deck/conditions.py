@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from plydyn_pre.deck.cards import Card, id_cards, keyword, titled
+from plydyn_pre.deck.levers import lever_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.study import (
     Contact,
@@ -13,6 +14,7 @@ from plydyn_pre.study import (
     Impactor,
     InitialVelocity,
     Laminate,
+    Lever,
     LineForce,
     Load,
     Motion,
@@ -87,7 +89,10 @@ def support_keywords(names: Names) -> Iterator[str]:
 def load_keywords(names: Names) -> Iterator[str]:
     """What drives the plate."""
     for number, load in enumerate(names.study.loads, start=1):
-        yield _load(names, load, f"loads[{number}].set")
+        if isinstance(load, Lever):
+            yield from lever_keywords(names, load, number)
+        else:
+            yield _load(names, load, f"loads[{number}].set")
 
 
 def curve_keywords(names: Names) -> Iterator[str]:

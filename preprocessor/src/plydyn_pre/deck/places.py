@@ -10,7 +10,7 @@ import numpy as np
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals
-from plydyn_pre.study import Motion
+from plydyn_pre.study import Lever, Motion
 
 #: Contact nodes of an impactor
 _MOST_CONTACT_NODES = 1_000_000
@@ -75,21 +75,22 @@ def _is_on(mesh: Mesh, place: tuple[float, float]) -> bool:
 
 
 def _check_motions(names: Names) -> None:
-    """Refuse nodes that a motion moves and something else holds or moves in its direction."""
+    """Refuse nodes that a load moves and something else holds or moves in its direction."""
     known = list(_held(names))
     for number, load in enumerate(names.study.loads, start=1):
-        if not isinstance(load, Motion):
+        if not isinstance(load, Motion | Lever):
             continue
         path = f"loads[{number}]"
-        nodes = names.nodes_of(load.set, f"{path}.set")
         faces = _FACES.get(load.face, {load.face})
-        for where, direction, others, held_faces in known:
-            twice = np.intersect1d(nodes, others) if direction == load.direction else ()
-            if len(twice) and faces & held_faces:
-                node = names.mesh.node_ids[twice[0]]
-                rule = f"node {node} is held or moved along {direction} by {where} already"
-                raise RecipeError(f"{path}.set", rule)
-        known.append((path, load.direction, nodes, faces))
+        for key in ("set",) if isinstance(load, Motion) else ("hinge", "fulcrum"):
+            nodes = names.nodes_of(getattr(load, key), f"{path}.{key}")
+            for where, direction, others, held_faces in known:
+                twice = np.intersect1d(nodes, others) if direction == load.direction else ()
+                if len(twice) and faces & held_faces:
+                    node = names.mesh.node_ids[twice[0]]
+                    rule = f"node {node} is held or moved along {direction} by {where} already"
+                    raise RecipeError(f"{path}.{key}", rule)
+            known.append((path, load.direction, nodes, faces))
 
 
 def _held(names: Names) -> Iterator[tuple[str, str, Integers, set[str]]]:

@@ -7,7 +7,7 @@ from math import hypot
 
 from plydyn_pre.errors import require
 from plydyn_pre.study.bricks import Bricks
-from plydyn_pre.study.conditions import Curve
+from plydyn_pre.study.conditions import Contact, Curve, Lever, Load
 from plydyn_pre.study.control import Control, Outputs, Units
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
@@ -61,6 +61,17 @@ def check_speed(impactor: Impactor | None, units: Units) -> None:
         rule = f"{speed:.6g} is faster than any impact, {fastest:g} {units.length}/{units.time}"
         key = "velocity" if impactor.energy is None else "energy"
         require(speed <= fastest, f"impactor.{key}", rule)
+
+
+def check_levers(loads: Iterable[Load], contact: Contact | None, control: Control) -> None:
+    """Refuse levers where the inertia of columns is implicit, and where the impactor hits."""
+    for number, load in enumerate(loads, start=1):
+        if not isinstance(load, Lever):
+            continue
+        rule = 'a lever needs "explicit"'
+        require(control.scheme == "explicit", "control.scheme", rule)
+        hit = contact is not None and load.face in (contact.face, "all")
+        require(not hit, f"loads[{number}].face", "a lever is not on the face that is hit")
 
 
 def check_step_curve(curves: Mapping[str, Curve], control: Control) -> None:

@@ -146,6 +146,27 @@ class Motion:
 
 
 @dataclass(frozen=True)
+class Lever:
+    """A lever without mass on two lines of nodes, whose end is moved: force and way are written."""
+
+    kind: ClassVar[str] = "lever"
+
+    hinge: str  # name of a node set
+    fulcrum: str  # name of another one, that lies like it
+    arm: float  # from the fulcrum on to the end
+    value: float  # of the end, times the curve
+    quantity: Literal["velocity", "displacement"] = "displacement"
+    direction: Direction = "z"
+    face: FaceOrAll = "top"
+    curve: str = ""  # name of a curve; constant without one
+
+    def __post_init__(self) -> None:
+        """Refuse an end that is no end."""
+        require_not_negative(self, "arm")
+        require(self.hinge != self.fulcrum, "fulcrum", "the same set as the hinge")
+
+
+@dataclass(frozen=True)
 class InitialVelocity:
     """The velocity of nodes at time zero."""
 
@@ -155,4 +176,4 @@ class InitialVelocity:
     set: str = "all"  # name of a node set
 
 
-Load = Pressure | Force | LineForce | FrameAcceleration | Motion | InitialVelocity
+Load = Pressure | Force | LineForce | FrameAcceleration | Motion | Lever | InitialVelocity

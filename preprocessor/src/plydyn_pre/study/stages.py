@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.conditions import Contact, Load, Support
+from plydyn_pre.study.conditions import Contact, Lever, Load, Support
 from plydyn_pre.study.control import Outputs
 from plydyn_pre.study.fixtures import Fixture
 from plydyn_pre.study.impactor import Impactor
@@ -49,6 +49,8 @@ class Stage:
         require(watched, "until_fall", "needs quasi_static, which may be 0")
         hit = self.contact is None or self.impactor is not None
         require(hit, "contact", "needs an impactor of the stage")
+        stays = not any(isinstance(load, Lever) for load in self.loads)
+        require(stays, "loads", "a lever is there from the start; it belongs to the recipe's loads")
 
 
 def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures: bool) -> None:

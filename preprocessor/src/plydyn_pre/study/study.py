@@ -9,7 +9,13 @@ from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.library import library
 from plydyn_pre.mesh import Coupon, Shape
 from plydyn_pre.study.bricks import Bricks
-from plydyn_pre.study.checks import check_fields, check_scheme, check_speed, check_step_curve
+from plydyn_pre.study.checks import (
+    check_fields,
+    check_levers,
+    check_scheme,
+    check_speed,
+    check_step_curve,
+)
 from plydyn_pre.study.conditions import (
     Contact,
     Curve,
@@ -79,6 +85,7 @@ class Study:
             check_fixtures(self.mesh, self.fixtures)
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
+        check_levers(self.loads, self.touch if self.impactor else None, self.control)
         check_step_curve(self.curves, self.control)
         for part in (self, *self.stages):
             check_speed(part.impactor, self.units)

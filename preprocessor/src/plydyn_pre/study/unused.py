@@ -54,5 +54,6 @@ def _curves(study: Study) -> set[str]:
 def _sets(study: Study) -> set[str]:
     """Names of the sets of supports, loads and outputs."""
     parts = (study, *study.stages)
-    users = {getattr(user, "set", "") for part in parts for user in (*part.supports, *part.loads)}
+    uses = [user for part in parts for user in (*part.supports, *part.loads)]
+    users = {getattr(user, key, "") for user in uses for key in ("set", "hinge", "fulcrum")}
     return users.union(*(part.outputs.nodes for part in parts))

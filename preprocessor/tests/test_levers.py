@@ -1,0 +1,95 @@
+"""Levers are constraints between pairs of nodes."""
+
+from __future__ import annotations
+
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from deck_cards import cards_of, split_columns, text_of
+
+import plydyn_pre as pre
+from plydyn_pre.study import Stage
+
+HALF_SPAN, ARM, WAY = 10.0, 8.0, -0.5
+LEVER = pre.Lever("left", "middle", ARM, WAY, curve="ramp")
+
+
+def beam(study: pre.Study) -> pre.Study:
+    """A strip with a lever on its upper arm, over lines at its end and in the middle."""
+    return replace(
+        study,
+        mesh=pre.Rectangle((2.0 * HALF_SPAN, 2.0), (8, 1)),
+        sets={
+            "middle": pre.NodeSet(line=(HALF_SPAN, 0.0, HALF_SPAN, 2.0)),
+            "one": pre.NodeSet(at=(15.0, 1.0)),
+        },
+        supports=(
+            pre.Support("left", hold="z", face="bottom"),
+            pre.Support("right", hold="xyz", face="bottom"),
+        ),
+        impactor=None,
+        contact=None,
+        loads=(LEVER,),
+        outputs=pre.Outputs(support_interval=1.0e-6),
+    )
+
+
+def test_coefficients_are_those_of_a_lever(study: pre.Study) -> None:
+    """The end is at (1 + c/L) of the fulcrum less c/L of the hinge; as many pairs as nodes."""
+    made = beam(study)
+    mesh = pre.make_mesh(made.mesh)
+    cards = cards_of(text_of(made))["CONSTRAINED_FACE_LINEAR"]
+    assert len(cards) == 3 * len(mesh.node_sets["left"])
+    places = {int(i): xy for i, xy in zip(mesh.node_ids, mesh.nodes, strict=True)}
+    for head, hinge, fulcrum in zip(cards[0::3], cards[1::3], cards[2::3], strict=True):
+        assert [float(field) for field in split_columns(head, 10)[1::2]] == [2, WAY]
+        first, *low, turn = (float(field) for field in split_columns(hinge, 10))
+        second, *high, whole = (float(field) for field in split_columns(fulcrum, 10))
+        assert low == high == [1, 3]
+        assert (turn, whole) == pytest.approx((-ARM / HALF_SPAN, 1.0 + ARM / HALF_SPAN))
+        assert places[int(second)] - places[int(first)] == pytest.approx([HALF_SPAN, 0.0])
+
+
+def test_the_solver_takes_it(study: pre.Study, solver: str, tmp_path: Path) -> None:
+    """Curve and nodes are there."""
+    deck = tmp_path / "beam.k"
+    deck.write_text(text_of(beam(study)))
+    done = subprocess.run([solver, "check", deck], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"fulcrum": "left"}, "the same set as the hinge"),
+        ({"arm": -1.0}, "arm"),
+        ({"fulcrum": "one"}, r"loads\[1\]\.fulcrum: .* nodes for .* at the hinge"),
+        ({"fulcrum": "right"}, None),
+        ({"face": "bottom"}, r"loads\[1\]\.hinge: node \d+ is held or moved along z"),
+    ],
+)
+def test_levers_that_are_none(study: pre.Study, changes: dict, words: str | None) -> None:
+    """Each is refused with its key; one over the whole span is a lever."""
+    if words is None:
+        assert "CONSTRAINED_FACE_LINEAR" in cards_of(text_of(_with(study, changes)))
+        return
+    with pytest.raises(pre.RecipeError, match=words):
+        text_of(_with(study, changes))
+
+
+def test_levers_and_implicit_inertia_are_refused(study: pre.Study) -> None:
+    """So are levers of stages, which a restart could not add."""
+    made = beam(study)
+    with pytest.raises(pre.RecipeError, match='scheme: a lever needs "explicit"'):
+        replace(made, control=replace(made.control, scheme="implicit_thickness"))
+    with pytest.raises(pre.RecipeError, match="a lever is there from the start"):
+        Stage("next", 1.0e-4, loads=(LEVER,))
+    with pytest.raises(pre.RecipeError, match="a lever is not on the face that is hit"):
+        replace(made, impactor=study.impactor)
+
+
+def _with(study: pre.Study, changes: dict) -> pre.Study:
+    """The beam with another lever."""
+    return replace(beam(study), loads=(replace(LEVER, **changes),))
