@@ -26,6 +26,8 @@ module plydyn_method_fixture_step
    type :: fixture_motion_type
       !> Displacement at its end, and its change over the step
       real(wp) :: displacement(3) = 0.0_wp, increment(3) = 0.0_wp
+      !> Coefficients of the motion of the plate
+      type(leapfrog_coefficients_type) :: coefficients
    end type fixture_motion_type
 
 contains
@@ -56,18 +58,20 @@ contains
       !> Gets the work and the forces of the fixtures
       type(global_reduction_type), intent(inout) :: reduction
 
+      type(leapfrog_coefficients_type) :: coefficients
       logical :: is_moved(0:size(domain%supports%motions))
       integer :: i
 
       if (size(domain%contact%fixtures) == 0) return
+      coefficients = coefficients_of_step(domain%control%damping, state)
       is_moved(0) = .false.
       is_moved(1:) = is_active(domain%supports%motions, state%time)
       do i = 1, size(domain%contact%fixtures)
          associate (surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
             if (domain%contact%fixtures(i)%is_clamp) then
-               call press_clamp(domain, surface, i, is_moved, state, reduction)
+               call press_clamp(domain, surface, i, is_moved, coefficients, state, reduction)
             else
-               call meet_body(domain, surface, i, is_moved, state, reduction)
+               call meet_body(domain, surface, i, is_moved, coefficients, state, reduction)
             end if
          end associate
       end do
@@ -130,13 +134,15 @@ contains
    end subroutine update_fixtures
 
    !> Contact of the points that this rank has with a rigid body
-   subroutine meet_body(domain, surface, i, is_moved, state, reduction)
+   subroutine meet_body(domain, surface, i, is_moved, coefficients, state, reduction)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       !> Index of the fixture
       integer, intent(in) :: i
       !> Whether each prescribed motion acts now
       logical, intent(in) :: is_moved(0:)
+      !> Of the motion of the plate
+      type(leapfrog_coefficients_type), intent(in) :: coefficients
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
@@ -147,6 +153,7 @@ contains
 
       associate (fixture => domain%contact%fixtures(i))
          motion = motion_of(fixture, domain, state)
+         motion%coefficients = coefficients
          do j = 1, size(surface%here)
             k = surface%here(j)
             point(:) = surface%position(:, k) + state%displacement(surface%freedom(:, k)) &
@@ -166,20 +173,22 @@ contains
 
    !> Force of a clamp on the points that this rank has: the pressure of its force and of its
    !> spring at the beginning of the step
-   subroutine press_clamp(domain, surface, i, is_moved, state, reduction)
+   subroutine press_clamp(domain, surface, i, is_moved, coefficients, state, reduction)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       !> As in `meet_body`
       integer, intent(in) :: i
       logical, intent(in) :: is_moved(0:)
+      type(leapfrog_coefficients_type), intent(in) :: coefficients
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: force, raised
       type(contact_row_type) :: row
-      type(fixture_motion_type), parameter :: at_rest = fixture_motion_type()
+      type(fixture_motion_type) :: at_rest
       integer :: j, k
 
+      at_rest%coefficients = coefficients
       associate (fixture => domain%contact%fixtures(i))
          force = fixture%force*domain%curves(fixture%curve)%at(state%time)
          row%normal(:) = [0.0_wp, 0.0_wp, real(fixture%body%upward, wp)]
@@ -220,7 +229,6 @@ contains
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
-      type(leapfrog_coefficients_type) :: coefficients
       real(wp) :: mean(3), middle(3), move(3)
       integer :: c, first
 
@@ -229,13 +237,12 @@ contains
       associate (v => state%velocity, u => state%displacement, a => state%acceleration, &
          & places => surface%freedom(:, k))
          ! the mean of the velocities before the step and after the multiplier
-         coefficients = coefficients_of_step(domain%control%damping, state)
-         mean(:) = coefficients%mean_velocity(v(places), a(places))
+         mean(:) = motion%coefficients%mean_velocity(v(places), a(places))
          middle(:) = mean + 0.5_wp*move/state%step
          if (surface%own(k)) then
             call count_row(first, row, middle, motion%increment/state%step, surface%area(k), &
                & a(places), state%step, reduction)
-            call reduction%contact_damping%add(coefficients%damping &
+            call reduction%contact_damping%add(motion%coefficients%damping &
                & *dot_product(row%multiplier/state%step, mean))
          end if
          do c = 1, 3
