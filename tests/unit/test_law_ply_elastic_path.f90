@@ -8,7 +8,7 @@ program test_law_ply_elastic_path
       & largest_band, matrix_damage, matrix_finish, matrix_threshold, matrix_onset, shear_peak, &
       & spared_work
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : update_undamaged
+   use plydyn_law_ply_no_growth_path, only : update_undamaged
    use ply_point, only : paper_ply
    use testing, only : begin, check, finish
    implicit none

@@ -9,7 +9,7 @@ program test_law_ply_no_growth_path
       & fibre_onset, histories_closing, histories_open, largest_band, matrix_damage, &
       & matrix_finish, matrix_threshold, matrix_onset, shear_peak, shear_set
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : update_undamaged
+   use plydyn_law_ply_no_growth_path, only : update_undamaged
    use plydyn_law_ply_shear_curve, only : new_power_curve, shape_exponential, &
       & shape_power
    use ply_point, only : paper_ply

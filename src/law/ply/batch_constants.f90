@@ -23,8 +23,6 @@ module plydyn_law_ply_batch_constants
       real(wp) :: brittle(lanes, 2) = 0.0_wp
       !> Least integrity
       real(wp) :: residual(lanes) = 1.0_wp
-      !> G13 and G23: the parts that damage does not reduce and that it reduces
-      real(wp) :: g_intact(lanes, 2) = 0.0_wp, g_degraded(lanes, 2) = 0.0_wp
       !> 1 in lanes where tension and compression have damage of their own; whether in any
       real(wp) :: closes(lanes) = 0.0_wp
       logical :: any_closes = .false.
@@ -48,13 +46,12 @@ contains
       self%own(lane) = 1.0_wp
       self%whole = all(self%own > 0.0_wp)
       call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
+      if (.not. constants%weakens_across) call self%secant%keep_across(lane)
       call self%curve%set_lane(lane, constants%shear(1), constants%curve)
       call self%onset%set_lane(lane, constants)
       self%plateau(lane, 1) = constants%plateau
       self%brittle(lane, 1) = constants%brittle
       self%residual(lane) = constants%residual
-      self%g_intact(lane, :) = merge(0.0_wp, constants%shear(2:3), constants%weakens_across)
-      self%g_degraded(lane, :) = constants%shear(2:3) - self%g_intact(lane, :)
       self%closes(lane) = merge(1.0_wp, 0.0_wp, constants%closes)
       self%any_closes = any(self%closes > 0.0_wp)
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)

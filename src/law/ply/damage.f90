@@ -6,7 +6,8 @@
 !> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_growth, only : can_grow, find_growth_strains, grow, min_path_ratio
+   use plydyn_law_ply_damage_growth, only : add_energies, can_grow, find_growth_strains, grow, &
+      & min_path_ratio, ply_step_type
    use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
@@ -19,10 +20,8 @@ module plydyn_law_ply_damage
       & matrix_threshold, mean_strain, own_strain, shear_peak, shear_set, spared_work, &
       & store_driving_strains, store_lanes, swap_closed, to_compression, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_elastic_path, only : update_undamaged
-   use plydyn_law_ply_no_growth_path, only : use_intact_stress
+   use plydyn_law_ply_no_growth_path, only : update_undamaged, use_intact_stress
    use plydyn_law_ply_shear_path, only : elastic_shear
-   use plydyn_law_ply_stress_update, only : add_energies, degrade_stress, ply_step_type
    implicit none
    private
 
@@ -195,8 +194,8 @@ contains
       else
          call update_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
       end if
-      if (now%grows) call add_energies(self%ply, e, shear(:, 2), now, s(:, 1:2), h)
-      call degrade_stress(self%ply, e, shear(:, 1), now%after(:, 1:2), now%after(:, 3:4), s)
+      if (now%grows) call add_energies(self%ply%secant, e, shear(:, 2), now, s(:, 1:2), h)
+      call self%ply%secant%degrade_stress(e, shear(:, 1), now%after(:, 1:2), now%after(:, 3:4), s)
       if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, h)
    end subroutine update_point
 

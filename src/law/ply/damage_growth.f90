@@ -1,17 +1,38 @@
 !> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau, or
-!> drops to zero from somewhere along the line.
+!> drops to zero from somewhere along the line. What a step of growth dissipates.
 module plydyn_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : began_in_compression
+   use plydyn_law_ply_history, only : began_in_compression, fibre_energy, matrix_energy, spared_work
+   use plydyn_law_ply_secant, only : secant_type
    implicit none
    private
 
-   public :: can_grow, find_growth_strains, grow
+   public :: add_energies, can_grow, find_growth_strains, grow
 
    !> Least ratio of the strain at which damage begins or goes on to that at the end of the step.
    !> Below it the point was beyond that strain before the step, by a criterion that has changed.
    !> The end of compression changes the toughness of shear, closes a crack, or has its own strains
    real(wp), parameter, public :: min_path_ratio = 0.9_wp
+
+   !> Ratio of damage increment to relative strain increment above which softening is treated as a
+   !> sudden drop
+   real(wp), parameter :: sudden = 100.0_wp
+
+   !> Change of a point in a step
+   type, public :: ply_step_type
+      !> Plastic work per volume of an intact ply
+      real(wp) :: work(lanes)
+      !> Stresses along and across the fibres whose signs count; only where cracks close
+      real(wp) :: sense(lanes, 2)
+      !> Integrity before and after: R1 and R2 for normal stress, R1 and R2 for shear
+      real(wp) :: before(lanes, 4), after(lanes, 4)
+      !> Excess over onset of the modes that have not begun: 0 or more where one begins
+      real(wp) :: excess(lanes, 2)
+      !> Mean of the driving forces over their values at the end, for fibres and for matrix
+      real(wp) :: share(lanes, 2)
+      !> Whether the permanent shear strain or any damage grows
+      logical :: grows
+   end type ply_step_type
 
    !> History of a mode: damage; strain at onset, 0 before, see `began_in_compression`; strain at
    !> which the falling line meets zero
@@ -132,5 +153,47 @@ contains
       rise = onset*max(last*intact, floor*left)
       part = left*intact
    end subroutine find_reached
+
+   !> Add the energy that the loss of stiffness releases at the strain of the step, and the plastic
+   !> work that it spares. A sudden drop releases half the change of the compliance times the stress
+   !> before and the stress after. Where the stress follows a line, as Poisson's effect lets it in
+   !> uniaxial stress, both are the stress after
+   pure subroutine add_energies(secant, e, elastic, now, s, h)
+      !> Stiffness of the lanes
+      type(secant_type), intent(in) :: secant
+      !> Strain, size of the elastic shear strain
+      real(wp), intent(in) :: e(lanes, 6), elastic(lanes)
+      !> Integrity before and after the step
+      type(ply_step_type), intent(in) :: now
+      !> Effective normal stresses 11 and 22 after the step
+      real(wp), intent(in) :: s(lanes, 2)
+      !> History, of which the energies grow
+      real(wp), intent(inout) :: h(lanes, *)
+
+      real(wp) :: along, across, first(lanes, 3), loss(4), mean(2), plane
+      integer :: l
+
+      call secant%damaged_stress(e, now%before, first)
+      associate (compliance => secant%compliance, g => secant%shear, &
+         & degraded => secant%g_degraded, before => now%before, after => now%after, &
+         & share => now%share)
+         !$omp simd private(across, along, loss, mean, plane)
+         do l = 1, lanes
+            loss(:) = before(l, :) - after(l, :)
+            mean(:) = 0.5_wp*(before(l, 3:4) + after(l, 3:4))
+            plane = g(l, 1)*elastic(l)**2
+            along = merge(first(l, 1), s(l, 1), loss(1) > sudden*(1.0_wp - share(l, 1)))
+            across = merge(first(l, 2), s(l, 2), loss(2) > sudden*(1.0_wp - share(l, 2)))
+            h(l, fibre_energy) = h(l, fibre_energy) + 0.5_wp*share(l, 1)*( &
+               & loss(1)*compliance(l, 1)*along*s(l, 1) &
+               & + loss(3)*(mean(2)*plane + degraded(l, 1)*e(l, 5)**2))
+            h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*share(l, 2)*( &
+               & loss(2)*compliance(l, 2)*across*s(l, 2) &
+               & + loss(4)*(mean(1)*plane + degraded(l, 2)*e(l, 6)**2))
+            h(l, spared_work) = h(l, spared_work) &
+               & + now%work(l)*(1.0_wp - after(l, 3)*after(l, 4))
+         end do
+      end associate
+   end subroutine add_energies
 
 end module plydyn_law_ply_damage_growth

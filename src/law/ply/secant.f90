@@ -1,5 +1,6 @@
 !> Secant stiffness of a damaged ply. Damage multiplies the moduli E1 and E2 of the orthotropic
-!> compliance by the integrities R1 and R2, and leaves its Poisson terms.
+!> compliance by the integrities R1 and R2, and leaves its Poisson terms. It multiplies G12 by both,
+!> and G13 and G23, unless it leaves them, by one each.
 module plydyn_law_ply_secant
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_elastic, only : ply_stiffness
@@ -13,6 +14,8 @@ module plydyn_law_ply_secant
    type, public :: secant_type
       !> G12, G13, G23
       real(wp) :: shear(lanes, 3) = 1.0_wp
+      !> G13 and G23: the parts that damage does not reduce and that it reduces
+      real(wp) :: g_intact(lanes, 2) = 0.0_wp, g_degraded(lanes, 2) = 0.0_wp
       !> 1/E1, 1/E2 without damage
       real(wp) :: compliance(lanes, 2) = 1.0_wp
       !> C11, C12, C13, C22, C23, C33 without damage
@@ -25,8 +28,10 @@ module plydyn_law_ply_secant
       real(wp), dimension(lanes), private :: c12 = 0.0_wp
    contains
       procedure :: set_lane
+      procedure :: keep_across
       procedure :: intact_stress
       procedure :: damaged_stress
+      procedure :: degrade_stress
    end type secant_type
 
 contains
@@ -46,6 +51,8 @@ contains
       nu32 = poisson(3)*young(3)/young(2)
       c(:, :) = ply_stiffness(young, poisson, shear)
       self%shear(lane, :) = shear
+      self%g_intact(lane, :) = 0.0_wp
+      self%g_degraded(lane, :) = shear(2:3)
       self%compliance(lane, :) = 1.0_wp/young(1:2)
       self%intact(lane, :) = [c(1, 1), c(1, 2), c(1, 3), c(2, 2), c(2, 3), c(3, 3)]
       associate (nu12 => poisson(1), nu13 => poisson(2), nu23 => poisson(3))
@@ -58,6 +65,16 @@ contains
          self%c23(lane, :) = young(2)*[nu32, nu12*nu31]
       end associate
    end subroutine set_lane
+
+   !> Let damage leave G13 and G23 of a lane that has its constants
+   pure subroutine keep_across(self, lane)
+      class(secant_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+
+      self%g_intact(lane, :) = self%shear(lane, 2:3)
+      self%g_degraded(lane, :) = 0.0_wp
+   end subroutine keep_across
 
    !> Normal stresses of a point without damage
    pure subroutine intact_stress(self, strain, stress)
@@ -112,5 +129,32 @@ contains
          end do
       end associate
    end subroutine damaged_stress
+
+   !> Stress of a ply, from its effective normal stresses
+   pure subroutine degrade_stress(self, e, shear, normal, sheared, s)
+      class(secant_type), intent(in) :: self
+      !> Strain, size of the shear stress 12 before damage
+      real(wp), intent(in) :: e(lanes, 6), shear(lanes)
+      !> R1 and R2 for normal stress, and for shear
+      real(wp), intent(in) :: normal(lanes, 2), sheared(lanes, 2)
+      !> Effective normal stresses in, stress out
+      real(wp), intent(inout) :: s(lanes, 6)
+
+      real(wp) :: r1, r2
+      integer :: l
+
+      associate (intact => self%g_intact, degraded => self%g_degraded)
+         !$omp simd private(r1, r2)
+         do l = 1, lanes
+            r1 = sheared(l, 1)
+            r2 = sheared(l, 2)
+            s(l, 1) = normal(l, 1)*s(l, 1)
+            s(l, 2) = normal(l, 2)*s(l, 2)
+            s(l, 4) = r1*r2*sign(shear(l), e(l, 4))
+            s(l, 5) = (intact(l, 1) + r1*degraded(l, 1))*e(l, 5)
+            s(l, 6) = (intact(l, 2) + r2*degraded(l, 2))*e(l, 6)
+         end do
+      end associate
+   end subroutine degrade_stress
 
 end module plydyn_law_ply_secant
