@@ -12,8 +12,8 @@ module plydyn_contact_contact
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_contact_patch, only : contact_patch_type, new_patch, point_areas
-   use plydyn_contact_solve_constraint, only : constraints_type, gap_change, new_constraints
-   use plydyn_contact_solve_correction, only : correction_type, new_correction
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type, gap_change, &
+      & new_constraints, new_correction
    use plydyn_contact_solve_coulomb, only : friction_type
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets

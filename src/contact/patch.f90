@@ -7,8 +7,7 @@
 !> around the patch.
 module plydyn_contact_patch
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_solve_correction, only : correction_type
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
    use plydyn_fem_shape, only : shape_functions
    implicit none

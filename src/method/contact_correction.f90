@@ -2,7 +2,7 @@
 !> of plate and impactors (the paper's eqs 15 to 17).
 module plydyn_method_contact_correction
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_correction, only : correction_type
+   use plydyn_contact_solve_constraint, only : correction_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
    use plydyn_method_global_reduction, only : global_reduction_type

@@ -2,8 +2,8 @@
 program test_contact_patch
    use plydyn_base_precision, only : wp
    use plydyn_contact_patch, only : contact_patch_type, new_patch, point_areas
-   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_solve_correction, only : correction_type, new_correction
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type, &
+      & new_constraints, new_correction
    use sample, only : flat_surface
    use testing, only : begin, check, finish
    implicit none

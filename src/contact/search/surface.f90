@@ -6,8 +6,8 @@
 !> surface is locally a graph, which holds unless the plate is folded.
 module plydyn_contact_search_surface
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_search_closest_point, only : closest_points
-   use plydyn_contact_search_facet, only : frame_eta, frame_size, frame_value, frame_xi
+   use plydyn_contact_search_closest_point, only : closest_points, frame_eta, frame_size, &
+      & frame_value, frame_xi
    use plydyn_contact_search_neighbours, only : find_neighbours, sides
    use plydyn_fem_shape, only : bilinear_nodes
    implicit none

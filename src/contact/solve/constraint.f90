@@ -1,4 +1,5 @@
-!> Contact constraints of one step: points, weights, normals, gaps and multipliers of the rows.
+!> Contact constraints of one step: points, weights, normals, gaps and multipliers of the rows, and
+!> the displacements by which multipliers correct the surface points.
 !>
 !> A row requires g + n.(u_impactor - sum_k N_k u_k) >= 0. The rows are the matrix G of the paper's
 !> eq. 18 along the normal n: one row for each contact node instead of three. Friction adds a vector
@@ -8,7 +9,8 @@ module plydyn_contact_solve_constraint
    implicit none
    private
 
-   public :: add_correction, add_force, gap_change, new_constraints, relative_motion
+   public :: add_correction, add_force, gap_change, new_constraints, new_correction, &
+      & relative_motion
 
    !> Number of rows of the first allocation
    integer, parameter :: first_capacity = 64
@@ -37,6 +39,23 @@ module plydyn_contact_solve_constraint
       procedure :: add
       procedure :: remove
    end type constraints_type
+
+   !> Correction of every surface point, and the list of the points of contact rows, tens out of
+   !> thousands
+   type, public :: correction_type
+      !> Correction, zero at points that are not listed, (3, points), length
+      real(wp), allocatable :: displacement(:, :)
+      !> Points of the rows, each once, in the first `count` entries
+      integer, allocatable :: point(:)
+      !> Number of listed points
+      integer :: count = 0
+      !> Whether a point is listed
+      logical, allocatable, private :: listed(:)
+   contains
+      procedure :: clear
+      procedure :: list_points
+      procedure :: largest_displacement
+   end type correction_type
 
 contains
 
@@ -209,5 +228,66 @@ contains
          relative(:) = relative - rows%weight(i, row)*displacement(:3, k)
       end do
    end function relative_motion
+
+   !> Zero corrections
+   pure subroutine new_correction(self, points)
+      !> The correction
+      type(correction_type), intent(out) :: self
+      !> Number of surface points
+      integer, intent(in) :: points
+
+      allocate (self%displacement(3, points), source=0.0_wp)
+      allocate (self%point(points), source=0)
+      allocate (self%listed(points), source=.false.)
+   end subroutine new_correction
+
+   !> Reset corrections and list to zero
+   pure subroutine clear(self)
+      !> The correction
+      class(correction_type), intent(inout) :: self
+
+      integer :: i
+
+      do i = 1, self%count
+         self%displacement(:, self%point(i)) = 0.0_wp
+         self%listed(self%point(i)) = .false.
+      end do
+      self%count = 0
+   end subroutine clear
+
+   !> List the points of all rows
+   pure subroutine list_points(self, rows)
+      !> The correction, cleared
+      class(correction_type), intent(inout) :: self
+      !> The constraints
+      type(constraints_type), intent(in) :: rows
+
+      integer :: i, k, row
+
+      do row = 1, rows%count
+         do i = 1, size(rows%point, 1)
+            k = rows%point(i, row)
+            if (self%listed(k)) cycle
+            self%listed(k) = .true.
+            self%count = self%count + 1
+            self%point(self%count) = k
+         end do
+      end do
+   end subroutine list_points
+
+   !> Largest magnitude of a correction, length
+   pure real(wp) function largest_displacement(self)
+      !> The correction
+      class(correction_type), intent(in) :: self
+
+      integer :: i
+
+      largest_displacement = 0.0_wp
+      do i = 1, self%count
+         largest_displacement = max(largest_displacement, &
+            & sum(self%displacement(:, self%point(i))**2))
+      end do
+      largest_displacement = sqrt(largest_displacement)
+   end function largest_displacement
 
 end module plydyn_contact_solve_constraint

@@ -10,9 +10,8 @@
 !> and not components along two tangents, so that no direction is preferred.
 module plydyn_contact_solve_sliding
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_constraint, only : add_force, constraints_type, gap_change, &
-      & relative_motion
-   use plydyn_contact_solve_correction, only : correction_type
+   use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type, &
+      & gap_change, relative_motion
    use plydyn_contact_solve_coulomb, only : friction_type
    implicit none
    private

@@ -1,10 +1,9 @@
 !> Facets as polynomials.
-program test_contact_search_facet
+program test_contact_search_closest_point
    use monomial, only : bend, slope
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_search_facet, only : facet_polynomials, frame_eta, frame_eta_eta, &
-      & frame_size, &
-      & frame_value, frame_xi, frame_xi_eta, frame_xi_xi, frames_at
+   use plydyn_contact_search_closest_point, only : facet_polynomials, frame_eta, &
+      & frame_eta_eta, frame_size, frame_value, frame_xi, frame_xi_eta, frame_xi_xi, frames_at
    use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none
@@ -85,4 +84,4 @@ contains
       frame(:, :) = frames(lanes, :, :)
    end subroutine find_frame
 
-end program test_contact_search_facet
+end program test_contact_search_closest_point
