@@ -33,6 +33,7 @@ module plydyn_parallel_comm
       procedure :: is_root
       procedure :: sum => sum_integers
       procedure :: max => max_reals
+      procedure :: keep_largest
       procedure :: all_true
       procedure :: merge => merge_reals
       procedure :: allgather => allgather_reals
@@ -180,6 +181,33 @@ contains
       call mpi_allreduce(mpi_in_place, values, size(values), mpi_double_precision, mpi_max, &
          & mpi_comm_world)
    end subroutine max_reals
+
+   !> The largest value of all ranks; of several alike that with the least number
+   subroutine keep_largest(self, value, number, place)
+      class(comm_type), intent(in) :: self
+      !> This rank's value in, the largest out
+      real(wp), intent(inout) :: value
+      !> What has that value; of the largest out
+      integer, intent(inout) :: number
+      !> Where it is found there, not negative; of the largest out
+      integer, intent(inout) :: place(2)
+
+      real(wp) :: largest(1), least(1), found(2)
+
+      if (self%ranks == 1) return
+      largest(1) = value
+      call self%max(largest)
+      ! the least is the greatest below zero
+      least(1) = -huge(1.0_wp)
+      if (value >= largest(1)) least(1) = -real(number, wp)
+      call self%max(least)
+      found(:) = 0.0_wp
+      if (value >= largest(1) .and. number == nint(-least(1))) found(:) = place
+      call self%max(found)
+      value = largest(1)
+      number = nint(-least(1))
+      place(:) = nint(found)
+   end subroutine keep_largest
 
    !> Broadcast integers of the root
    subroutine broadcast_integers(self, values)

@@ -5,7 +5,6 @@ module plydyn_run_volume_monitor
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_least_volume, only : find_least_volume
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_io_job, only : job_type
    use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
@@ -79,6 +78,38 @@ contains
          end if
       end associate
    end subroutine notify
+
+   !> The least ratio of volumes, det F, of all ranks; the same on all of them, which come together
+   function find_least_volume(domain, displacement) result(least)
+      type(domain_type), intent(in) :: domain
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+      type(least_volume_type) :: least
+
+      type(least_volume_type) :: own
+      real(wp) :: greatest
+      integer :: g, place(2)
+
+      do g = 1, size(domain%groups)
+         own = least_volume_type()
+         call domain%groups(g)%item%find_volume(displacement, own)
+         own%group = g
+         if (is_less(own, least)) least = own
+      end do
+      greatest = -least%ratio
+      place(:) = [least%layer, least%group]
+      call domain%comm%keep_largest(greatest, least%element, place)
+      least%ratio = -greatest
+      least%layer = place(1)
+      least%group = place(2)
+   end function find_least_volume
+
+   !> Whether one comes before another
+   pure logical function is_less(a, b)
+      type(least_volume_type), intent(in) :: a, b
+
+      is_less = a%ratio < b%ratio .or. (a%ratio <= b%ratio .and. a%element < b%element)
+   end function is_less
 
    !> Which element is pressed to which ratio, and when
    function place_of(self, domain, state, least) result(words)

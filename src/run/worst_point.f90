@@ -83,26 +83,14 @@ contains
       !> Numbers at the places of the arrays of motion
       real(wp), intent(in) :: badness(:)
 
-      real(wp) :: greatest(1), place(2)
-      type(worst_point_type) :: here
+      integer :: place(2)
 
-      here = worst_here(domain, badness)
-      greatest(1) = here%badness
-      call domain%comm%max(greatest)
-      worst%badness = greatest(1)
-      ! the least is the greatest below zero
-      greatest(1) = -huge(1.0_wp)
-      if (here%badness >= worst%badness) greatest(1) = -real(here%node_id, wp)
-      call domain%comm%max(greatest)
-      worst%node_id = nint(-greatest(1))
+      worst = worst_here(domain, badness)
       ! ranks that meet at the node have the same motion there
-      place(:) = 0.0_wp
-      if (here%badness >= worst%badness .and. here%node_id == worst%node_id) then
-         place(:) = [here%direction, here%layer]
-      end if
-      call domain%comm%max(place)
-      worst%direction = nint(place(1))
-      worst%layer = nint(place(2))
+      place(:) = [worst%direction, worst%layer]
+      call domain%comm%keep_largest(worst%badness, worst%node_id, place)
+      worst%direction = place(1)
+      worst%layer = place(2)
    end function worst_point
 
    !> The same of the points that this rank has
