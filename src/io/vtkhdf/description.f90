@@ -18,34 +18,26 @@ contains
       character(*), intent(in) :: deck, version
       type(model_type), intent(in) :: model
 
-      character(16), parameter :: names(9) = [character(16) :: "version", "title", "deck", &
-         & "length", "time", "mass", "force", "stress", "energy"]
       character(16), parameter :: ply_columns(6) = [character(16) :: "part", "ply", "ply_id", &
          & "angle", "bottom", "top"]
       character(16), parameter :: impactor_columns(6) = [character(16) :: "id", "radius", "mass", &
          & "x", "y", "z"]
       character(16), parameter :: outline_columns(8) = [character(16) :: "id", "rounding", &
          & "axis x", "axis y", "axis z", "back", "along", "across"]
-      character(:), allocatable :: value
       real(wp), allocatable :: table(:, :)
       integer :: i
 
-      do i = 1, size(names)
-         associate (units => model%control%units)
-            select case (i)
-            case (1); value = version
-            case (2); value = model%title
-            case (3); value = deck
-            case (4); value = trim(units%length)
-            case (5); value = trim(units%time)
-            case (6); value = trim(units%mass)
-            case (7); value = trim(units%force)
-            case (8); value = trim(units%stress)
-            case default; value = trim(units%energy)
-            end select
-         end associate
-         call file%describe(trim(names(i)), value)
-      end do
+      call file%describe("version", version)
+      call file%describe("title", model%title)
+      call file%describe("deck", deck)
+      associate (units => model%control%units)
+         call file%describe("length", trim(units%length))
+         call file%describe("time", trim(units%time))
+         call file%describe("mass", trim(units%mass))
+         call file%describe("force", trim(units%force))
+         call file%describe("stress", trim(units%stress))
+         call file%describe("energy", trim(units%energy))
+      end associate
       call file%add_table("plies", ply_columns, ply_table(model))
       table = reshape([(real(model%impactors(i)%id, wp), model%impactors(i)%body%radius, &
          & model%impactors(i)%mass, model%impactors(i)%centre, i=1, size(model%impactors))], &
