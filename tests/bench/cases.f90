@@ -1,5 +1,6 @@
 !> Plates of eight plies for the timing of kernels and steps.
 module plydyn_bench_cases
+   use metals, only : linear_metal
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
@@ -7,7 +8,7 @@ module plydyn_bench_cases
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
@@ -72,11 +73,13 @@ contains
       !> The plate
       type(domain_type), intent(inout) :: domain
 
+      type(kinematic_constants_type) :: metal
       type(plastic_kinematic_type) :: law
       integer :: l
 
+      metal = linear_metal(70.0e3_wp, 0.3_wp, 1.0e6_wp, 700.0_wp, 0.5_wp)
       do l = 1, lanes
-         call law%set_lane(l, 70.0e3_wp, 0.3_wp, 1.0e6_wp, 700.0_wp, 0.5_wp)
+         call metal%set_lane(l, law)
       end do
       call give_law(domain, law)
    end subroutine yield_laws

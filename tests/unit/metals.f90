@@ -3,11 +3,11 @@
 module metals
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_metal_plastic, only : dissipated, plastic_type
-   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
    implicit none
    private
 
-   public :: farthest_from_yield, load, set_lanes, step_to
+   public :: farthest_from_yield, linear_metal, load, set_lanes, step_to, stored_energy
 
    !> Steel and aluminium: Young's modulus, yield stress (MPa); the same Poisson's ratio
    real(wp), parameter, public :: young(2) = [210.0e3_wp, 70.0e3_wp], &
@@ -35,12 +35,55 @@ contains
       type(plastic_kinematic_type), intent(out) :: law
 
       integer :: l, metal
+      type(kinematic_constants_type) :: constants
 
       do l = 1, lanes - 2
          metal = merge(2, 1, l == aluminium)
-         call law%set_lane(l, young(metal), poisson, yield(metal), hard(l)*tangent, beta(l))
+         constants = linear_metal(young(metal), poisson, yield(metal), hard(l)*tangent, beta(l))
+         call constants%set_lane(l, law)
       end do
    end subroutine set_lanes
+
+   !> A metal with linear hardening
+   pure function linear_metal(young, poisson, yield, tangent, isotropic) result(metal)
+      !> As in `kinematic_constants_type`
+      real(wp), intent(in) :: young, poisson, yield, tangent, isotropic
+      type(kinematic_constants_type) :: metal
+
+      metal%young(:) = young
+      metal%poisson(:) = poisson
+      metal%yield = yield
+      metal%tangent = tangent
+      metal%isotropic = isotropic
+   end function linear_metal
+
+   !> Energy per volume that unloading gives back: elastic, and stored by the back stress
+   pure function stored_energy(law, strain, history) result(energy)
+      !> The law
+      class(plastic_type), intent(in) :: law
+      !> Total strain, and history that belongs to it
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, dissipated)
+      real(wp) :: energy(lanes)
+
+      real(wp) :: elastic(6), mean, plastic(6)
+      integer :: l
+
+      do l = 1, lanes
+         plastic(:) = history(l, :6)
+         elastic(:) = strain(l, :) - plastic
+         mean = sum(elastic(:3))/3.0_wp
+         elastic(:3) = elastic(:3) - mean
+         energy(l) = 4.5_wp*law%bulk(l)*mean**2 + law%shear(l)*square(elastic) &
+            & + law%kinematic(l)*square(plastic)/3.0_wp
+      end do
+   end function stored_energy
+
+   !> A strain, as a tensor, times itself
+   pure real(wp) function square(strain)
+      real(wp), intent(in) :: strain(6)
+
+      square = sum(strain(:3)**2) + 0.5_wp*sum(strain(4:)**2)
+   end function square
 
    !> Stress after one more step to the same strain in all lanes
    subroutine step_to(law, strain, history, stress)

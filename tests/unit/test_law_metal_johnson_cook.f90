@@ -3,7 +3,8 @@ program test_law_metal_johnson_cook
    use metals, only : farthest_from_yield
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_metal_johnson_cook, only : plastic_johnson_cook_type
+   use plydyn_law_metal_johnson_cook, only : johnson_cook_constants_type, &
+      & plastic_johnson_cook_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -17,10 +18,8 @@ program test_law_metal_johnson_cook
    integer :: lane
 
    do lane = 1, lanes - 1
-      call law%set_lane(lane, young, poisson, a, b, n)
-   end do
-   do lane = 1, lanes/2
-      call law%set_rate(lane, c, reference(lane))
+      if (lane <= size(reference)) call set_lane(law, lane, n, c, reference(lane))
+      if (lane > size(reference)) call set_lane(law, lane, n, 0.0_wp, 1.0_wp)
    end do
    call test_path()
    call test_energy()
@@ -30,6 +29,24 @@ program test_law_metal_johnson_cook
    call finish()
 
 contains
+
+   !> Give a lane the steel with a power of strain, a sensitivity to the rate, and a reference rate
+   pure subroutine set_lane(law, lane, exponent, sensitivity, rate)
+      type(plastic_johnson_cook_type), intent(inout) :: law
+      integer, intent(in) :: lane
+      real(wp), intent(in) :: exponent, sensitivity, rate
+
+      type(johnson_cook_constants_type) :: metal
+
+      metal%young(:) = young
+      metal%poisson(:) = poisson
+      metal%yield = a
+      metal%factor = b
+      metal%exponent = exponent
+      metal%sensitivity = sensitivity
+      metal%reference_rate = rate
+      call metal%set_lane(lane, law)
+   end subroutine set_lane
 
    !> Yield stress as printed
    pure real(wp) function printed(strain, rate, lane)
@@ -121,8 +138,7 @@ contains
       call begin("decades")
       do i = -4, 6, 2
          do l = 1, lanes
-            call other%set_lane(l, young, poisson, a, b, 0.15_wp*l)
-            call other%set_rate(l, 0.01_wp*(l - 1), 10.0_wp**i)
+            call set_lane(other, l, 0.15_wp*l, 0.01_wp*(l - 1), 10.0_wp**i)
          end do
          call check(farthest_from_yield(other, 3.0_wp*shear), 0.0_wp, 1.0e-10_wp, &
             & "leave stress on the yield surface")

@@ -3,7 +3,7 @@
 !> their own way.
 program test_law_metal_plastic
    use metals, only : aluminium, beta, hard, isotropic, load, mixed, modulus, poisson, set_lanes, &
-      & shear, slide, steel, step_to, stretch, yield, young
+      & shear, slide, steel, step_to, stored_energy, stretch, yield, young
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
@@ -246,7 +246,7 @@ contains
             call step_to(law, strain, history, stress)
             work(:) = work + 0.5_wp*matmul(older + stress, strain - last)
          end do
-         call law%stored_energy(spread(strain, 1, lanes), history, energy)
+         energy(:) = stored_energy(law, spread(strain, 1, lanes), history)
          error(:, run) = (energy(:mixed) + history(:mixed, dissipated))/work(:mixed) - 1.0_wp
       end do
       call check(error(:, 2), spread(0.0_wp, 1, mixed), 1.0e-3_wp, "is stored and dissipated")

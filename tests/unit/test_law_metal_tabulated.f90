@@ -1,9 +1,10 @@
 !> Tabulated yield stress against linear hardening, points of its own, and rates in between.
 program test_law_metal_tabulated
+   use metals, only : linear_metal
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_metal_tabulated, only : plastic_curve_type
-   use plydyn_law_metal_kinematic, only : plastic_kinematic_type
+   use plydyn_law_metal_tabulated, only : plastic_curve_type, tabulated_constants_type
+   use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
    use plydyn_law_metal_yield_curve, only : stress_at, yield_curve_type
    use testing, only : begin, check, finish
    implicit none
@@ -43,15 +44,32 @@ contains
       curves(1, decades) = curve(0.1_wp, [0.0_wp, 0.1_wp], [150.0_wp, 200.0_wp])
       curves(2, decades) = curve(1000.0_wp, [0.0_wp, 0.2_wp], [250.0_wp, 300.0_wp])
       curves(1, raised) = curves(1, bent)
-      call law%set_lane(flat, young, poisson, curves(:1, flat))
-      call law%set_lane(slow_fast, young, poisson, curves(:, slow_fast))
-      call law%set_lane(bent, young, poisson, curves(:1, bent))
-      call law%set_lane(straight, young, poisson, curves(:1, straight))
-      call law%set_lane(falling, young, poisson, curves(:1, falling))
-      call law%set_lane(decades, young, poisson, curves(:, decades), logarithmic=.true.)
-      call law%set_lane(raised, young, poisson, curves(:1, raised))
-      call law%set_rate(raised, 40.0_wp, 5.0_wp, basis=150.0_wp)
+      call set_lane(flat, 1)
+      call set_lane(slow_fast, 2)
+      call set_lane(bent, 1)
+      call set_lane(straight, 1)
+      call set_lane(falling, 1)
+      call set_lane(decades, 2)
+      call set_lane(raised, 1)
    end subroutine set_curves
+
+   !> Give a lane its first curves
+   subroutine set_lane(lane, number)
+      integer, intent(in) :: lane, number
+
+      type(tabulated_constants_type) :: metal
+
+      metal%young(:) = young
+      metal%poisson(:) = poisson
+      metal%curves = curves(:number, lane)
+      metal%logarithmic = lane == decades
+      if (lane == raised) then
+         metal%yield = 150.0_wp
+         metal%rate = 40.0_wp
+         metal%power = 5.0_wp
+      end if
+      call metal%set_lane(lane, law)
+   end subroutine set_lane
 
    !> A curve of points
    pure function curve(rate, strain, stress)
@@ -67,12 +85,13 @@ contains
    subroutine test_straight()
       real(wp) :: history(lanes, dissipated), linear_history(lanes, dissipated)
       real(wp) :: linear_stress(lanes, 6), strain(lanes, 6), stress(lanes, 6), turn, worst(2)
+      type(kinematic_constants_type) :: metal
       type(plastic_kinematic_type) :: linear
       integer :: i
 
       call begin("straight table")
-      call linear%set_lane(straight, young, poisson, 150.0_wp, young*900.0_wp/(young + 900.0_wp), &
-         & 1.0_wp)
+      metal = linear_metal(young, poisson, 150.0_wp, young*900.0_wp/(young + 900.0_wp), 1.0_wp)
+      call metal%set_lane(straight, linear)
       history(:, :) = 0.0_wp
       linear_history(:, :) = 0.0_wp
       worst(:) = 0.0_wp

@@ -168,10 +168,10 @@ contains
       ply%finish(:, :) = finish
       ply%onset(3, :) = 1.0_wp
       ply%finish(3, :) = 2.0_wp
+      ply%radius = 2.0_wp
       do l = 1, lanes
          if (l == foreign) cycle
-         call law%set_lane(l, ply, 1)
-         call law%set_average(l, [2.0_wp, 2.0_wp])
+         call ply%set_lane(l, law)
       end do
       call start(law)
       call move(law, [0.0_wp, own, 0.0_wp, 0.002_wp, 0.0_wp, 0.0_wp])

@@ -58,7 +58,7 @@ contains
       integer :: l
 
       do l = 1, lanes
-         call point%law%set_lane(l, ply, 1)
+         call ply%set_lane(l, point%law)
       end do
    end function new_point
 
@@ -312,11 +312,13 @@ contains
 
    !> Lanes of other laws keep stress and history
    subroutine test_owned_lanes()
+      type(strain_constants_type) :: ply
       type(strain_damage_type) :: law
       real(wp) :: history(lanes, variables), strain(lanes, 6), stress(lanes, 6)
 
       call begin("lanes of other laws")
-      call law%set_lane(1, straight_ply(), 1)
+      ply = straight_ply()
+      call ply%set_lane(1, law)
       history(:, :) = 0.125_wp
       strain(:, :) = 0.02_wp
       stress(:, :) = 7.0_wp

@@ -7,7 +7,7 @@ program test_method_forces
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : ply_stress_at, recovered
    use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
-   use plydyn_law_ply_orthotropic, only : orthotropic_type
+   use plydyn_law_ply_orthotropic, only : elastic_constants_type, orthotropic_type
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_layup, only : faces_apart
@@ -161,9 +161,13 @@ contains
    subroutine set_laws(domain)
       type(domain_type), intent(inout) :: domain
 
+      type(elastic_constants_type) :: ply
       type(orthotropic_type) :: law
       integer :: b, l
 
+      ply%young = [165.0e3_wp, 9.0e3_wp, 9.0e3_wp]
+      ply%poisson = [0.34_wp, 0.34_wp, 0.5_wp]
+      ply%shear = [5.6e3_wp, 5.6e3_wp, 2.8e3_wp]
       select type (group => domain%groups(1)%item)
       type is (plate_group_type)
          associate (batch => group%plate%batches(1))
@@ -173,9 +177,7 @@ contains
                law = orthotropic_type()
                do l = 1, lanes
                   if (batch%layer(l, b) == 0) cycle
-                  call law%set_lane(l, [165.0e3_wp, 9.0e3_wp, 9.0e3_wp], &
-                     & [0.34_wp, 0.34_wp, 0.5_wp], &
-                     & [5.6e3_wp, 5.6e3_wp, 2.8e3_wp])
+                  call ply%set_lane(l, law)
                end do
                batch%laws(b)%block = b
                allocate (batch%laws(b)%law, source=law)

@@ -4,8 +4,7 @@
 module plydyn_law_metal_johnson_cook
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : law_type
-   use plydyn_law_metal_constants, only : metal_constants_type
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    implicit none
    private
 
@@ -22,7 +21,7 @@ module plydyn_law_metal_johnson_cook
       real(wp) :: sensitivity = 0.0_wp, reference_rate = 1.0_wp
    contains
       procedure :: new_batch
-      procedure :: set_lane => set_lane_of_batch
+      procedure :: set_lane
    end type johnson_cook_constants_type
 
    !> Constants of the lanes
@@ -38,8 +37,6 @@ module plydyn_law_metal_johnson_cook
       !> Rate from which on it rises
       real(wp) :: reference(lanes) = 1.0_wp
    contains
-      procedure :: set_lane
-      procedure :: set_rate
       procedure :: yield_stress
    end type plastic_johnson_cook_type
 
@@ -54,51 +51,21 @@ contains
    end subroutine new_batch
 
    !> Give a lane of a batch its metal
-   pure subroutine set_lane_of_batch(self, lane, law)
+   pure subroutine set_lane(self, lane, law)
       class(johnson_cook_constants_type), intent(in) :: self
       integer, intent(in) :: lane
       class(law_type), intent(inout) :: law
 
       select type (law)
       type is (plastic_johnson_cook_type)
-         call law%set_lane(lane, self%young(1), self%poisson(1), self%yield, self%factor, &
-            & self%exponent)
-         call law%set_rate(lane, self%sensitivity, self%reference_rate)
+         call law%own_lane(lane, self, onset=self%yield)
+         law%yield(lane) = self%yield
+         law%factor(lane) = self%factor
+         law%power(lane) = self%exponent
+         law%sensitivity(lane) = self%sensitivity
+         law%reference(lane) = self%reference_rate
       end select
-   end subroutine set_lane_of_batch
-
-   !> Give a lane to this law
-   pure subroutine set_lane(self, lane, young, poisson, yield, factor, power)
-      class(plastic_johnson_cook_type), intent(inout) :: self
-      !> Place in the batch; Young's modulus and Poisson's ratio
-      integer, intent(in) :: lane
-      real(wp), intent(in) :: young, poisson
-      !> A, positive
-      real(wp), intent(in) :: yield
-      !> B, not negative
-      real(wp), intent(in) :: factor
-      !> n, positive
-      real(wp), intent(in) :: power
-
-      call self%own_lane(lane, young, poisson, onset=yield)
-      self%yield(lane) = yield
-      self%factor(lane) = factor
-      self%power(lane) = power
    end subroutine set_lane
-
-   !> Let the yield stress of a lane rise with the rate
-   pure subroutine set_rate(self, lane, sensitivity, reference)
-      class(plastic_johnson_cook_type), intent(inout) :: self
-      !> Place in the batch
-      integer, intent(in) :: lane
-      !> C, not negative
-      real(wp), intent(in) :: sensitivity
-      !> Rate from which on the yield stress rises, positive
-      real(wp), intent(in) :: reference
-
-      self%sensitivity(lane) = sensitivity
-      self%reference(lane) = reference
-   end subroutine set_rate
 
    !> Yield stress and its slopes
    pure subroutine yield_stress(self, strain, rate, yield, hardening, viscosity)

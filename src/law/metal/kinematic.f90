@@ -4,8 +4,7 @@ module plydyn_law_metal_kinematic
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_metal_constants, only : metal_constants_type
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    implicit none
    private
 
@@ -20,7 +19,7 @@ module plydyn_law_metal_kinematic
       real(wp) :: rate = 0.0_wp, power = 0.0_wp
    contains
       procedure :: new_batch
-      procedure :: set_lane => set_lane_of_batch
+      procedure :: set_lane
    end type kinematic_constants_type
 
    !> Constants of the lanes
@@ -32,8 +31,6 @@ module plydyn_law_metal_kinematic
       !> Rise with the rate
       type(cowper_symonds_type) :: rate
    contains
-      procedure :: set_lane
-      procedure :: set_rate
       procedure :: flow
       procedure :: yield_stress
    end type plastic_kinematic_type
@@ -49,53 +46,25 @@ contains
    end subroutine new_batch
 
    !> Give a lane of a batch its metal
-   pure subroutine set_lane_of_batch(self, lane, law)
+   pure subroutine set_lane(self, lane, law)
       class(kinematic_constants_type), intent(in) :: self
       integer, intent(in) :: lane
       class(law_type), intent(inout) :: law
 
-      select type (law)
-      type is (plastic_kinematic_type)
-         call law%set_lane(lane, self%young(1), self%poisson(1), self%yield, self%tangent, &
-            & self%isotropic)
-         if (self%rate > 0.0_wp) call law%set_rate(lane, self%rate, self%power)
-      end select
-   end subroutine set_lane_of_batch
-
-   !> Give a lane to this law
-   pure subroutine set_lane(self, lane, young, poisson, yield, tangent, beta)
-      class(plastic_kinematic_type), intent(inout) :: self
-      !> Place in the batch; Young's modulus and Poisson's ratio
-      integer, intent(in) :: lane
-      real(wp), intent(in) :: young, poisson
-      !> Yield stress, positive
-      real(wp), intent(in) :: yield
-      !> Slope of stress over total strain beyond yield in tension, below Young's modulus
-      real(wp), intent(in) :: tangent
-      !> Share of hardening that is isotropic: 1 isotropic, 0 kinematic
-      real(wp), intent(in) :: beta
-
       real(wp) :: modulus
 
-      call self%own_lane(lane, young, poisson, onset=yield)
-      modulus = young*tangent/(young - tangent)
-      self%yield(lane) = yield
-      self%isotropic(lane) = beta*modulus
-      self%kinematic(lane) = (1.0_wp - beta)*modulus
+      associate (young => self%young(1))
+         modulus = young*self%tangent/(young - self%tangent)
+      end associate
+      select type (law)
+      type is (plastic_kinematic_type)
+         call law%own_lane(lane, self, onset=self%yield)
+         law%yield(lane) = self%yield
+         law%isotropic(lane) = self%isotropic*modulus
+         law%kinematic(lane) = (1.0_wp - self%isotropic)*modulus
+         if (self%rate > 0.0_wp) call law%rate%set_lane(lane, self%rate, self%power)
+      end select
    end subroutine set_lane
-
-   !> Let the whole yield stress of a lane rise with the rate
-   pure subroutine set_rate(self, lane, reference, power)
-      class(plastic_kinematic_type), intent(inout) :: self
-      !> Place in the batch
-      integer, intent(in) :: lane
-      !> Rate at which the yield stress is twice the static one (SRC), positive
-      real(wp), intent(in) :: reference
-      !> Power of the rise (SRP), positive
-      real(wp), intent(in) :: power
-
-      call self%rate%set_lane(lane, reference, power)
-   end subroutine set_rate
 
    !> Increment of effective plastic strain: in closed form where rates do not matter
    pure subroutine flow(self, step, effective, before, increment, resistance)

@@ -6,11 +6,13 @@
 !> strain and its rate. Hardening that moves the yield surface is linear (Prager): the back stress
 !> is two thirds of the kinematic modulus times the plastic strain, and needs no history.
 !>
-!> Energy per volume: work of the stress = `stored_energy` (elastic, and what the back stress
-!> stores) + the last history variable, the yield stress integrated over effective plastic strain.
+!> Energy per volume: work of the stress = what unloading gives back (elastic, and what the back
+!> stress stores: a third of the kinematic modulus times the plastic strain squared) + the last
+!> history variable, the yield stress integrated over effective plastic strain.
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
 module plydyn_law_metal_plastic
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
       & shows_plastic_strain
    implicit none
@@ -37,6 +39,12 @@ module plydyn_law_metal_plastic
    !> Share of its upper bound under which the search does not fall by halving
    real(wp), parameter :: least_share = 1.0e-6_wp
 
+   !> Constants of a metal; the yield stress is left to its law
+   type, abstract, public, extends(law_constants_type) :: metal_constants_type
+   contains
+      procedure :: shows
+   end type metal_constants_type
+
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
       !> Bulk modulus
@@ -54,7 +62,6 @@ module plydyn_law_metal_plastic
       procedure :: update_points
       procedure :: stress_at
       procedure :: output_variables
-      procedure :: stored_energy
       procedure :: own_lane
       procedure :: search
       procedure :: flow => search
@@ -82,15 +89,22 @@ module plydyn_law_metal_plastic
 
 contains
 
+   !> Scalars that the law has for the fields
+   pure function shows(self)
+      class(metal_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows([shows_plastic_strain, shows_dissipated]) = .true.
+   end function shows
+
    !> Give a lane to this law
-   pure subroutine own_lane(self, lane, young, poisson, onset)
+   pure subroutine own_lane(self, lane, metal, onset)
       class(plastic_type), intent(inout) :: self
       !> Place in the batch
       integer, intent(in) :: lane
-      !> Young's modulus
-      real(wp), intent(in) :: young
-      !> Poisson's ratio
-      real(wp), intent(in) :: poisson
+      !> Its metal
+      class(metal_constants_type), intent(in) :: metal
       !> Smallest yield stress
       real(wp), intent(in) :: onset
 
@@ -98,8 +112,10 @@ contains
       self%owned(lane) = 1.0_wp
       self%histories = histories
       self%energy_variable(by_metal_plasticity) = histories
-      self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
-      self%shear(lane) = young/(2.0_wp*(1.0_wp + poisson))
+      associate (young => metal%young(1), poisson => metal%poisson(1))
+         self%bulk(lane) = young/(3.0_wp*(1.0_wp - 2.0_wp*poisson))
+         self%shear(lane) = young/(2.0_wp*(1.0_wp + poisson))
+      end associate
       self%onset(lane) = onset
    end subroutine own_lane
 
@@ -176,31 +192,6 @@ contains
 
       call find_stress(self%owned, self%bulk, self%shear, strain, history, stress)
    end subroutine stress_at
-
-   !> Energy per volume that unloading gives back: elastic, and stored by the back stress.
-   !> Lanes of other laws keep theirs.
-   pure subroutine stored_energy(self, strain, history, energy)
-      class(plastic_type), intent(in) :: self
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History that belongs to it
-      real(wp), intent(in) :: history(lanes, histories)
-      !> Energy per volume
-      real(wp), intent(inout) :: energy(lanes)
-
-      real(wp) :: elastic(6), mean, plastic(6)
-      integer :: l
-
-      do l = 1, lanes
-         if (.not. self%owns(l)) cycle
-         plastic(:) = history(l, :6)
-         elastic(:) = strain(l, :) - plastic
-         mean = sum(elastic(:3))/3.0_wp
-         elastic(:3) = elastic(:3) - mean
-         energy(l) = 4.5_wp*self%bulk(l)*mean**2 + self%shear(l)*norm_squared(elastic) &
-            & + self%kinematic(l)*norm_squared(plastic)/3.0_wp
-      end do
-   end subroutine stored_energy
 
    !> A strain, as a tensor, times itself
    pure real(wp) function norm_squared(strain)

@@ -8,8 +8,7 @@ module plydyn_law_metal_tabulated
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
-   use plydyn_law_metal_constants, only : metal_constants_type
-   use plydyn_law_metal_plastic, only : plastic_type
+   use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
    use plydyn_law_metal_yield_curve, only : common_strains, stress_at, yield_curve_type
    implicit none
    private
@@ -32,7 +31,7 @@ module plydyn_law_metal_tabulated
       real(wp) :: rate = 0.0_wp, power = 0.0_wp
    contains
       procedure :: new_batch
-      procedure :: set_lane => set_lane_of_batch
+      procedure :: set_lane
    end type tabulated_constants_type
 
    !> Curves of the lanes, as straight segments, and the way from curve to curve
@@ -52,8 +51,6 @@ module plydyn_law_metal_tabulated
       !> Rise with the rate, besides
       type(cowper_symonds_type) :: rate
    contains
-      procedure :: set_lane
-      procedure :: set_rate
       procedure :: yield_stress
    end type plastic_curve_type
 
@@ -68,72 +65,51 @@ contains
    end subroutine new_batch
 
    !> Give a lane of a batch its metal
-   pure subroutine set_lane_of_batch(self, lane, law)
+   pure subroutine set_lane(self, lane, law)
       class(tabulated_constants_type), intent(in) :: self
       integer, intent(in) :: lane
       class(law_type), intent(inout) :: law
 
       select type (law)
       type is (plastic_curve_type)
-         call law%set_lane(lane, self%young(1), self%poisson(1), self%curves, self%logarithmic)
-         if (self%rate > 0.0_wp) then
-            call law%set_rate(lane, self%rate, self%power, basis=self%yield)
-         end if
+         call set_curves(law, lane, self)
+         if (self%rate > 0.0_wp) call law%rate%set_lane(lane, self%rate, self%power, self%yield)
       end select
-   end subroutine set_lane_of_batch
+   end subroutine set_lane
 
-   !> Give a lane to this law
-   pure subroutine set_lane(self, lane, young, poisson, curves, logarithmic)
-      class(plastic_curve_type), intent(inout) :: self
-      !> Place in the batch; Young's modulus and Poisson's ratio
+   !> Give a lane its curves; it is the law's own from then on
+   pure subroutine set_curves(self, lane, metal)
+      type(plastic_curve_type), intent(inout) :: self
       integer, intent(in) :: lane
-      real(wp), intent(in) :: young, poisson
-      !> Curves that can be, by rising rate; one alone holds at all rates
-      type(yield_curve_type), intent(in) :: curves(:)
-      !> Whether the logarithm of the rate counts between curves; all rates are positive then
-      logical, intent(in), optional :: logarithmic
+      !> Its metal
+      class(tabulated_constants_type), intent(in) :: metal
 
       real(wp), allocatable :: strain(:)
-      real(wp) :: lowest, rate_measure(size(curves))
+      real(wp) :: lowest, rate_measure(size(metal%curves))
       integer :: c, last
 
-      strain = common_strains(curves)
-      last = size(strain)
-      call reserve(self, last, size(curves))
-      self%start(lane, :) = never
-      self%start(lane, :last) = strain
-      lowest = never
-      do c = 1, size(curves)
-         call cut(curves(c), strain, self%offset(lane, :last, c), self%slope(lane, :last, c))
-         lowest = min(lowest, minval(curves(c)%stress))
-      end do
-      call self%own_lane(lane, young, poisson, onset=lowest)
-
-      rate_measure(:) = curves%rate
-      self%logarithmic(lane) = .false.
-      if (present(logarithmic)) self%logarithmic(lane) = logarithmic
-      if (self%logarithmic(lane)) rate_measure(:) = log(rate_measure)
+      associate (curves => metal%curves)
+         strain = common_strains(curves)
+         last = size(strain)
+         call reserve(self, last, size(curves))
+         self%start(lane, :) = never
+         self%start(lane, :last) = strain
+         lowest = never
+         do c = 1, size(curves)
+            call cut(curves(c), strain, self%offset(lane, :last, c), self%slope(lane, :last, c))
+            lowest = min(lowest, minval(curves(c)%stress))
+         end do
+         rate_measure(:) = curves%rate
+      end associate
+      call self%own_lane(lane, metal, onset=lowest)
+      self%logarithmic(lane) = metal%logarithmic
+      if (metal%logarithmic) rate_measure(:) = log(rate_measure)
       self%inverse_length(lane, :) = 0.0_wp
-      do c = 2, size(curves)
+      do c = 2, size(rate_measure)
          self%from(lane, c) = rate_measure(c - 1)
          self%inverse_length(lane, c) = 1.0_wp/(rate_measure(c) - rate_measure(c - 1))
       end do
-   end subroutine set_lane
-
-   !> Let the yield stress of a lane rise with the rate, beyond what its curves say
-   pure subroutine set_rate(self, lane, reference, power, basis)
-      class(plastic_curve_type), intent(inout) :: self
-      !> Place in the batch
-      integer, intent(in) :: lane
-      !> Rate at which the rise is one (C), positive
-      real(wp), intent(in) :: reference
-      !> Power of the rise (P), positive
-      real(wp), intent(in) :: power
-      !> Stress that rises (SIGY where VP = 1); without it the whole static yield stress does
-      real(wp), intent(in), optional :: basis
-
-      call self%rate%set_lane(lane, reference, power, basis)
-   end subroutine set_rate
+   end subroutine set_curves
 
    !> Enlarge the arrays for segments and curves, which keep their values
    pure subroutine reserve(self, segments, curves)

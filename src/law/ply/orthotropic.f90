@@ -11,7 +11,7 @@ module plydyn_law_ply_orthotropic
    type, public, extends(law_constants_type) :: elastic_constants_type
    contains
       procedure :: new_batch
-      procedure :: set_lane => set_lane_of_batch
+      procedure :: set_lane
       procedure :: is_elastic
    end type elastic_constants_type
 
@@ -20,7 +20,6 @@ module plydyn_law_ply_orthotropic
       !> C11 C12 C13 C22 C23 C33 C44 C55 C66 in ply axes, (lanes, 9)
       real(wp) :: stiffness(lanes, 9) = 0.0_wp
    contains
-      procedure :: set_lane
       procedure :: update
    end type orthotropic_type
 
@@ -35,16 +34,20 @@ contains
    end subroutine new_batch
 
    !> Give a lane of a batch its material
-   pure subroutine set_lane_of_batch(self, lane, law)
+   pure subroutine set_lane(self, lane, law)
       class(elastic_constants_type), intent(in) :: self
       integer, intent(in) :: lane
       class(law_type), intent(inout) :: law
 
+      real(wp) :: c(6, 6)
+
+      c(:, :) = ply_stiffness(self%young, self%poisson, self%shear)
       select type (law)
       type is (orthotropic_type)
-         call law%set_lane(lane, self%young, self%poisson, self%shear)
+         law%owns(lane) = .true.
+         law%stiffness(lane, :) = [c(1, 1:3), c(2, 2:3), c(3, 3), c(4, 4), c(5, 5), c(6, 6)]
       end select
-   end subroutine set_lane_of_batch
+   end subroutine set_lane
 
    !> The stress is the stiffness times the strain
    pure logical function is_elastic(self)
@@ -52,21 +55,6 @@ contains
 
       is_elastic = .true.
    end function is_elastic
-
-   !> Give a lane its material
-   pure subroutine set_lane(self, lane, young, poisson, shear)
-      class(orthotropic_type), intent(inout) :: self
-      !> Lane that has this law from now on
-      integer, intent(in) :: lane
-      !> As in `ply_stiffness`
-      real(wp), intent(in) :: young(3), poisson(3), shear(3)
-
-      real(wp) :: c(6, 6)
-
-      c(:, :) = ply_stiffness(young, poisson, shear)
-      self%owns(lane) = .true.
-      self%stiffness(lane, :) = [c(1, 1:3), c(2, 2:3), c(3, 3), c(4, 4), c(5, 5), c(6, 6)]
-   end subroutine set_lane
 
    !> Stress of the strain
    pure subroutine update(self, step, strain, history, stress)

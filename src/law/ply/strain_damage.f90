@@ -41,7 +41,7 @@ module plydyn_law_ply_strain_damage
       real(wp) :: onset(strain_mechanisms, 2) = 0.0_wp, finish(strain_mechanisms, 2) = 0.0_wp
    contains
       procedure :: new_batch
-      procedure :: set_lane => set_lane_of_batch
+      procedure :: set_lane
       procedure :: shows
    end type strain_constants_type
 
@@ -57,8 +57,6 @@ module plydyn_law_ply_strain_damage
       logical :: averages = .false.
    contains
       procedure :: update
-      procedure :: set_lane
-      procedure :: set_average
       procedure :: output_variables
    end type strain_damage_type
 
@@ -73,17 +71,24 @@ contains
    end subroutine new_batch
 
    !> Give a lane of a batch its ply; widths of crack bands are for the listing only
-   pure subroutine set_lane_of_batch(self, lane, law)
+   pure subroutine set_lane(self, lane, law)
       class(strain_constants_type), intent(in) :: self
       integer, intent(in) :: lane
       class(law_type), intent(inout) :: law
 
       select type (law)
       type is (strain_damage_type)
-         call law%set_lane(lane, self, rule_band)
-         if (self%averages()) call law%set_average(lane, self%radius)
+         law%owns(lane) = .true.
+         call law%secant%set_lane(lane, self%young, self%poisson, self%shear)
+         law%onset(lane, :, :) = self%onset
+         law%finish(lane, :, :) = self%finish
+         law%histories = histories
+         law%energy_variable(by_fibre_damage) = along_energy
+         law%energy_variable(by_matrix_damage) = across_energy
+         law%band_rule(lane) = rule_band
+         if (self%averages()) call set_average(law, lane, self%radius)
       end select
-   end subroutine set_lane_of_batch
+   end subroutine set_lane
 
    !> Scalars that the law has for the fields
    pure function shows(self)
@@ -95,29 +100,9 @@ contains
          & = .true.
    end function shows
 
-   !> Give a lane its ply; it is the law's own from then on
-   pure subroutine set_lane(self, lane, constants, band_rule)
-      class(strain_damage_type), intent(inout) :: self
-      !> Lane
-      integer, intent(in) :: lane
-      !> Its ply, checked
-      class(strain_constants_type), intent(in) :: constants
-      !> Rule for the width of the band in which a crack opens, for the listing only
-      integer, intent(in) :: band_rule
-
-      self%owns(lane) = .true.
-      call self%secant%set_lane(lane, constants%young, constants%poisson, constants%shear)
-      self%onset(lane, :, :) = constants%onset
-      self%finish(lane, :, :) = constants%finish
-      self%histories = histories
-      self%energy_variable(by_fibre_damage) = along_energy
-      self%energy_variable(by_matrix_damage) = across_energy
-      self%band_rule(lane) = band_rule
-   end subroutine set_lane
-
    !> Let averages over neighbours drive the damage of a lane that has its ply
    pure subroutine set_average(self, lane, radius)
-      class(strain_damage_type), intent(inout) :: self
+      type(strain_damage_type), intent(inout) :: self
       !> Lane, and radii of the ellipse along and across the fibres
       integer, intent(in) :: lane
       real(wp), intent(in) :: radius(2)

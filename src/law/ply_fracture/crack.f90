@@ -6,7 +6,7 @@
 !> traction; closed, it bears pressure and slides under Coulomb's friction.
 module plydyn_law_ply_fracture_crack
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_fibres, only : fibres_type
    use plydyn_law_ply_fracture_history, only : held_opening, histories, matrix_damage, &
       & matrix_width, plane_cosine, plane_sine, slip

@@ -5,7 +5,7 @@
 !> the derivation.
 module plydyn_law_ply_fracture_dissipation
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_crack, only : crack_type
    use plydyn_law_ply_fracture_fibres, only : fibres_type
    use plydyn_law_ply_fracture_history, only : fibre_energy, friction_energy, histories, &

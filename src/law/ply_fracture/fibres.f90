@@ -1,8 +1,7 @@
 !> Fibres that break or are crushed, and the stress of a ply without matrix cracks.
 module plydyn_law_ply_fracture_fibres
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
-   use plydyn_law_ply_fracture_constants, only : snap_ratio
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type, snap_ratio
    use plydyn_law_ply_fracture_history, only : fibre_damage, fibre_finish, fibre_onset, &
       & fibre_width, histories
    implicit none

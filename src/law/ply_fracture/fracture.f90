@@ -9,8 +9,7 @@ module plydyn_law_ply_fracture_fracture
    use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity, &
       & law_type, scalars, shows_dissipated, shows_fibre_damage, shows_matrix_damage, &
       & shows_plastic_strain, shows_shear_damage
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type, fracture_constants_type
    use plydyn_law_ply_fracture_crack, only : crack_matrix, crack_strain, crack_type
    use plydyn_law_ply_fracture_dissipation, only : add_crack_energies, add_energies
    use plydyn_law_ply_fracture_fibres, only : damage_fibres, fibres_type, uncracked_stress

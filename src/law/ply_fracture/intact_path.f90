@@ -2,7 +2,7 @@
 !> onset.
 module plydyn_law_ply_fracture_intact_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_history, only : fibre_width, matrix_width, state
    use plydyn_law_ply_history, only : store_columns
    implicit none

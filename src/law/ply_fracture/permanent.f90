@@ -2,7 +2,7 @@
 !> the thickness.
 module plydyn_law_ply_fracture_permanent
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_history, only : crushed, histories, plane_cosine, plane_sine, &
       & plastic_shear, yield_stress
    implicit none

@@ -5,7 +5,7 @@
 !> Tractions are normal to it, tangential across the fibres, and along them.
 module plydyn_law_ply_fracture_plane
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_batch_constants, only : fracture_batch_type
+   use plydyn_law_ply_fracture_constants, only : fracture_batch_type
    use plydyn_law_ply_fracture_fibres, only : fibres_type
    implicit none
    private
