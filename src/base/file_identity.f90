@@ -14,7 +14,7 @@ module plydyn_base_file_identity
    integer, parameter, public :: no_file = 0, regular_file = 1, folder_file = 2, link_file = 3, &
       & pipe_file = 4, other_file = 5
 
-   !> A file as the operating system knows it
+   !> A file as the operating system identifies it
    type, public :: file_identity_type
       !> One of the kinds above
       integer :: kind = no_file
@@ -44,7 +44,7 @@ module plydyn_base_file_identity
    integer, parameter :: kind_bits = int(o"170000"), regular_bits = int(o"100000"), &
       & folder_bits = int(o"040000"), link_bits = int(o"120000"), pipe_bits = int(o"010000"), &
       & sixteen_bits = int(z"ffff")
-   !> Longest path that the operating system knows
+   !> Longest path that the operating system accepts
    integer, parameter :: longest_path = 4096
    !> Rights of a new folder, less what the user's mask takes away
    integer(c_int), parameter :: all_rights = int(o"777", c_int)
@@ -139,7 +139,7 @@ contains
       do i = 2, len(path)
          if (path(i:i) == "/") status = c_mkdir(path(:i - 1)//c_null_char, all_rights)
       end do
-      ! what is there already is no failure: the kind of what is there tells
+      ! a folder that exists already is no failure, anything else is
       status = c_mkdir(path//c_null_char, all_rights)
       identity = identity_of(path, follow=.true.)
       good = identity%kind == folder_file

@@ -8,7 +8,7 @@ module plydyn_deck_file
 
    public :: cut_line, move_file, read_content
 
-   !> Status of a pipe that brings more than that
+   !> Status of a pipe with more than `most_bytes`
    integer, parameter :: too_long = -1000
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
    !> Blank characters at the end of a line
@@ -30,7 +30,7 @@ module plydyn_deck_file
       integer :: parent = 0
       !> How many files lead from the deck to this one
       integer :: depth = 0
-      !> What the operating system knows it by; none for a stored file
+      !> Its identity for the operating system; none for a stored file
       type(file_identity_type) :: identity
    end type file_type
 

@@ -20,7 +20,7 @@ contains
       type(file_type), intent(in) :: files(:)
       !> The file, without its content
       type(file_type), intent(in) :: file
-      !> What asks for it
+      !> Line that includes it
       type(deck_location_type), intent(in) :: place
       !> Findings
       type(report_type), intent(inout) :: report

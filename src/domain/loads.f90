@@ -237,7 +237,7 @@ contains
 
    !> Put the forces of a load in the order of the columns
    pure subroutine order_load(load, numbering, columns)
-      !> The load; learns the last force of each column, and whether the rank counts it
+      !> The load; gets the last force of each column, and whether the rank counts it
       type(load_type), intent(inout) :: load
       !> Columns of the rank
       type(local_to_global_type), intent(in) :: numbering

@@ -33,7 +33,7 @@ contains
       end if
    end subroutine refuse_kind
 
-   !> Refuse averages over neighbours: bricks do not know what layer they are of
+   !> Refuse averages over neighbours: bricks belong to no layer
    subroutine refuse_averages(materials, catalogue)
       !> Materials of bricks
       type(material_type), intent(in) :: materials(:)

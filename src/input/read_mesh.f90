@@ -177,7 +177,7 @@ contains
       call move_alloc(node, mesh%quad_node)
    end subroutine add_quads
 
-   !> Give the quads their number of nodes, once the first one tells it
+   !> Give the quads their number of nodes, which is that of the first one
    pure subroutine reshape_quads(mesh, nodes)
       type(mesh_type), intent(inout) :: mesh
       !> 4 or 9

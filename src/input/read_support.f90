@@ -178,7 +178,7 @@ contains
       model%initial_velocities = [model%initial_velocities, new]
    end subroutine read_initial_velocity_node
 
-   !> What tells the faces of a set apart in a name
+   !> Words of a name that distinguish the faces of a set
    function face_words(face, height) result(words)
       !> Which thickness points
       integer, intent(in) :: face

@@ -94,7 +94,7 @@ contains
       real(wp), intent(in) :: strain(lanes, 6, points)
       !> History from the first of the points on, old in and new out: one variable of all points of
       !> all elements after the other, (lanes, points, histories). What a law looks at in every step
-      !> is read in the order of memory, however much else a point remembers
+      !> is read in the order of memory, however many variables a point has
       real(wp), intent(inout) :: history(lanes, pitch, *)
       !> Stress; lanes of other laws keep theirs
       real(wp), intent(inout) :: stress(lanes, 6, points)

@@ -25,7 +25,7 @@ module plydyn_method_observer
    type, public :: requests_type
       !> Whether any rank asked for attention; the same on all ranks
       logical :: attention = .false.
-      !> Fields, progress line, restart file, due or not; all files brought to the disk
+      !> Fields, progress line, restart file, due or not; all files flushed to the disk
       logical :: fields = .false., progress = .false., checkpoint = .false., flush = .false.
       !> Source of a request to stop with a restart file; not allocated without one
       character(:), allocatable :: stopped_by
@@ -117,7 +117,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
    end subroutine notify
 
-   !> Bring the files to the disk, and add how far they have been written
+   !> Flush the files to the disk, and add how far they have been written
    subroutine mark(self, positions, error)
       class(observer_type), intent(inout) :: self
       !> Positions in all files; complete on the root alone
@@ -231,7 +231,7 @@ contains
       if (found) requests = requests + 1
    end subroutine look_for_all_requests
 
-   !> Notify all of a step, then bring all files to the disk where this is requested
+   !> Notify all of a step, then flush all files to the disk where this is requested
    subroutine notify_all(self, simulation, attention, error)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`
@@ -255,7 +255,7 @@ contains
       end if
    end subroutine notify_all
 
-   !> Bring all files to the disk, then set how far they have been written
+   !> Flush all files to the disk, then set how far they have been written
    subroutine save_all(self, simulation, requests, error)
       class(observers_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation

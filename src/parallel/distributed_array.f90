@@ -129,7 +129,7 @@ contains
       end do
    end subroutine make_types
 
-   !> Bring the segments of all ranks to the bands; all ranks of several must come here
+   !> Gather the segments of all ranks into the bands; all ranks of several must come here
    subroutine gather(self, values, band)
       class(distributed_array_type), intent(in) :: self
       !> The array of this rank

@@ -14,7 +14,7 @@ module plydyn_run_control_file
    type, public :: control_requests_type
       !> End with a restart file; write a restart file and go on
       logical :: stop = .false., dump = .false.
-      !> Write a field state; write a progress line; bring histories to the disk
+      !> Write a field state; write a progress line; flush histories to the disk
       logical :: plot = .false., status = .false., flush = .false.
       !> New end time; negative for none
       real(wp) :: end_time = -1.0_wp

@@ -98,7 +98,7 @@ contains
       end if
    end subroutine notify
 
-   !> Answer a request to bring all results to the disk
+   !> Answer a request to flush all results to the disk
    subroutine save(self, simulation, positions, requests, error)
       class(run_control_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation

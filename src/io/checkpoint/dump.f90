@@ -24,7 +24,7 @@ module plydyn_io_checkpoint_dump
    public :: write_dump
 
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
-   !> histories or what contact remembers are arranged anew
+   !> histories or the memory of contact are arranged anew
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
    integer, parameter, public :: dump_format = 11
    !> Groups

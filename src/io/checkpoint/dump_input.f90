@@ -281,7 +281,7 @@ contains
    end subroutine read_reals
 
    !> Read a band of an array, and get from other ranks what this one has. After an error, too: all
-   !> ranks bring their bands to those that wait for them
+   !> ranks send their bands to those that wait for them
    subroutine read_part(self, name, values)
       class(dump_input_type), intent(inout) :: self
       character(*), intent(in) :: name

@@ -168,7 +168,7 @@ contains
       if (good) then
          call positions%add(self%path, schedule%mark(bytes))
       else
-         call fail(error, exit_output, "cannot bring "//self%path//" to its disk, " &
+         call fail(error, exit_output, "cannot flush "//self%path//" to its disk, " &
             & //"which must have room and be writable")
       end if
    end subroutine mark_history

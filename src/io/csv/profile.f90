@@ -58,7 +58,7 @@ module plydyn_io_csv_profile
 
 contains
 
-   !> Profiles must be asked for on the plate. All ranks must come here, and come to the same
+   !> Profiles must lie on the plate. All ranks must come here, and come to the same
    subroutine check_profiles(profiles, domain, error)
       !> Profiles of the deck
       type(profile_type), intent(in) :: profiles(:)

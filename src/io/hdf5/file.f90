@@ -29,7 +29,7 @@ module plydyn_io_hdf5_file
       type(handle_type) :: handle
       !> Whether metadata and datasets have check sums
       logical :: is_checked = .false.
-      !> True between `create` and `close` or the first failure that all ranks know
+      !> True between `create` and `close` or the first failure reported to all ranks
       logical, private :: opened = .false.
       !> What could not be written first, on the root
       character(:), allocatable, private :: failed
@@ -82,7 +82,7 @@ contains
       call self%confirm(error)
    end subroutine create
 
-   !> True between `create` and `close` or the first failure that all ranks know
+   !> True between `create` and `close` or the first failure reported to all ranks
    pure logical function is_open(self)
       class(hdf5_file_type), intent(in) :: self
 
@@ -96,7 +96,7 @@ contains
       writes = self%opened .and. self%comm%is_root() .and. .not. allocated(self%failed)
    end function writes
 
-   !> Remember the first failure
+   !> Keep the first failure
    subroutine note(self, good, quantity)
       class(hdf5_file_type), intent(inout) :: self
       !> False when something went wrong
@@ -209,7 +209,7 @@ contains
 
       good = .true.
       if (self%comm%is_root()) call secure_file(self%path, good)
-      if (.not. good) call fail(error, exit_output, "cannot bring "//self%path//" to its " &
+      if (.not. good) call fail(error, exit_output, "cannot flush "//self%path//" to its " &
          & //"disk, which must have room and be writable")
       call self%comm%broadcast(error)
    end subroutine secure

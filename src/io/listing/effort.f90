@@ -22,8 +22,8 @@ module plydyn_io_listing_effort
 
    !> Bytes in a megabyte
    real(wp), parameter :: megabyte = 1.0e6_wp
-   !> Seconds that a byte takes: of a table, of fields, which are brought to nodes, and of a restart
-   !> file, at the speed of a plain disk
+   !> Seconds that a byte takes: of a table, of fields, which are averaged at nodes, and of a
+   !> restart file, at the speed of a plain disk
    real(wp), parameter :: table_time = 6.0e-8_wp, field_time = 5.0e-8_wp, restart_time = 1.0e-8_wp
    !> Bytes in the file: of a field's value or a cell's number, of a point's position, of a corner
    !> or the offset of a cell, and of its kind

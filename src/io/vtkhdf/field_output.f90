@@ -121,7 +121,7 @@ contains
       call simulation%domain%comm%all_true(can_be_written)
    end function can_be_written
 
-   !> Bring all files to the disk, and add how far each of them has been written
+   !> Flush all files to the disk, and add how far each of them has been written
    subroutine mark(self, positions, error)
       class(field_output_type), intent(inout) :: self
       type(file_positions_type), intent(inout) :: positions

@@ -241,14 +241,14 @@ contains
       viscosity(:) = steep*viscosity
    end subroutine interpolate_rates
 
-   !> Add the way from one curve to the next, as much of it as lies below the rate
+   !> Add the change from one curve to the next, the part of it below the rate
    pure subroutine add_rate_interval(from, inverse_length, rate_measure, rise, steepening, &
       & yield, hardening, viscosity)
-      !> Where the way starts, and one over its length
+      !> Where the change starts, and one over its length
       real(wp), intent(in) :: from(lanes), inverse_length(lanes)
       !> Rate, or its logarithm
       real(wp), intent(in) :: rate_measure(lanes)
-      !> Yield stress and hardening that the whole way brings
+      !> What yield stress and hardening grow by from curve to curve
       real(wp), intent(in) :: rise(lanes), steepening(lanes)
       !> Sums of yield stress, hardening, and derivative by the rate or its logarithm
       real(wp), intent(inout) :: yield(lanes), hardening(lanes), viscosity(lanes)

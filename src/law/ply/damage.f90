@@ -118,8 +118,8 @@ contains
       values(shows_dissipated) = sum(history(lane, [fibre_energy, matrix_energy])) + plastic(lane)
    end function output_variables
 
-   !> Energies that a point has dissipated: plastic work is that of an intact ply, as the largest
-   !> shear strain tells, less what damage has spared
+   !> Energies that a point has dissipated: plastic work is that of an intact ply, which
+   !> follows from the largest shear strain, less what damage has spared
    pure function dissipated_energy(self, mechanism, history) result(energy)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: mechanism

@@ -1,7 +1,7 @@
 !> Layout of the history variables of the ply-damage law.
 !>
 !> The signs of three variables are a state beside their size, so that an intact point reads few
-!> variables in a step: `has_begun`, `any_begun` and `began_in_compression` ask for it.
+!> variables in a step: `has_begun`, `any_begun` and `began_in_compression` test for it.
 module plydyn_law_ply_history
    use plydyn_base_precision, only : lanes, wp
    implicit none
