@@ -40,9 +40,7 @@ module plydyn_input_keywords
       & stage_support, stage_table
    use plydyn_input_read_constraint, only : read_constrained_linear
    use plydyn_input_read_control, only : check_control_timestep, read_control_layerwise, &
-      & read_control_parallel, &
-      & read_control_termination, read_control_timestep, read_control_units, &
-      & read_control_quasi_static, read_damping_global, read_damping_relaxation, read_title
+      & read_control_termination, read_control_timestep, read_control_units, read_plain_control
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
    use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
       & read_fixture_plane, read_fixture_punch, read_fixture_ring
@@ -119,7 +117,7 @@ contains
       type(keyword_list_type), intent(inout) :: list
 
       call list%add_unread(frame_keywords())
-      call list%add(title(), read_title, stage_definition)
+      call list%add(title(), read_plain_control, stage_definition)
       call list%add(control_units(), read_control_units, stage_definition)
       call list%add(control_termination(), read_control_termination, stage_control)
       call list%add_unread([control_stage(), delete_body("IMPACTOR", "IID"), &
@@ -127,11 +125,11 @@ contains
       call list%add(control_timestep(), read_control_timestep, stage_control, &
          & check=check_control_timestep)
       call list%add_unread([control_energy()])
-      call list%add(control_parallel(), read_control_parallel, stage_control)
+      call list%add(control_parallel(), read_plain_control, stage_control)
       call list%add(control_layerwise(), read_control_layerwise, stage_control)
-      call list%add(damping_global(), read_damping_global, stage_control)
-      call list%add(damping_relaxation(), read_damping_relaxation, stage_control)
-      call list%add(control_quasi_static(), read_control_quasi_static, stage_control)
+      call list%add(damping_global(), read_plain_control, stage_control)
+      call list%add(damping_relaxation(), read_plain_control, stage_control)
+      call list%add(control_quasi_static(), read_plain_control, stage_control)
    end subroutine add_frame_rows
 
    !> Nodes, elements, sets and curves

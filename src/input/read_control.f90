@@ -12,23 +12,32 @@ module plydyn_input_read_control
    implicit none
    private
 
-   public :: check_control_timestep, read_title, read_damping_global, read_damping_relaxation, &
-      & read_control_quasi_static, read_control_units, read_control_termination, &
-      & read_control_timestep, read_control_parallel, read_control_layerwise
+   public :: check_control_timestep, read_control_layerwise, read_control_termination, &
+      & read_control_timestep, read_control_units, read_plain_control
 
    !> Share of a step below which two are the same
    real(wp), parameter :: round_off = 1.0e-9_wp
 
 contains
 
-   !> *TITLE: title of the run
-   subroutine read_title(cards, catalogue, model)
+   !> Keywords whose fields are components of the model as they stand
+   subroutine read_plain_control(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
-      model%title = cards%word("TITLE")
-   end subroutine read_title
+      associate (control => model%control)
+         select case (cards%name)
+         case ("TITLE"); model%title = cards%word("TITLE")
+         case ("CONTROL_PARALLEL"); control%threads = cards%integer("NCPU")
+         case ("DAMPING_GLOBAL"); control%damping = cards%real("VALDMP")
+         case ("DAMPING_RELAXATION"); control%rest_share = cards%real("DRTOL")
+         case default ! *CONTROL_QUASI_STATIC
+            control%kinetic_limit = cards%real("SHARE")
+            control%load_share = cards%real("FALL")
+         end select
+      end associate
+   end subroutine read_plain_control
 
    !> *CONTROL_UNITS: names of units
    subroutine read_control_units(cards, catalogue, model)
@@ -103,43 +112,6 @@ contains
          & //", TSSFAC times -DT2MS, but DTMAX of *CONTROL_LAYERWISE or the curve LCTM keeps it " &
          & //"at "//text(bound), "a DT2MS nearer to 0, or a larger bound")
    end subroutine check_control_timestep
-
-   !> *CONTROL_PARALLEL: threads
-   subroutine read_control_parallel(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%control%threads = cards%integer("NCPU")
-   end subroutine read_control_parallel
-
-   !> *DAMPING_GLOBAL: force per mass and velocity
-   subroutine read_damping_global(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%control%damping = cards%real("VALDMP")
-   end subroutine read_damping_global
-
-   !> *DAMPING_RELAXATION: dynamic relaxation
-   subroutine read_damping_relaxation(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%control%rest_share = cards%real("DRTOL")
-   end subroutine read_damping_relaxation
-
-   !> *CONTROL_QUASI_STATIC: limit of the kinetic energy, end after the largest load
-   subroutine read_control_quasi_static(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      model%control%kinetic_limit = cards%real("SHARE")
-      model%control%load_share = cards%real("FALL")
-   end subroutine read_control_quasi_static
 
    !> *CONTROL_LAYERWISE: strain measure, limit of the energy balance, what is implicit
    subroutine read_control_layerwise(cards, catalogue, model)
