@@ -18,12 +18,11 @@ module plydyn_run_observers
    use plydyn_io_vtkhdf_field_output, only : field_output_type
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
-   use plydyn_run_finite_monitor, only : new_finite_monitor
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
-   use plydyn_run_stability_monitor, only : new_stability_monitor
+   use plydyn_run_stability_monitor, only : new_finite_monitor, new_stability_monitor
    use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private

@@ -7,7 +7,8 @@ program test_parallel_comm
 
    type(comm_type) :: comm
    logical :: good
-   real(wp) :: values(3)
+   real(wp) :: largest, values(3)
+   integer :: number, place(2)
 
    call begin("unite")
    values(:) = [-0.0_wp, 0.1_wp, 7.0_wp]
@@ -23,6 +24,14 @@ program test_parallel_comm
    good = .false.
    call comm%all_true(good)
    call check(.not. good, "something is not")
+
+   call begin("keep_largest")
+   largest = -0.1_wp
+   number = 7
+   place(:) = [2, 3]
+   call comm%keep_largest(largest, number, place)
+   call check(largest, -0.1_wp, 0.0_wp, "is its own, to the last bit")
+   call check(all([number, place] == [7, 2, 3]), "with what has it, and where")
 
    call finish()
 end program test_parallel_comm
