@@ -2,8 +2,8 @@
 !> along the tangent modulus, reversed shear; and the rise with the rate.
 program test_law_metal_kinematic
    use metals, only : beta, farthest_from_yield, hard, isotropic, linear_metal, load, mixed, &
-      & modulus, poisson, set_lanes, shear, slide, step_to, stored_energy, stretch, tangent, yield, &
-      & young
+      & modulus, poisson, set_lanes, shear, slide, step_to, stored_energy, stretch, tangent, &
+      & yield, young
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain, plastic_strain
    use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
