@@ -48,6 +48,7 @@ def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
         ("laminate.layers=1000000000", "laminate.layers: 1000000000 must be from 1 to 100"),
         ("laminate.layup='[(0_9999)9999]'", "more than 10000 plies"),
         ("laminate.layup='[0_9000]s'", "more than 10000 plies"),
+        ("laminate.thickness=1e99", "laminate.thickness: 8e+99 in all, too thick for the radius"),
         ("laminate.layup='[" + 2000 * "(" + "0" + 2000 * ")" + "]'", "more than 20 groups within"),
         ("materials.carbon={kind=[1]}", "materials.carbon.kind: a list was given"),
         ("materials.carbon.kind=1", "materials.carbon.kind: 1 was given, one of"),

@@ -17,6 +17,8 @@ from plydyn_pre.units import unit_factor
 
 #: Speed of the fastest guns of light gas, mm/s, and room above it
 _FASTEST = 2.0e7
+#: Thickness of a laminate over the radius of the impactor at most
+_THICKEST = 1.0e6
 #: Fields that need a material of some kind, and what such a material does
 _NEEDS = {
     "plastic_strain": (PlasticKinematic | PlyFracture3d, "yields"),
@@ -51,6 +53,13 @@ def check_scheme(laminates: Iterable[Laminate], bricks: Bricks | None, control: 
     joined = any(each.opened and each.joint != "apart" for each in laminates)
     rule = "no plies are joined by an interface that could be implicit"
     require(joined or control.scheme != "implicit_interfaces", "control.scheme", rule)
+
+
+def check_thickness(path: str, laminate: Laminate, impactor: Impactor | None) -> None:
+    """Refuse a laminate beside which an impactor is round-off."""
+    thin = impactor is None or laminate.total <= _THICKEST * impactor.radius
+    rule = f"{laminate.total:.6g} in all, too thick for the radius of the impactor"
+    require(thin, f"{path}.thickness", rule)
 
 
 def check_speed(impactor: Impactor | None, units: Units) -> None:

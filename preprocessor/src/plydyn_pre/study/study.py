@@ -15,6 +15,7 @@ from plydyn_pre.study.checks import (
     check_scheme,
     check_speed,
     check_step_curve,
+    check_thickness,
 )
 from plydyn_pre.study.conditions import (
     Contact,
@@ -73,6 +74,7 @@ class Study:
             joints = [*_JOINTS, *springs]
             _check_material(f"{path}.interfaces", laminate.joint, joints, "a way to join plies")
             check_in_situ(path, laminate, self.materials)
+            check_thickness(path, laminate, self.impactor)
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
         hit = self.contact is None or self.impactor is not None
