@@ -140,7 +140,7 @@ def test_all_that_the_example_shows_in_comments_can_be_switched_on(
     study = pre.load_recipe(recipe(tmp_path, switched_on(pre.example_recipe(), tables=True)))
     assert study.materials["weak_carbon"] == ply
     assert study.materials["bond"] == bond
-    assert len(study.loads) == 2
+    assert len(study.loads) == 3
     assert len(study.laminate.refine) == 1
     assert set(study.sets) == {"line", "gauge"}
     assert "*LOAD_FACE_PRESSURE" in "\n".join(pre.deck_text(study, pre.make_mesh(study.mesh)))
