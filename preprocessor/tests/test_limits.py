@@ -48,6 +48,12 @@ def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
         ("laminate.layers=1000000000", "laminate.layers: 1000000000 must be from 1 to 100"),
         ("laminate.layup='[(0_9999)9999]'", "more than 10000 plies"),
         ("laminate.layup='[0_9000]s'", "more than 10000 plies"),
+        ("fixtures=[{kind='plane', face='top', window=[-8.0, 8.0]}]", "fixtures[1].window: -8"),
+        (
+            "fixtures=[{kind='plane', face='top', window=-8.0}]",
+            "fixtures[1].window: -8 must be above zero",
+        ),
+        ("units.mass={x=1}", "units.mass: a table was given"),
         ("laminate.thickness=1e99", "laminate.thickness: 8e+99 in all, too thick for the radius"),
         ("laminate.layup='[" + 2000 * "(" + "0" + 2000 * ")" + "]'", "more than 20 groups within"),
         ("materials.carbon={kind=[1]}", "materials.carbon.kind: a list was given"),

@@ -55,9 +55,13 @@ class Plane(_Body):
     edge: float = 0.0  # radius of the edge of the window
 
     def __post_init__(self) -> None:
-        """Refuse negative radii."""
+        """Refuse negative radii, and rectangles without an area."""
         super().__post_init__()
         require_not_negative(self, "corner", "edge")
+        sides = self.window if isinstance(self.window, tuple) else (self.window or 0.0,)
+        least = min(sides)
+        whole = least > 0.0 or (least == 0.0 and len(sides) == 1)
+        require(whole, "window", f"{least:g} must be above zero; 0.0 alone is none")
 
 
 @dataclass(frozen=True, kw_only=True)
