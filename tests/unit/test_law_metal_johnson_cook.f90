@@ -17,9 +17,11 @@ program test_law_metal_johnson_cook
    type(plastic_johnson_cook_type) :: law
    integer :: lane
 
-   do lane = 1, lanes - 1
-      if (lane <= size(reference)) call set_lane(law, lane, n, c, reference(lane))
-      if (lane > size(reference)) call set_lane(law, lane, n, 0.0_wp, 1.0_wp)
+   do lane = 1, size(reference)
+      call set_lane(law, lane, n, c, reference(lane))
+   end do
+   do lane = size(reference) + 1, lanes - 1
+      call set_lane(law, lane, n, 0.0_wp, 1.0_wp)
    end do
    call test_path()
    call test_energy()
