@@ -13,7 +13,7 @@ program test_io_checkpoint_dump
    use plydyn_state_file_positions, only : new_file_positions, file_position_type
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : constraint_state_type, state_type
    use testing, only : begin, check, check_error, finish
    implicit none
 
@@ -69,6 +69,7 @@ contains
       state%time = 0.1_wp
       state%cycle = 17
       state%end%time = 2.0_wp
+      state%end%largest_power = 2.25_wp
       state%step = 3.0_wp
       state%step_before = 4.0_wp
       state%sums%acceleration_square = 5.0_wp
@@ -79,6 +80,7 @@ contains
       allocate (state%history(0), state%supports%load_factor(1), state%supports%force(2))
       state%supports%load_factor(:) = 9.0_wp
       state%supports%force(:) = [10.0_wp, 11.0_wp]
+      state%supports%constraints = constraint_state_type([0.5_wp], [0.75_wp], [1.25_wp])
       allocate (state%supports%velocity(0), state%impactors(1), state%contacts(1), &
          & state%fixtures(1))
       state%fixtures(1)%impulse(:) = [1.5_wp, -2.5_wp, 3.5_wp]
@@ -121,6 +123,11 @@ contains
          call check([fixture%impulse, fixture%friction, real(fixture%contacts, wp)], &
             & [1.5_wp, -2.5_wp, 3.5_wp, 0.25_wp, 4.0_wp], 0.0_wp, "fixtures")
       end associate
+      associate (own => other%supports%constraints)
+         call check([own%force, own%rate, own%displacement], [0.5_wp, 0.75_wp, 1.25_wp], 0.0_wp, &
+            & "constraints")
+      end associate
+      call check(other%end%largest_power, 2.25_wp, 0.0_wp, "the largest load")
       call check(other%sums%acceleration_square, 5.0_wp, 0.0_wp, "sums")
       call check(other%cycle == 17 .and. other%impactors(1)%contacts == 15, "whole numbers")
       call check(all(other%contacts(1)%places == [16, 17]), "memory of a contact")
@@ -132,6 +139,8 @@ contains
 
       call fill(other)
       other%displacement(:) = 0.0_wp
+      other%end%largest_power = 0.0_wp
+      other%supports%constraints%rate(:) = 0.0_wp
       other%impactors(1)%contacts = 0
       other%fixtures(1)%impulse(:) = 0.0_wp
       other%fixtures(1)%friction = 0.0_wp
