@@ -64,7 +64,7 @@ def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) ->
     tasks = [Task("Compression", f"compression_{name}", text, draw) for name, text, draw in wanted]
     if test.job.has("delamination"):
         draw = partial(draw_delamination, test)
-        text = "Delaminated area over stress."
+        text = "Delaminated area over end shortening."
         tasks.append(Task("Compression", "compression_delamination", text, draw))
     struck = [job for job in plan.jobs if job.impactors]
     for job in struck:
