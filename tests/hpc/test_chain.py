@@ -159,3 +159,16 @@ def test_bad_chains_are_refused(decks: list[Path], tmp_path: Path) -> None:
     assert done.returncode == INPUT
     assert "belongs to another deck" in done.stderr
     assert not folder.exists()
+
+
+def test_results_of_another_laminate_are_refused(decks: list[Path], tmp_path: Path) -> None:
+    """Decks made anew with other plies do not go on from the plate that was there."""
+    folder = tmp_path / "results"
+    assert run_chain(folder, *decks[:2]).returncode == NORMAL
+    before = {path: path.stat().st_mtime_ns for path in folder.iterdir()}
+    line = [PRE, "deck", "c.toml", "--set", "laminate.thickness=1.1"]
+    subprocess.run(line, cwd=tmp_path, capture_output=True, check=True)
+    done = run_chain(folder, *decks)
+    assert done.returncode == INPUT
+    assert f"the results {folder / 'c'}.* are of another deck than {decks[0]}" in done.stderr
+    assert {path: path.stat().st_mtime_ns for path in folder.iterdir()} == before
