@@ -127,6 +127,8 @@ contains
          control%step_line = cards%line_of("DTMAX")
          if (control%kinematics == total_lagrangian) then
             control%volume_limit = cards%real("VOLLIM")
+         else if (abs(cards%real("VOLLIM")) > 0.0_wp) then
+            call catalogue%warn_idle(cards, "VOLLIM", "KINEM 1")
          end if
          if (control%scheme == all_explicit) return
          if (size(model%mesh%brick_id) > 0) then
