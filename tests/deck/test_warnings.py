@@ -171,3 +171,11 @@ def test_nodes_at_one_place(tmp_path: Path) -> None:
     said = checked(tmp_path, ["ply", "part", "run"], "*NODE\n" + nodes + quads)
     assert "deck.k:7: node 5 lies where node 2 does: nothing joins them" in said
     assert "deck.k:10: node 8 lies where node 3 does" in said
+
+
+def test_bound_of_the_volume_without_large_displacement(tmp_path: Path) -> None:
+    """VOLLIM watches with KINEM 1 alone."""
+    for kinematics, words in ((0, 1), (1, 0)):
+        text = f"*CONTROL_LAYERWISE\n{kinematics},,,,0.2\n"
+        said = checked(tmp_path, ["mesh", "ply", "part", "run"], text)
+        assert said.count("VOLLIM: VOLLIM is without effect") == words
