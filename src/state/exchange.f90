@@ -71,22 +71,23 @@ contains
       class(exchange_type), intent(inout) :: exchange
       type(state_type), intent(inout) :: state
 
-      real(wp), allocatable :: clock(:)
+      real(wp), allocatable :: clock(:), loading(:)
       integer, allocatable :: counts(:)
       real(wp), allocatable :: least_volume(:)
 
       clock = [state%time]
       call exchange%reals("time", clock)
       state%time = clock(1)
-      clock = [state%step, state%step_before, state%first_step]
+      clock = [state%step, state%step_before, state%first_step, state%end%time]
       call exchange%reals("clock", clock)
       state%step = clock(1)
       state%step_before = clock(2)
       state%first_step = clock(3)
+      state%end%time = clock(4)
       associate (end => state%end)
-         clock = [end%time, end%begin, end%largest_power, end%look_time, end%look_work]
-         call exchange%reals("end", clock)
-         end = run_end_type(clock(1), end%cycle, clock(2), clock(3), clock(4), clock(5))
+         loading = [end%begin, end%largest_power, end%look_time, end%look_work]
+         call exchange%reals("loading", loading)
+         end = run_end_type(end%time, end%cycle, loading(1), loading(2), loading(3), loading(4))
       end associate
       counts = [state%cycle, state%end%cycle]
       call exchange%integers("cycle", counts)
