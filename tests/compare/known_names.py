@@ -118,6 +118,7 @@ ADDED_DATA: dict[str, str] = {
     r"run/ends": "last bytes of the result files, by which a restart knows them",
     r"run/starts": "time at which each stage of a chain of restarts began",
     r"state/relaxation": "dynamic relaxation",
+    r"state/loading": "largest load of a quasi-static run, and since when it is loaded so",
     r"plydyn/impactor_outlines(@columns)?": "outlines of impactors, for pictures",
     r"VTKHDF/(PointData|Steps/PointDataOffsets)/energy_share": (
         "share of the toughness that is spent at points of interfaces"
