@@ -19,6 +19,7 @@ CHANGED_CASES: dict[str, str] = {
 NEW_CASES: dict[str, str] = {
     r"recipe/damage_impact/ring(_pair)?(_fast)?": "rigid fixtures",
     r"recipe/validation/t700.*": "fixtures of the test, and a tup",
+    r"deck/lever": "linear constraints",
     r"(made/planes_of_fracture|deck/fracture_(dent|tension))": "plies with planes of fracture",
 }
 
