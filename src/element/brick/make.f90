@@ -240,10 +240,20 @@ contains
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
 
-      integer :: i
+      integer :: c, here(corners), i, place
+      real(wp) :: share(corners)
 
       do i = 1, size(bricks)
-         call add_brick(model, bricks(i), brick_density(model, part), local_node, columns, mass)
+         associate (node => model%mesh%brick_node(:, bricks(i)))
+            here(:) = local_node(node)
+            if (all(here == 0)) cycle
+            share(:) = brick_density(model, part)*brick_shares(model%mesh%position(:, node))
+         end associate
+         do c = 1, corners
+            if (here(c) == 0) cycle
+            place = columns%mass_of(1, 1, here(c))
+            mass(place) = mass(place) + share(c)
+         end do
       end do
    end subroutine add_brick_masses
 
@@ -258,39 +268,22 @@ contains
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
 
-      integer :: e
+      integer :: c, e, here(corners), place
+      real(wp) :: added(corners)
 
       do e = 1, size(share)
          if (share(e) <= 0.0_wp) cycle
-         call add_brick(model, e, share(e)*brick_density(model, model%mesh%brick_part(e)), &
-            & local_node, columns, mass)
+         associate (node => model%mesh%brick_node(:, e))
+            here(:) = local_node(node)
+            added(:) = share(e)*brick_density(model, model%mesh%brick_part(e)) &
+               & *brick_shares(model%mesh%position(:, node))
+         end associate
+         do c = 1, corners
+            if (here(c) == 0) cycle
+            place = columns%mass_of(1, 1, here(c))
+            mass(place) = mass(place) + added(c)
+         end do
       end do
    end subroutine add_brick_shares
-
-   !> Add the mass of a brick of some density to those of its points that a rank has
-   pure subroutine add_brick(model, brick, density, local_node, columns, mass)
-      type(model_type), intent(in) :: model
-      !> Its index in the mesh
-      integer, intent(in) :: brick
-      real(wp), intent(in) :: density
-      !> As in `add_brick_masses`
-      integer, intent(in) :: local_node(:)
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(inout) :: mass(:)
-
-      integer :: c, here(corners), place
-      real(wp) :: share(corners)
-
-      associate (node => model%mesh%brick_node(:, brick))
-         here(:) = local_node(node)
-         if (all(here == 0)) return
-         share(:) = density*brick_shares(model%mesh%position(:, node))
-      end associate
-      do c = 1, corners
-         if (here(c) == 0) cycle
-         place = columns%mass_of(1, 1, here(c))
-         mass(place) = mass(place) + share(c)
-      end do
-   end subroutine add_brick
 
 end module plydyn_element_brick_make
