@@ -32,7 +32,7 @@ contains
          case ("CONTROL_PARALLEL"); control%threads = cards%integer("NCPU")
          case ("DAMPING_GLOBAL"); control%damping = cards%real("VALDMP")
          case ("DAMPING_RELAXATION"); control%rest_share = cards%real("DRTOL")
-         case ("CONTROL_QUASI_STATIC")
+         case default ! *CONTROL_QUASI_STATIC
             control%kinetic_limit = cards%real("SHARE")
             control%load_share = cards%real("FALL")
          end select
