@@ -60,9 +60,11 @@ contains
 
       type(catalogue_type) :: catalogue
       type(model_type) :: model
+      integer :: i
 
       catalogue = new_catalogue()
-      allocate (model%materials(1), model%interface_materials(1), model%impactors(0))
+      ! the second one is a copy with options of an interface, which the deck does not define
+      allocate (model%materials(1), model%interface_materials(2), model%impactors(0))
       call catalogue%registers(a_material)%add(1, 1)
       call catalogue%registers(an_interface_material)%add(1, 1)
       model%control%units = derived_units("MM", "S", "T")
@@ -70,8 +72,10 @@ contains
       model%materials(1)%law%young(:) = 1.4e5_wp
       model%materials(1)%law%shear(:) = 5.0e3_wp
       model%materials(1)%density = 1.6e-9_wp
-      model%interface_materials(1)%fails = .true.
-      model%interface_materials(1)%constants%toughness(:) = toughness
+      model%interface_materials(:)%fails = .true.
+      do i = 1, size(model%interface_materials)
+         model%interface_materials(i)%constants%toughness(:) = toughness
+      end do
       call check_units(model, catalogue)
       warnings_of = catalogue%report%count(severity_warning)
    end function warnings_of
