@@ -16,6 +16,7 @@ program plydyn
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : job_type
+   use plydyn_io_listing_changes, only : write_changes
    use plydyn_io_listing_listing, only : write_listing, write_restart
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
    use plydyn_io_listing_time_step, only : write_new_step
@@ -128,6 +129,7 @@ contains
       if (parts%model%control%check_only) then
          seconds = seconds_per_step(parts)
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
+         if (comm%is_root()) call write_changes(output_unit, command%deck, parts)
          return
       end if
       job%start_time = parts%state%time
@@ -135,7 +137,8 @@ contains
       call comm%broadcast(error)
       if (allocated(error)) return
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
-         & command%deck, messages, parts%state)
+         & messages, parts%state)
+      if (comm%is_root()) call write_changes(job%listing, command%deck, parts)
       if (comm%is_root() .and. parts%model%changes%step) then
          call write_new_step(job, parts%model, parts%domain, kinetic)
       end if

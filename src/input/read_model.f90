@@ -7,6 +7,7 @@ module plydyn_input_read_model
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
+   use plydyn_input_change_list, only : list_changes
    use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
    use plydyn_input_check_model, only : check_model
    use plydyn_input_check_solid, only : refuse_kind
@@ -54,6 +55,7 @@ contains
       call begin_model(model)
       if (len(path) > 0) then
          model%changes = changes_of(deck)
+         model%change_list = list_changes(deck)
          call warn_of_nothing(deck, catalogue)
       end if
       call read_keywords(deck, rows, catalogue, model)

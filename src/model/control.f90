@@ -67,6 +67,14 @@ module plydyn_model_control
       type(units_type) :: units
    end type control_type
 
+   !> One line of the listing on what a restart changes
+   type, public :: change_type
+      !> Kind of thing
+      character(:), allocatable :: kind
+      !> What becomes of it
+      character(:), allocatable :: words
+   end type change_type
+
    !> What the newest deck of a restart changes
    type, public :: changes_type
       !> Supports or loads; the end; dynamic relaxation; impactors or fixtures; the time step and

@@ -1,7 +1,7 @@
 !> The model: what the deck says, in an engineer's words and with the user's numbers.
 module plydyn_model_model
    use plydyn_model_constraint, only : constraint_type
-   use plydyn_model_control, only : changes_type, control_type, request_type
+   use plydyn_model_control, only : change_type, changes_type, control_type, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_impactor, only : contact_type, impactor_type
@@ -61,6 +61,8 @@ module plydyn_model_model
       type(request_type) :: request
       !> What the newest deck of a restart changes; nothing in a run that begins
       type(changes_type) :: changes
+      !> The same in words, only on the rank that read that deck
+      type(change_type), allocatable :: change_list(:)
    end type model_type
 
 end module plydyn_model_model

@@ -52,6 +52,9 @@ contains
          & "new supports replace all old ones")
       call check(size(model%point_loads) == 1, "loads stay")
       call check(size(archive%bundles) == 2, "both decks are kept")
+      call check(model%change_list(1)%kind == "supports" .and. model%change_list(1)%words == &
+         & "removed 1 (BOUNDARY_SPC_SET 1), added 1 (BOUNDARY_SPC_SET 2)", "supports are named")
+      call check(size(model%change_list) == 2, "with the new set, and nothing else")
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, &
          & "twenty states of the first end")
    end subroutine changed
@@ -63,17 +66,22 @@ contains
       call check(.not. allocated(error) .and. all(model%supports(1)%nodes == [3, 4]), &
          & "are read from what is kept")
       call check(.not. model%changes%conditions, "they change nothing any more")
+      call check(.not. allocated(model%change_list), "nor is there a list of changes")
       call read_text("*KEYWORD|*CONTROL_TERMINATION|3.0,|*DATABASE_GLSTAT|0.1,|*END|")
       call check(.not. allocated(error) .and. model%changes%end, "a later deck has another end")
       call check(model%control%end_time, 3.0_wp, 0.0_wp, "which counts")
       call check(model%request%energy_interval, 0.1_wp, 0.0_wp, "an interval as well")
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "that of the fields stays")
       call check(.not. model%changes%step, "the step stays")
+      call check(model%change_list(1)%words == "ENDTIM 1.00000 to 3.00000", "the end is told")
+      call check(model%change_list(2)%words == "DT none to 0.100000", "and the first interval")
       call read_text("*KEYWORD|*CONTROL_TIMESTEP|0.0,0.8,0,0.0,-0.5|*END|")
       call check(.not. allocated(error) .and. model%changes%step, "another step")
       call check(model%control%mass_scaled_step, 0.5_wp, 0.0_wp, "for which mass is added")
       call read_text("*KEYWORD|*CONTROL_TIMESTEP|0.0,0.7|*END|")
       call check(model%control%mass_scaled_step, 0.0_wp, 0.0_wp, "until a deck takes it away")
+      call check(model%change_list(1)%words == "TSSFAC 0.800000 to 0.700000, " &
+         & //"DT2MS -0.500000 to 0.00000", "fields that differ are told")
       call check(model%control%step_factor, 0.7_wp, 0.0_wp, "the last card counts")
       call read_text("*KEYWORD|*PARAMETER|R end,3.0|*TITLE|as before|*END|")
       call check(index(messages, "changes.k:6: the deck changes nothing") > 0, "a deck in vain")

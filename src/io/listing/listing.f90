@@ -68,15 +68,15 @@ contains
       flush (unit)
    end subroutine write_listing
 
-   !> Where a run goes on, and what is different from there on
-   subroutine write_restart(job, build, path, written_by, deck, messages, state)
+   !> Where a run goes on
+   subroutine write_restart(job, build, path, written_by, messages, state)
       type(job_type), intent(in) :: job
       !> Version and compiler
       character(*), intent(in) :: build
       !> Path of the restart file, and version of the program that wrote it
       character(*), intent(in) :: path, written_by
-      !> Path of the deck that changes the run, empty for none; warnings of the readers
-      character(*), intent(in) :: deck, messages
+      !> Warnings of the readers
+      character(*), intent(in) :: messages
       type(state_type), intent(in) :: state
 
       character(:), allocatable :: words
@@ -86,7 +86,6 @@ contains
       write (job%listing, "(a)") build, words
       if (written_by /= job%version) write (job%listing, "(3a)") "the restart file is of plydyn ", &
          & written_by, ": the last bits may differ from those of an unbroken run"
-      if (len(deck) > 0) write (job%listing, "(2a)") "changed by ", deck
       if (len(messages) > 0) write (job%listing, "(a)") messages
       flush (job%listing)
       if (job%screen /= no_unit) write (job%screen, "(a)") words
