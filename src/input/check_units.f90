@@ -54,7 +54,7 @@ contains
                   & units)
             end associate
          end do
-         ! behind those of the deck stand the copies that an interface has for itself, with its options
+         ! behind those of the deck stand copies that an interface has for itself, with its options
          do i = 1, catalogue%registers(an_interface_material)%count
             if (.not. model%interface_materials(i)%fails) cycle
             call look_at_energies(catalogue, catalogue%registers(an_interface_material)%line(i), &
