@@ -102,7 +102,7 @@ def test_conditions_are_named(dump: Path) -> None:
     }
 
 
-def test_values_before_and_after_are_told(dump: Path) -> None:
+def test_values_before_and_after_are_listed(dump: Path) -> None:
     """End, step, damping, relaxation and quasi-static control: fields whose values differ."""
     found, _ = restart(dump, CONTROL, "control")
     energy = Results(dump.parent, "control").table("energy")
@@ -122,7 +122,7 @@ def test_values_before_and_after_are_told(dump: Path) -> None:
     }
 
 
-def test_intervals_of_results_are_told(dump: Path) -> None:
+def test_intervals_of_results_are_listed(dump: Path) -> None:
     """Of each history, of fields and of restart files."""
     body = "".join(f"*DATABASE_{name}\n{after}\n" for name, _, after in INTERVALS.values())
     body += "*DATABASE_BINARY_D3DUMP\n100\n*DATABASE_BINARY_RUNRSF\n50,2\n"

@@ -73,7 +73,7 @@ contains
       call check(model%request%energy_interval, 0.1_wp, 0.0_wp, "an interval as well")
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, "that of the fields stays")
       call check(.not. model%changes%step, "the step stays")
-      call check(model%change_list(1)%words == "ENDTIM 1.00000 to 3.00000", "the end is told")
+      call check(model%change_list(1)%words == "ENDTIM 1.00000 to 3.00000", "the end is listed")
       call check(model%change_list(2)%words == "DT none to 0.100000", "and the first interval")
       call read_text("*KEYWORD|*CONTROL_TIMESTEP|0.0,0.8,0,0.0,-0.5|*END|")
       call check(.not. allocated(error) .and. model%changes%step, "another step")
@@ -81,7 +81,7 @@ contains
       call read_text("*KEYWORD|*CONTROL_TIMESTEP|0.0,0.7|*END|")
       call check(model%control%mass_scaled_step, 0.0_wp, 0.0_wp, "until a deck takes it away")
       call check(model%change_list(1)%words == "TSSFAC 0.800000 to 0.700000, " &
-         & //"DT2MS -0.500000 to 0.00000", "fields that differ are told")
+         & //"DT2MS -0.500000 to 0.00000", "fields that differ are listed")
       call check(model%control%step_factor, 0.7_wp, 0.0_wp, "the last card counts")
       call read_text("*KEYWORD|*PARAMETER|R end,3.0|*TITLE|as before|*END|")
       call check(index(messages, "changes.k:6: the deck changes nothing") > 0, "a deck in vain")
