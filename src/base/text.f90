@@ -1,5 +1,6 @@
 !> Numbers as text, and conversion of case.
 module plydyn_base_text
+   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -12,6 +13,8 @@ module plydyn_base_text
       module procedure :: text_of_real
    end interface text
 
+   !> Powers of ten of numbers that are written without an exponent
+   integer, parameter :: least_power = -3, most_power = 5
    !> Offset between the cases in ASCII
    integer, parameter :: case_shift = iachar("a") - iachar("A")
 
@@ -28,25 +31,58 @@ contains
       string = trim(buffer)
    end function text_of_integer
 
-   !> Text of a real with some significant digits (default 6)
+   !> Text of a real as people write it, with some significant digits (default 6) and no zeros
+   !> behind them: 8, 0.0035, 1e-6; NaN and infinity too
    pure function text_of_real(number, digits) result(string)
       !> Number to write
       real(wp), intent(in) :: number
       !> Significant digits
       integer, intent(in), optional :: digits
       character(:), allocatable :: string
-      character(40) :: buffer
-      character(12) :: form
-      integer :: significant
+      character(60) :: buffer
+      character(16) :: form
+      integer :: significant, power
 
       significant = 6
       if (present(digits)) significant = digits
-      write (form, "(a,i0,a)") "(g0.", significant, ")"
+      if (.not. ieee_is_finite(number)) then
+         write (buffer, "(g0)") number
+         string = trim(adjustl(buffer))
+         return
+      else if (is_whole(number)) then
+         string = text(nint(number))
+         return
+      end if
+      write (form, "(a,i0,a)") "(es60.", significant - 1, "e4)"
       write (buffer, form) number
-      string = trim(adjustl(buffer))
-      ! no point that nothing follows
-      if (string(len(string):) == ".") string = string(:len(string) - 1)
+      read (buffer(len(buffer) - 4:), *) power
+      if (power >= significant - 1 .and. power <= most_power) then
+         string = fixed_text(number, 0)
+      else if (power >= least_power .and. power <= most_power) then
+         string = without_zeros(fixed_text(number, significant - 1 - power))
+      else
+         string = without_zeros(trim(adjustl(buffer(:len(buffer) - 6))))//"e"//text(power)
+      end if
    end function text_of_real
+
+   !> Whether a real is an integer that is printed without an exponent
+   pure logical function is_whole(number)
+      !> Any finite number
+      real(wp), intent(in) :: number
+
+      is_whole = .false.
+      if (abs(number) < huge(1)) is_whole = abs(number - anint(number)) <= 0.0_wp
+   end function is_whole
+
+   !> Digits without zeros at the end, and without a point that nothing follows
+   pure function without_zeros(digits) result(words)
+      !> Digits with a point
+      character(*), intent(in) :: digits
+      character(:), allocatable :: words
+
+      words = digits(:verify(digits, "0", back=.true.))
+      if (words(len(words):) == ".") words = words(:len(words) - 1)
+   end function without_zeros
 
    !> Text of a real with some digits after the point and at least one before it; no point for zero
    !> digits

@@ -3,7 +3,7 @@ module plydyn_deck_manual
    use plydyn_base_text, only : lower_case, text
    use plydyn_deck_declaration, only : field_type, integer_field, is_ignored, &
       & is_read, is_refused, keyword_type, real_field, word_field, words_field
-   use plydyn_deck_values, only : number_words, range_words
+   use plydyn_deck_values, only : range_words
    implicit none
    private
 
@@ -182,7 +182,7 @@ contains
       if (field%required) then
          words = "required"
       else if (field%kind == integer_field .or. field%kind == real_field) then
-         if (field%supported) words = number_words(field%default)
+         if (field%supported) words = text(field%default)
          if (field%zero_is_default) words = words//", also for 0"
       end if
    end function default_text

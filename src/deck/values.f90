@@ -1,6 +1,5 @@
 !> Reads the number or word of a field and checks it against the declaration.
 module plydyn_deck_values
-   use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text, upper_case
    use plydyn_deck_declaration, only : field_type, integer_field, real_field, word_field
@@ -10,7 +9,7 @@ module plydyn_deck_values
    implicit none
    private
 
-   public :: read_number, check_word, range_words, number_words, split_words
+   public :: read_number, check_word, range_words, split_words
 
    !> Error in a text
    type, public :: fault_type
@@ -22,10 +21,6 @@ module plydyn_deck_values
       character(:), allocatable :: right
    end type fault_type
 
-   !> Significant digits of a number in a message
-   integer, parameter :: digits_shown = 6
-   !> Numbers between these are written without an exponent
-   real(wp), parameter :: least_plain = 1.0e-2_wp, most_plain = 1.0e6_wp
    !> Range of magnitudes that is accepted: products of larger ones would overflow
    real(wp), parameter :: smallest = 1.0e-100_wp, largest = 1.0e100_wp
    !> Longest word
@@ -55,9 +50,9 @@ contains
       if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
          number = field%default
       else if (abs(number) > largest .or. (abs(number) < smallest .and. abs(number) > 0.0_wp)) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
-            & range_words(field)//"; all numbers but 0 lie between "//number_words(smallest) &
-            & //" and "//number_words(largest))
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//text(number), &
+            & range_words(field)//"; all numbers but 0 lie between "//text(smallest) &
+            & //" and "//text(largest))
       else
          call check_range(field, number, fault)
       end if
@@ -95,7 +90,7 @@ contains
       if (content(1:1) == "-") number = -number
       if (field%kind == integer_field .and. abs(number - anint(number)) > 0.0_wp) then
          call set_fault(fault, 1, "the parameter '"//content(begin:)//"' is " &
-            & //number_words(number)//", but "//trim(field%name)//" is an integer", &
+            & //text(number)//", but "//trim(field%name)//" is an integer", &
             & range_words(field))
       end if
    end subroutine read_parameter
@@ -177,10 +172,10 @@ contains
       end if
       if (fits) return
       if (field%supported) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//number_words(number), &
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//text(number), &
             & range_words(field))
       else
-         call set_fault(fault, 1, trim(field%name)//" = "//number_words(number) &
+         call set_fault(fault, 1, trim(field%name)//" = "//text(number) &
             & //" is not supported", &
             & "a blank or "//range_words(field)//": plydyn does not use "//trim(field%name))
       end if
@@ -220,10 +215,10 @@ contains
       integer :: i
 
       if (allocated(field%allowed)) then
-         words = number_words(field%allowed(1))
+         words = text(field%allowed(1))
          do i = 2, size(field%allowed)
-            if (i < size(field%allowed)) words = words//", "//number_words(field%allowed(i))
-            if (i == size(field%allowed)) words = words//" or "//number_words(field%allowed(i))
+            if (i < size(field%allowed)) words = words//", "//text(field%allowed(i))
+            if (i == size(field%allowed)) words = words//" or "//text(field%allowed(i))
          end do
          return
       end if
@@ -232,18 +227,18 @@ contains
          return
       end if
       if (.not. field%least < field%most) then
-         words = number_words(field%most)
+         words = text(field%most)
          return
       end if
       words = noun(field)
-      if (field%above > -huge(1.0_wp)) words = words//" above "//number_words(field%above)
+      if (field%above > -huge(1.0_wp)) words = words//" above "//text(field%above)
       if (field%least > -huge(1.0_wp) .and. field%most < huge(1.0_wp)) then
-         words = words//" from "//number_words(field%least)//" to "//number_words(field%most)
+         words = words//" from "//text(field%least)//" to "//text(field%most)
       else if (field%least > -huge(1.0_wp)) then
-         words = words//" of at least "//number_words(field%least)
+         words = words//" of at least "//text(field%least)
       else if (field%most < huge(1.0_wp)) then
          words = words//merge(" up to    ", " of up to ", field%above > -huge(1.0_wp))
-         words = trim(words)//" "//number_words(field%most)
+         words = trim(words)//" "//text(field%most)
       end if
    end function range_words
 
@@ -268,41 +263,6 @@ contains
          words = "a number ("//field%dimension//")"
       end if
    end function noun
-
-   !> A number as text, without a point when it is an integer; NaN and infinity too
-   pure function number_words(number) result(words)
-      !> Any number
-      real(wp), intent(in) :: number
-      character(:), allocatable :: words
-
-      character(32) :: buffer
-      integer :: power
-
-      if (.not. ieee_is_finite(number)) then
-         words = text(number)
-      else if (abs(number) < huge(1) .and. abs(number - anint(number)) <= 0.0_wp) then
-         words = text(nint(number))
-      else if (abs(number) >= least_plain .and. abs(number) < 0.1_wp) then
-         write (buffer, "(f16.7)") number
-         words = without_zeros(trim(adjustl(buffer)))
-      else if (abs(number) >= least_plain .and. abs(number) < most_plain) then
-         words = without_zeros(text(number, digits_shown))
-      else
-         write (buffer, "(es16.6e3)") number
-         read (buffer(13:16), *) power
-         words = without_zeros(trim(adjustl(buffer(:11))))//"e"//text(power)
-      end if
-   end function number_words
-
-   !> Digits without trailing zeros
-   pure function without_zeros(digits) result(words)
-      !> Digits with a point
-      character(*), intent(in) :: digits
-      character(:), allocatable :: words
-
-      words = digits(:verify(digits, "0", back=.true.))
-      if (words(len(words):) == ".") words = words//"0"
-   end function without_zeros
 
    !> The words of a text, separated by blanks or commas
    pure function split_words(words) result(list)

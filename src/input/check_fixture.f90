@@ -3,7 +3,6 @@ module plydyn_input_check_fixture
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_mesh, only : mesh_type
@@ -59,7 +58,7 @@ contains
          if (fixture%motion(3) > 0) then
             inside = fixture%body%upward*model%curves(fixture%motion(3))%at(0.0_wp) - fixture%gap
             if (inside > 0.0_wp) call catalogue%report%refuse(place, who//" begins " &
-               & //number_words(inside)//" inside the plate", "a larger GAP, or a curve LCZ that " &
+               & //text(inside)//" inside the plate", "a larger GAP, or a curve LCZ that " &
                & //"begins at 0")
          end if
          ! a soft tip has no edge that a span depends on

@@ -3,7 +3,6 @@ module plydyn_input_check_impact
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
    use plydyn_model_approach, only : approach_type, find_approach
    use plydyn_model_contact_face, only : contact_face_type, face_points, new_contact_face
@@ -54,7 +53,7 @@ contains
                cycle
             end if
             call catalogue%report%refuse(place, "impactor " &
-               & //text(model%impactors(contact%impactor)%id)//" begins "//number_words(inside) &
+               & //text(model%impactors(contact%impactor)%id)//" begins "//text(inside) &
                & //" inside the plate", &
                & "its centre so much further away, or the other FACE on *CONTACT_IMPACTOR")
          end associate
@@ -103,12 +102,12 @@ contains
          who = "impactor "//text(own%id)
          beside = norm2(max(low - own%centre(:2), own%centre(:2) - high, 0.0_wp))
          if (beside > far*(radius + maxval(high - low))) then
-            call catalogue%report%refuse(place, who//" begins "//number_words(beside) &
+            call catalogue%report%refuse(place, who//" begins "//text(beside) &
                & //" beside the plate", "a centre near the plate")
          else if (beside > radius .and. norm2(own%velocity(:2)) <= 0.0_wp &
             & .and. norm2(own%gravity(:2)) <= 0.0_wp .and. all(own%motion(:2) == 0)) then
             call catalogue%report%warn(place, who//" passes by: its centre lies " &
-               & //number_words(beside)//" beside the plate", "a centre above or below the plate")
+               & //text(beside)//" beside the plate", "a centre above or below the plate")
          else if (side*own%velocity(3) > 0.0_wp .and. side*own%gravity(3) >= 0.0_wp) then
             call catalogue%report%warn(place, who//" moves away from the plate", &
                & "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR")
@@ -138,9 +137,9 @@ contains
       if (.not. approach%is_known) return
       who = "impactor "//text(model%impactors(contact%impactor)%id)
       if (approach%arrives .and. approach%is_at_edge) then
-         call catalogue%report%refuse(place, who//" meets the edge of the plate first, which " &
-            & //"contact does not see", "a centre from which it meets the face that FACE of " &
-            & //"*CONTACT_IMPACTOR names")
+         call catalogue%report%refuse(place, who//" touches the edge of the plate first, and " &
+            & //"there is no contact at edges", "a position or a motion with which it first " &
+            & //"touches the face that FACE of *CONTACT_IMPACTOR names")
       else if (.not. (approach%arrives .or. is_off) .and. approach%distance > 0.0_wp &
          & .and. is_at_rest(model)) then
          call catalogue%report%warn(place, who//" does not reach the plate before the end", &

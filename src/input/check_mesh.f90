@@ -2,7 +2,6 @@
 module plydyn_input_check_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_values, only : number_words
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_fem_shape, only : shape_functions
    use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
@@ -56,8 +55,8 @@ contains
          if (abs(mesh%position(3, i) - mesh%position(3, 1)) <= flat*extent) cycle
          call catalogue%report%refuse(catalogue%location(a_node, i), &
             & "node "//text(mesh%node_id(i)) &
-            & //" lies at z = "//number_words(mesh%position(3, i))//", the first node at z = " &
-            & //number_words(mesh%position(3, 1)), "a laminate in one plane z = const", &
+            & //" lies at z = "//text(mesh%position(3, i))//", the first node at z = " &
+            & //text(mesh%position(3, 1)), "a laminate in one plane z = const", &
             & catalogue%registers(a_node)%line(1))
       end do
    end subroutine check_plane
@@ -104,8 +103,8 @@ contains
          end associate
       end do
       if (minval(length) < least_side*maxval(length)) then
-         call blame(i, "has a side of "//number_words(minval(length))//" beside one of " &
-            & //number_words(maxval(length)), "corners at four places", catalogue)
+         call blame(i, "has a side of "//text(minval(length))//" beside one of " &
+            & //text(maxval(length)), "corners at four places", catalogue)
       else if (minval(sine) > least_sine) then
          if (size(x, 2) == centre) call check_middles(x, length, i, catalogue)
       else if (maxval(sine) < -least_sine) then

@@ -1,8 +1,8 @@
 !> Warnings of numbers that no material, interface or impactor has in the units of the deck.
 module plydyn_input_check_units
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, an_impactor, an_interface_material, &
       & catalogue_type
    use plydyn_input_units, only : si_power
@@ -149,7 +149,7 @@ contains
 
       if (number >= range(1) .and. number <= range(2)) return
       place%line = line
-      call catalogue%report%warn(place, what//" "//number_words(number)//" "//unit &
+      call catalogue%report%warn(place, what//" "//text(number)//" "//unit &
          & //" in the units "//trim(units%length)//", "//trim(units%time)//", "//trim(units%mass), &
          & "numbers in these units, or *CONTROL_UNITS with others")
    end subroutine look

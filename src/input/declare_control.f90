@@ -102,8 +102,8 @@ contains
          & default=0.9_wp, above=0.0_wp, most=1.0_wp)
       call keyword%zero_is_default()
       call keyword%add_unused("ISDO TSLIMT")
-      call keyword%add_real("DT2MS", "time", "mass scaling: where negative, elements whose " &
-         & //"stable step is below -DT2MS get as much mass as makes it that; 0 for none", &
+      call keyword%add_real("DT2MS", "time", "mass scaling: negative; elements with a " &
+         & //"stable step below -DT2MS get mass added until they reach it; 0 for none", &
          & default=0.0_wp)
       call keyword%add_integer("LCTM", "curve of the largest step over time; 0 for none", &
          & default=0, least=0)
@@ -139,8 +139,8 @@ contains
          & "Number of threads.")
       keyword%once = .true.
       call keyword%add_card()
-      call keyword%add_integer("NCPU", "threads; the word ncpu on the command line goes before, " &
-         & //"0 leaves it to OMP_NUM_THREADS. Results are the same to the last bit for any", &
+      call keyword%add_integer("NCPU", "number of threads; 0: as many as OMP_NUM_THREADS says. " &
+         & //"ncpu=N of the command line has precedence. Results do not depend on it", &
          & default=0, least=0)
       call keyword%add_unused("NUMRHS")
       call keyword%add_unused("CONST", neutral=[0.0_wp, 1.0_wp])

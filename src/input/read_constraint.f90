@@ -3,7 +3,6 @@ module plydyn_input_read_constraint
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_constraint, a_curve, a_node, catalogue_type
    use plydyn_model_constraint, only : constraint_term_type, constraint_type
    use plydyn_model_model, only : model_type
@@ -62,7 +61,7 @@ contains
       if (catalogue%stored_lines > 0) return
       jump = constraint%scale*model%curves(constraint%curve)%at(0.0_wp)
       if (abs(jump) > 0.0_wp) call catalogue%warn(cards, "LCID", "the sum jumps by " &
-         & //number_words(jump)//" in the first step", "a curve that is 0 at time 0")
+         & //text(jump)//" in the first step", "a curve that is 0 at time 0")
    end subroutine read_right_side
 
    !> Node, face, direction and coefficient of a row
@@ -104,16 +103,16 @@ contains
          end if
          do i = 1, size(model%constraints)
             if (.not. any_shares(model%constraints(i)%terms, term)) cycle
-            call catalogue%refuse(cards, "NID", node//" is in constraint " &
-               & //text(model%constraints(i)%id)//" already in this direction", "each point in " &
-               & //"one constraint", nth)
+            call catalogue%refuse(cards, "NID", "constraint " &
+               & //text(model%constraints(i)%id)//" has "//node//" in this direction already", &
+               & "each node and direction in one constraint only", nth)
          end do
-         if (is_led(model, term)) call catalogue%refuse(cards, "DOF", node//" is held or moved " &
-            & //"in this direction already", "a node that is free; a held one has no row, and " &
-            & //"the curve of *CONSTRAINED_FACE_LINEAR leads the sum", nth)
-         if (is_touched(model, term)) call catalogue%refuse(cards, "NID", node//" is on a face " &
-            & //"that an impactor or a fixture meets", "FACE of *CONSTRAINED_FACE_LINEAR " &
-            & //"on the other side: contact and constraint cannot both lead a point", nth)
+         if (is_led(model, term)) call catalogue%refuse(cards, "DOF", "the displacement of "//node &
+            & //" in this direction is prescribed by a *BOUNDARY keyword already", "a node that " &
+            & //"is free in this direction: leave the row out, or the *BOUNDARY keyword", nth)
+         if (is_touched(model, term)) call catalogue%refuse(cards, "NID", node//" lies on the " &
+            & //"contact face of an impactor or a fixture, where a constraint is not possible", &
+            & "*CONSTRAINED_FACE_LINEAR with the FACE that has no contact, or another node", nth)
       end associate
    end subroutine check_term
 

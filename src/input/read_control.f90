@@ -79,8 +79,9 @@ contains
       model%control%step_factor = cards%real("TSSFAC")
       model%control%mass_scaled_step = max(0.0_wp, -cards%real("DT2MS"))
       if (cards%real("DT2MS") > 0.0_wp) call catalogue%refuse(cards, "DT2MS", "a positive value, " &
-         & //"which gives all elements the same step, is not supported", "the negative of the " &
-         & //"smallest stable step that elements shall have")
+         & //"which adds mass to all elements until they have the same stable step, is not " &
+         & //"supported", "a negative value: elements with a stable step below -DT2MS get mass " &
+         & //"added until they reach it")
       ! of the card of a restart all fields count
       model%control%step_curve = 0
       if (cards%integer("LCTM") > 0) then
@@ -132,11 +133,12 @@ contains
          end if
          if (control%scheme == all_explicit) return
          if (size(model%mesh%brick_id) > 0) then
-            call catalogue%refuse(cards, "IMPL", "no scheme but 0 goes with bricks", "0")
+            call catalogue%refuse(cards, "IMPL", "bricks (*ELEMENT_SOLID) have explicit time " &
+               & //"integration only", "0")
          else if (size(model%constraints) > 0) then
-            call catalogue%refuse(cards, "IMPL", "implicit inertia joins the points of a column, " &
-               & //"which does not go with *CONSTRAINED_LINEAR_GLOBAL and " &
-               & //"*CONSTRAINED_FACE_LINEAR", "0")
+            call catalogue%refuse(cards, "IMPL", "*CONSTRAINED_LINEAR_GLOBAL and " &
+               & //"*CONSTRAINED_FACE_LINEAR need explicit time integration", "0, or no " &
+               & //"constraint")
          else if (control%scheme == implicit_interfaces .and. .not. has_interfaces(model)) then
             ! the card that joins plies may be the one that is wrong
             if (.not. catalogue%report%has_errors()) call catalogue%refuse(cards, "IMPL", &
@@ -144,8 +146,8 @@ contains
                & "0, or *INTERFACE_COHESIVE between plies")
          else if (control%scheme == implicit_thickness &
             & .and. any(model%motions%face /= all_planes)) then
-            call catalogue%refuse(cards, "IMPL", "2 couples all points above a node, which does " &
-               & //"not go with *BOUNDARY_FACE_MOTION on one face", &
+            call catalogue%refuse(cards, "IMPL", "2, implicit through the thickness, is not " &
+               & //"possible with *BOUNDARY_FACE_MOTION of one face only", &
                & "1, or *BOUNDARY_PRESCRIBED_MOTION_SET, which moves all planes")
          end if
       end associate

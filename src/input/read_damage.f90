@@ -4,7 +4,6 @@ module plydyn_input_read_damage
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, catalogue_type
    use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
@@ -82,10 +81,10 @@ contains
       do i = 1, size(names)
          if (.not. (cards%has(names(i)) .and. cards%has(trim(moduli(i))))) cycle
          if (cards%real(names(i)) < modulus(i)) cycle
-         call catalogue%refuse(cards, names(i), names(i)//" is "//number_words(cards%real( &
-            & names(i)))//": damage would start at a strain of "//number_words( &
+         call catalogue%refuse(cards, names(i), names(i)//" is "//text(cards%real( &
+            & names(i)))//": damage would start at a strain of "//text( &
             & cards%real(names(i))/modulus(i)), "a strength far below "//trim(moduli(i))//" = " &
-            & //number_words(modulus(i))//", in the same unit")
+            & //text(modulus(i))//", in the same unit")
       end do
    end subroutine check_strengths
 
@@ -104,8 +103,9 @@ contains
       ply%plateau = cards%real("PLATEAU")
       ply%brittle = cards%real("BRITTLE")
       if (min(ply%plateau, ply%brittle) > 0.0_wp) then
-         call catalogue%refuse(cards, "BRITTLE", "crushed fibres cannot keep PLATEAU "// &
-            & number_words(ply%plateau)//" and drop", "0 for one of the two")
+         call catalogue%refuse(cards, "BRITTLE", "PLATEAU = "//text(ply%plateau) &
+            & //" keeps stress in crushed fibres, and BRITTLE drops it at once", "0 for PLATEAU " &
+            & //"or for BRITTLE")
       end if
       ply%weakens_across = choice(cards, "GZ") == 0
       if (ply%onset == onset_hashin .and. cards%is_fine("ST") &
@@ -131,7 +131,7 @@ contains
       missing = minloc(radius, 1)
       if (radius(missing) <= 0.0_wp) then
          call catalogue%refuse(cards, names(missing), names(missing)//" is missing beside " &
-            & //names(3 - missing)//" = "//number_words(radius(3 - missing)), "both radii of the " &
+            & //names(3 - missing)//" = "//text(radius(3 - missing)), "both radii of the " &
             & //"ellipse, or none")
       else if (ply%closes) then
          call catalogue%refuse(cards, "CLOSE", "cracks that close do not go with an average over " &
@@ -166,8 +166,8 @@ contains
          if (.not. cards%is_fine("GAMU")) return
          if (cards%real("GAMU")*ply%shear(1) <= ply%shear_strength) then
             call catalogue%refuse(cards, "GAMU", "the shear curve cannot reach SL at a strain of " &
-               & //number_words(cards%real("GAMU")), "a strain above SL/G12 = " &
-               & //number_words(ply%shear_strength/ply%shear(1)))
+               & //text(cards%real("GAMU")), "a strain above SL/G12 = " &
+               & //text(ply%shear_strength/ply%shear(1)))
             return
          end if
          ply%curve = new_exponential_curve(ply%shear(1), ply%shear_strength, cards%real("GAMU"))
@@ -182,7 +182,7 @@ contains
          if (curve == 0) return
          ply%curve = new_table_curve(curves(curve)%x, curves(curve)%y)
          call check_shear(cards, "LCID", ply, "stress over strain from 0, 0, rising with a slope " &
-            & //"of G12 = "//number_words(ply%shear(1))//" at most", catalogue)
+            & //"of G12 = "//text(ply%shear(1))//" at most", catalogue)
       case (power)
          if (.not. (cards%is_fine("ALPHA") .and. cards%is_fine("N"))) return
          ply%curve = new_power_curve(ply%shear(1)*cards%real("ALPHA"), cards%real("N"))
@@ -294,8 +294,8 @@ contains
             strains%finish(i, j) = cards%real(last)
             if (strains%finish(i, j) > strains%onset(i, j)) cycle
             call catalogue%refuse(cards, last, "damage would be complete at " &
-               & //number_words(strains%finish(i, j))//" and begin at " &
-               & //number_words(strains%onset(i, j)), "a strain above "//first)
+               & //text(strains%finish(i, j))//" and begin at " &
+               & //text(strains%onset(i, j)), "a strain above "//first)
          end do
       end do
    end subroutine read_strains

@@ -1,8 +1,8 @@
 !> Reader of plies whose matrix cracks on planes of fracture.
 module plydyn_input_read_fracture
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_input_read_damage, only : check_strengths, choice, rules
    use plydyn_input_read_material, only : begin_material, read_ply
@@ -68,8 +68,8 @@ contains
             call catalogue%refuse(cards, "ALPHA", "ALPHA is missing", "ALPHA such that " &
                & //"ALPHA SL**N is the permanent strain at the strength, above 0")
          else if (ply%exponent <= 1.0_wp) then
-            call catalogue%refuse(cards, "N", "N is "//number_words(ply%exponent), &
-               & "an exponent above 1, for which SHEAR 3 hardens less and less")
+            call catalogue%refuse(cards, "N", "N is "//text(ply%exponent)//", with which the " &
+               & //"stress of SHEAR 3 would not level off", "an exponent above 1")
          else
             ply%shear_curve = shear_power
          end if
@@ -78,9 +78,9 @@ contains
          ply%first_yield = cards%real("SP")
          ply%hardening = cards%real("KP")
          if (ply%first_yield <= 0.0_wp .or. ply%first_yield >= ply%shear_strength) then
-            call catalogue%refuse(cards, "SP", "shear would yield at "// &
-               & number_words(ply%first_yield)//" and crack at SL = " &
-               & //number_words(ply%shear_strength), "a stress above 0 and below SL")
+            call catalogue%refuse(cards, "SP", "SP = "//text(ply%first_yield) &
+               & //", where permanent shear strain begins, is not between 0 and the shear " &
+               & //"strength SL = "//text(ply%shear_strength), "a stress above 0 and below SL")
          else if (ply%hardening <= 0.0_wp) then
             call catalogue%refuse(cards, "KP", "KP is missing: without hardening the stress " &
                & //"would never reach SL", "a share of the modulus above 0, such as 0.05")
@@ -108,7 +108,7 @@ contains
       if (maxval(value) > 0.0_wp .and. value(missing) <= 0.0_wp) then
          call catalogue%refuse(cards, trim(names(missing)), trim(names(missing)) &
             & //" is missing beside "//trim(names(3 - missing))//" = " &
-            & //number_words(value(3 - missing)), "both numbers of the debris, or none")
+            & //text(value(3 - missing)), "both numbers of the debris, or none")
       end if
       ply%debris_limit = value(1)
       ply%debris_share = value(2)

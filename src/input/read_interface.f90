@@ -3,7 +3,6 @@ module plydyn_input_read_interface
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
@@ -62,10 +61,10 @@ contains
             & constants%strength(shear))
          if (cards%has("XMU") .and. (constants%exponent < least_exponent .or. &
             & constants%exponent > most_exponent)) then
-            call catalogue%refuse(cards, "XMU", "XMU cannot be "//number_words(cards%real("XMU")), &
-               & "from "//number_words(least_exponent)//" to "//number_words(most_exponent) &
-               & //" for the power law, from "//number_words(-most_exponent)//" to " &
-               & //number_words(-least_exponent)//" for Benzeggagh-Kenane")
+            call catalogue%refuse(cards, "XMU", "XMU cannot be "//text(cards%real("XMU")), &
+               & "from "//text(least_exponent)//" to "//text(most_exponent) &
+               & //" for the power law, from "//text(-most_exponent)//" to " &
+               & //text(-least_exponent)//" for Benzeggagh-Kenane")
          else if (all(constants%strength > 0.0_wp)) then
             call refuse_findings(cards, constants, catalogue)
          end if
@@ -149,7 +148,7 @@ contains
          if (abs(strength*ultimate/(2.0_wp*toughness) - 1.0_wp) <= same_strength) return
          call catalogue%refuse(cards, names(2), trim(names(1))//" and "//trim(names(2)) &
             & //" do not fit to the toughness", "one of them, and 0 for the other; "//trim( &
-            & names(2))//" "//number_words(2.0_wp*toughness/strength)//" follows from "//trim( &
+            & names(2))//" "//text(2.0_wp*toughness/strength)//" follows from "//trim( &
             & names(1)))
       else if (ultimate > 0.0_wp) then
          strength = 2.0_wp*toughness/ultimate

@@ -3,7 +3,6 @@ module plydyn_input_read_material
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_material, catalogue_type
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_orthotropic, only : elastic_constants_type
@@ -54,7 +53,7 @@ contains
       if (poisson > least_poisson .and. poisson < most_poisson) then
          law%shear(:) = cards%real("E")/(2.0_wp*(1.0_wp + poisson))
       else
-         call catalogue%refuse(cards, "PR", "PR cannot be "//number_words(poisson), &
+         call catalogue%refuse(cards, "PR", "PR cannot be "//text(poisson), &
             & "a number above -1 and below 0.5, or a strain would give energy")
       end if
    end subroutine read_isotropic
@@ -153,9 +152,9 @@ contains
          share(i) = law%poisson(i)/bound
          if (abs(share(i)) < 1.0_wp) cycle
          call catalogue%refuse(cards, names(i), "Poisson's ratio nu"//text(first(i)) &
-            & //text(second(i))//" = "//number_words(law%poisson(i)) &
+            & //text(second(i))//" = "//text(law%poisson(i)) &
             & //" is too large for these moduli", "less than sqrt(E"//text(first(i))//"/E" &
-            & //text(second(i))//") = "//number_words(bound)//" in size, or a strain " &
+            & //text(second(i))//") = "//text(bound)//" in size, or a strain " &
             & //"would give energy")
          return
       end do
@@ -164,7 +163,7 @@ contains
       call catalogue%refuse(cards, names(3), &
          & "the three Poisson's ratios together are too large for these moduli", &
          & "a positive definite compliance: 1 - nu12 nu21 - nu13 nu31 - nu23 nu32 " &
-         & //"- 2 nu12 nu23 nu31 above 0, here it is "//number_words(determinant))
+         & //"- 2 nu12 nu23 nu31 above 0, here it is "//text(determinant))
    end subroutine check_stability
 
 end module plydyn_input_read_material

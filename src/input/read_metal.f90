@@ -3,7 +3,6 @@ module plydyn_input_read_metal
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_table, catalogue_type, table_type
    use plydyn_input_declare_metal, only : card_points
    use plydyn_input_read_material, only : begin_material, read_isotropic
@@ -196,13 +195,13 @@ contains
       do i = last + 1, card_points
          if (cards%real("ES"//text(i)) <= 0.0_wp) cycle
          call catalogue%refuse(cards, "ES"//text(i), "a point of the yield curve has no strain", &
-            & "EPS"//text(i)//" above "//number_words(curve%x(last))//", or 0 here")
+            & "EPS"//text(i)//" above "//text(curve%x(last))//", or 0 here")
          return
       end do
       do i = 2, last
          if (curve%x(i) > curve%x(i - 1)) cycle
          call catalogue%refuse(cards, "EPS"//text(i), "the plastic strain does not increase", &
-            & "more than the "//number_words(curve%x(i - 1))//" of the point before")
+            & "more than the "//text(curve%x(i - 1))//" of the point before")
          return
       end do
       call check_curve(cards, "EPS1", curve, catalogue)
@@ -283,7 +282,7 @@ contains
       do i = 2, size(table%value)
          if (table%value(i) > table%value(i - 1)) cycle
          call catalogue%refuse(cards, "VALUE", "the value does not increase", &
-            & "more than the "//number_words(table%value(i - 1))//" of the line before", i)
+            & "more than the "//text(table%value(i - 1))//" of the line before", i)
       end do
       catalogue%tables = [catalogue%tables, table]
    end subroutine add_table
@@ -298,10 +297,10 @@ contains
 
       if (abs(curve%x(1)) > 0.0_wp) then
          call catalogue%refuse(cards, name, "the yield stress starts at the plastic strain " &
-            & //number_words(curve%x(1)), "a first point at plastic strain 0")
+            & //text(curve%x(1)), "a first point at plastic strain 0")
       else if (any(curve%y <= 0.0_wp)) then
          call catalogue%refuse(cards, name, "the yield stress is " &
-            & //number_words(minval(curve%y))//" somewhere", "a yield stress above 0 everywhere")
+            & //text(minval(curve%y))//" somewhere", "a yield stress above 0 everywhere")
       end if
    end subroutine check_curve
 
@@ -325,7 +324,7 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       if (tangent < young) return
-      call catalogue%refuse(cards, "ETAN", "ETAN cannot be "//number_words(tangent), &
+      call catalogue%refuse(cards, "ETAN", "ETAN cannot be "//text(tangent), &
          & "a slope below Young's modulus E")
    end subroutine check_tangent
 

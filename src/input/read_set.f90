@@ -3,7 +3,6 @@ module plydyn_input_read_set
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_box, a_curve, a_node, a_node_set, a_quad, a_quad_set, &
       & box_type, catalogue_type
    use plydyn_model_curve, only : curve_type
@@ -86,8 +85,9 @@ contains
       box%high(:) = cards%reals(high)
       do i = 1, size(low)
          if (box%low(i) <= box%high(i) .or. .not. cards%has(high(i))) cycle
-         call catalogue%refuse(cards, high(i), high(i)//" is below "//low(i), &
-            & "the larger one of the two")
+         call catalogue%refuse(cards, high(i), high(i)//" = "//text(box%high(i)) &
+            & //" is less than "//low(i)//" = "//text(box%low(i)), "the larger coordinate in " &
+            & //high(i)//", the smaller one in "//low(i))
       end do
       catalogue%boxes = [catalogue%boxes, box]
    end subroutine read_define_box
@@ -110,7 +110,7 @@ contains
       do nth = 2, size(curve%x)
          if (curve%x(nth) > curve%x(nth - 1) .or. .not. cards%has("A1", nth)) cycle
          call catalogue%refuse(cards, "A1", "the abscissa does not increase", &
-            & "more than the "//number_words(cards%real("A1", nth - 1)) &
+            & "more than the "//text(cards%real("A1", nth - 1)) &
             & //" of the point before", nth)
       end do
       if (size(curve%x) > 0 .and. size(curve%x) < fewest_points) then

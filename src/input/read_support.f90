@@ -3,7 +3,6 @@ module plydyn_input_read_support
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_values, only : number_words
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, catalogue_type
    use plydyn_input_read_load, only : find_curve
    use plydyn_model_curve, only : curve_type
@@ -90,7 +89,7 @@ contains
       associate (nearest => layers%nearest_node(support%height))
          if (.not. layers%coincide(nearest, support%height)) then
             call catalogue%refuse(cards, "Z", "no thickness node lies at this height", &
-               & "the height of one, such as "//number_words(nearest), nth)
+               & "the height of one, such as "//text(nearest), nth)
          else if (layers%coincide(nearest, layers%bottom(1))) then
             support%face = bottom_face
          else if (layers%coincide(nearest, layers%top(size(layers%top)))) then
@@ -189,7 +188,7 @@ contains
       select case (face)
       case (bottom_face); words = " bottom"
       case (top_face); words = " top"
-      case (one_plane); words = " z "//number_words(height)
+      case (one_plane); words = " z "//text(height)
       case default; words = ""
       end select
    end function face_words
@@ -240,7 +239,7 @@ contains
       if (catalogue%report%has_errors() .or. catalogue%stored_lines > 0) return
       jump = motion%scale*curves(motion%curve)%at(0.0_wp)
       if (abs(jump) > 0.0_wp) call catalogue%warn(cards, "LCID", "the points jump by " &
-         & //number_words(jump)//" in the first step", "a curve that is 0 at time 0", nth)
+         & //text(jump)//" in the first step", "a curve that is 0 at time 0", nth)
    end subroutine check_jump
 
    !> A point cannot be held and moved, or moved twice, in one direction

@@ -1,6 +1,7 @@
 !> Fields that impactors and fixtures share: friction coefficients and curves of a motion.
 module plydyn_input_rigid_body
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_contact_solve_coulomb, only : friction_type
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
@@ -57,8 +58,9 @@ contains
          is_idle = friction%dynamic > 0.0_wp .and. abs(friction%dynamic - friction%static) > 0.0_wp
          if (is_idle) call catalogue%warn_idle(cards, "FD", "DC above 0")
       else if (friction%dynamic > friction%static) then
-         call catalogue%refuse(cards, "FD", "the dynamic coefficient is larger than the static " &
-            & //"one", "FD of FS at most")
+         call catalogue%refuse(cards, "FD", "FD = "//text(friction%dynamic)//", the dynamic " &
+            & //"coefficient of friction, is larger than FS = "//text(friction%static) &
+            & //", the static one", "FD not larger than FS")
       end if
    end subroutine read_friction
 

@@ -53,9 +53,9 @@ contains
       call rename_file(path, path//was_read, good)
       if (good .and. identity%kind == regular_file) call take_lines(path, time, requests, good)
       if (.not. good) then
-         requests%answer = path//": cannot be read and set aside"
+         requests%answer = path//": cannot be read and is ignored"
       else if (identity%kind /= regular_file) then
-         requests%answer = path//": set aside, for it is no regular file"
+         requests%answer = path//": ignored, since it is no regular file"
       end if
    end subroutine take_requests
 
@@ -87,7 +87,7 @@ contains
       end do
       close (unit)
       if (i > most_answers + 1) requests%answer = answers//path//": and " &
-         & //text(i - 1 - most_answers)//" lines more, read likewise"//new_line("a")
+         & //text(i - 1 - most_answers)//" more lines, which are read too"//new_line("a")
       if (i > most) requests%answer = requests%answer//path//": lines beyond " &
          & //text(most)//" are not read"//new_line("a")
    end subroutine take_lines
@@ -114,12 +114,12 @@ contains
             & answer)
          blank = len(line) + 1
       case default
-         answer = "not understood, set aside; right would be "//words
+         answer = "not understood and ignored; right would be "//words
       end select
       if (len(line) > longest .and. answer == "taken") then
-         answer = "taken, but for what stands behind column "//text(longest)
+         answer = "taken; ignored is what follows column "//text(longest)
       else if (answer == "taken" .and. blank < len(line)) then
-         answer = "taken, but for what stands behind the first word"
+         answer = "taken; ignored is what follows the first word"
       end if
       requests%answer = requests%answer//path//": '"//printable(line)//"' "//answer//new_line("a")
    end subroutine take_line
@@ -149,9 +149,9 @@ contains
       if (status == 0) read (word, *, iostat=status) wanted
       if (status == 0) status = merge(0, 1, ieee_is_finite(wanted))
       if (status /= 0) then
-         answer = "not understood, set aside; right would be a time, as in end-time 0.005"
+         answer = "not understood and ignored; right would be a time, as in end-time 0.005"
       else if (wanted <= time) then
-         answer = "set aside: the run is at time "//text(time)//" already"
+         answer = "ignored: the run is at time "//text(time)//" already"
       else
          requests%end_time = wanted
       end if

@@ -63,11 +63,11 @@ def test_signal_stops_the_run(name: str, whole: Path, tmp_path: Path) -> None:
 def test_wall_time_stops_the_run(whole: Path, tmp_path: Path) -> None:
     """A limit below what the run takes leaves a restart file."""
     run = start(tmp_path / "broken", "--wall-time", "0:00.25")
-    goes_on(run, tmp_path / "broken", whole, "the wall-clock limit of 0.250000 s")
+    goes_on(run, tmp_path / "broken", whole, "the wall-clock limit of 0.25 s")
 
 
 def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:
-    """Nonsense is told and set aside, a restart file is written, and then the run is stopped."""
+    """Nonsense is told and ignored, a restart file is written, and then the run is stopped."""
     folder = tmp_path / "broken"
     run = start(folder)
     words = folder / "job.ctl"
@@ -79,9 +79,9 @@ def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:
     goes_on(run, folder, whole, str(words))
     assert len(list(folder.glob("job.dump??"))) == 2
     listing = (folder / "job.out").read_text()
-    assert "'please hurry' not understood, set aside; right would be stop, dump" in listing
+    assert "'please hurry' not understood and ignored; right would be stop, dump" in listing
     assert "'dump' taken" in listing
-    assert "'end-time 0' set aside: the run is at time" in listing
+    assert "'end-time 0' ignored: the run is at time" in listing
     assert "'?' not understood" in listing
 
 

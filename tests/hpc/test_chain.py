@@ -146,8 +146,8 @@ def test_bad_chains_are_refused(decks: list[Path], tmp_path: Path) -> None:
     folder = tmp_path / "results"
     first, settle, press = decks
     for line, words in [
-        ((first, press), "is stage 2, and stands in the place of stage 1"),
-        ((first, settle, settle), "is stage 1, and stands in the place of stage 2"),
+        ((first, press), "is stage 2 but is given as stage 1"),
+        ((first, settle, settle), "is stage 1 but is given as stage 2"),
         ((first, first), "is no stage"),
         ((first, tmp_path / "none.k"), "there is no deck"),
     ]:

@@ -17,7 +17,7 @@ module momentum_history
 
 contains
 
-   !> Create the file, or go on with it, where there is an impactor
+   !> Create the file, or append to the one of the restart, if there is an impactor
    subroutine open_momentum(self, job, simulation, error)
       class(momentum_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job

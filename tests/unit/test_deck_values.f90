@@ -1,10 +1,9 @@
 !> Texts of fields become numbers and words that the declaration accepts.
 program test_deck_values
-   use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : keyword_type, new_keyword, extension
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
-   use plydyn_deck_values, only : check_word, fault_type, number_words, range_words, read_number, &
+   use plydyn_deck_values, only : check_word, fault_type, range_words, read_number, &
       & split_words
    use testing, only : begin, check, finish
    implicit none
@@ -44,8 +43,8 @@ program test_deck_values
       call check_fault(2, "-&half", 1, "RADIUS cannot be -0.5")
       call check_fault(2, "0.0", 1, "RADIUS cannot be 0")
       call check_fault(2, "7O.0", 2, "not a number")
-      call check_fault(2, "1e101", 1, "RADIUS cannot be 1.0e101")
-      call check_fault(2, "1e-101", 1, "RADIUS cannot be 1.0e-101")
+      call check_fault(2, "1e101", 1, "RADIUS cannot be 1e101")
+      call check_fault(2, "1e-101", 1, "RADIUS cannot be 1e-101")
       call check_fault(3, "4", 1, "CID = 4 is not supported")
       call check_fault(4, "0", 1, "FACE cannot be 0")
 
@@ -63,18 +62,6 @@ program test_deck_values
       call check(range_words(fields(4)) == "-1, 1 or 2", "choices")
       call check(range_words(fields(5)) == "one of MM CM M", "words")
    end associate
-
-   call begin("number_words")
-   call check(number_words(0.25_wp) == "0.25", "no zeros at the end: "//number_words(0.25_wp))
-   call check(number_words(0.05_wp) == "0.05", "less than a tenth: "//number_words(0.05_wp))
-   call check(number_words(-0.0123456_wp) == "-0.0123456", "six digits of it")
-   call check(number_words(-3.0_wp) == "-3", "no point without need")
-   call check(number_words(1.6e-9_wp) == "1.6e-9", "small: "//number_words(1.6e-9_wp))
-   call check(number_words(2.5e12_wp) == "2.5e12", "large: "//number_words(2.5e12_wp))
-   call check(number_words(1.0e-9_wp) == "1.0e-9", "round: "//number_words(1.0e-9_wp))
-
-   call check(number_words(ieee_value(1.0_wp, ieee_quiet_nan)) == "NaN", "no number")
-   call check(number_words(ieee_value(1.0_wp, ieee_positive_inf)) == "Inf", "no end")
 
    call begin("split_words")
    call check(size(split_words(" a, b  c,")), 3, "blanks and commas part words")

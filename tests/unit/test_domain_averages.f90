@@ -292,7 +292,7 @@ contains
          & "place and radius")
       model%materials(1)%law%radius(:) = [0.05_wp, 0.07_wp]
       call build_domain(model, domain, error)
-      call check_error(error, "R1 = 0.500000E-1 is nowhere as large as the cell", &
+      call check_error(error, "R1 = 0.05 is nowhere as large as the cell", &
          & "what is wrong")
    end subroutine test_refused
 

@@ -51,15 +51,15 @@ program test_input_read_constraint
       & //"*CONSTRAINED_FACE_LINEAR|5|1,1,3,1.0|3,-1,3,1.0|")
    call check(.not. allocated(error), "another face than that of the support")
    call read_plate(set//"*BOUNDARY_FACE|1,-1,0,0,0,1|*CONSTRAINED_LINEAR_GLOBAL|5,|1,3,1.0|")
-   call check_error(error, "DOF: node 1 is held or moved", "a mean over a held face")
+   call check_error(error, "DOF: the displacement of node 1", "a mean over a held face")
    call read_plate(set//curve//"*BOUNDARY_FACE_MOTION|1,1,1,2,3|" &
       & //"*CONSTRAINED_FACE_LINEAR|5|2,1,1,1.0|")
-   call check_error(error, "DOF: node 2 is held or moved", "a point that is moved")
+   call check_error(error, "DOF: the displacement of node 2", "a point that is moved")
    call read_plate("*CONSTRAINED_FACE_LINEAR|5|1,1,3,1.0|2,1,3,1.0|" &
       & //"*CONSTRAINED_FACE_LINEAR|6|1,-1,3,1.0|1,1,2,1.0|")
    call check(.not. allocated(error), "constraints of other faces and directions")
    call read_plate("*CONSTRAINED_FACE_LINEAR|5|1,1,3,1.0|*CONSTRAINED_LINEAR_GLOBAL|6,|1,3,1.0|")
-   call check_error(error, "NID: node 1 is in constraint 5 already", "a shared point")
+   call check_error(error, "NID: constraint 5 has node 1", "a shared point")
    call read_plate("*CONSTRAINED_LINEAR_GLOBAL|6,|1,3,1.0|1,3,2.0|")
    call check_error(error, "NID: node 1 is in the constraint twice", "a point twice")
    call read_plate("*CONSTRAINED_LINEAR_GLOBAL|6,|1,3,0.0|")

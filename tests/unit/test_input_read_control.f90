@@ -57,7 +57,7 @@ program test_input_read_control
    call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,-2.e-6|*CONTROL_LAYERWISE|0,0.1,0,1.e-6|")
    call check_error(error, "but DTMAX of *CONTROL_LAYERWISE", "mass for nothing is refused")
    call read_plate("*CONTROL_TIMESTEP|0.,0.8,0,0.,-2.e-6,3|*DEFINE_CURVE|3,|0.,1.e-6|1.,1.e-6|")
-   call check_error(error, "or the curve LCTM keeps it at 0.1", "a curve counts as well")
+   call check_error(error, "or the curve LCTM keeps it at 1e-6", "a curve counts as well")
 
    call begin("read_control_termination")
    call read_lines(path, "*KEYWORD|*CONTROL_TERMINATION|2.0,100,0.01,0.,0.,1|" &

@@ -25,7 +25,8 @@ module plydyn_io_csv_constraint_history
 
 contains
 
-   !> Create the file, or go on with it, if the deck has constraints and asks for forces of supports
+   !> Create the file, or append to that of the restart, if the deck has constraints and asks for
+   !> forces of supports
    subroutine open_constraints(self, job, simulation, error)
       class(constraint_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job

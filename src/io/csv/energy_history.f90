@@ -27,7 +27,7 @@ module plydyn_io_csv_energy_history
 
 contains
 
-   !> Create the file, or go on with it
+   !> Create the file, or append to the one of the restart
    subroutine open_energies(self, job, simulation, error)
       class(energy_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job

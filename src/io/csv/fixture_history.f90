@@ -38,7 +38,7 @@ contains
       self%fixture = fixture
    end function new_fixture_history
 
-   !> Create the file, or go on with it
+   !> Create the file, or append to the one of the restart
    subroutine open_fixture(self, job, simulation, error)
       class(fixture_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job

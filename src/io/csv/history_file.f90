@@ -53,7 +53,7 @@ module plydyn_io_csv_history_file
 
 contains
 
-   !> Create the file and write the headers, such as `force [N]`; or go on with it
+   !> Create the file and write the headers, such as `force [N]`, or append to a file
    subroutine open_history(self, path, names, units, positions, error)
       !> The history
       class(history_file_type), intent(inout) :: self

@@ -106,7 +106,7 @@ contains
       call self%comm%broadcast(error)
    end subroutine close_recorder
 
-   !> Let the root create the file, or go on with it. All ranks come here
+   !> Let the root create the file, or append to the one of the restart. All ranks come here
    subroutine open_file(self, job, simulation, ending, names, units, interval, error)
       class(history_recorder_type), intent(inout) :: self
       type(job_type), intent(in) :: job

@@ -39,7 +39,7 @@ contains
       self%reads_motion = .false.
    end function new_impactor_history
 
-   !> Create the file, or go on with it
+   !> Create the file, or append to the one of the restart
    subroutine open_impactor(self, job, simulation, error)
       class(impactor_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job

@@ -90,7 +90,7 @@ contains
       end do
    end subroutine find_names
 
-   !> Begin the table, or go on with it
+   !> Begin the table, or continue the one of the restart
    subroutine open_table(self, job, simulation, names, error)
       class(support_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job
