@@ -138,7 +138,7 @@ def test_page_of_a_chain(own_job: Path, tmp_path: Path) -> None:
 
 
 def test_a_job_that_nothing_presses_is_refused(own_job: Path, tmp_path: Path) -> None:
-    with pytest.raises(ResultsError, match="supports"):
+    with pytest.raises(ResultsError, match=r"no history of support forces.*support_interval"):
         read_compression(open_results(own_job))
     test = write_test(tmp_path)
     with pytest.raises(ResultsError, match="no profile 9"):
@@ -146,3 +146,15 @@ def test_a_job_that_nothing_presses_is_refused(own_job: Path, tmp_path: Path) ->
     with pytest.raises(ResultsError, match="no profile 3"):
         read_compression(test.job, Places(gauges=(2, 3)))
     assert len(read_compression(test.job).gauges) == 1
+    for path in tmp_path.glob("pressed.profile_*.csv"):
+        path.unlink()
+    with pytest.raises(ResultsError, match=r"no profile, .*outputs\.profiles"):
+        read_compression(test.job)
+
+
+def test_a_missing_history_is_told_by_its_key(own_job: Path, tmp_path: Path) -> None:
+    write_test(tmp_path)
+    (tmp_path / "pressed.supports.csv").unlink()
+    result = CliRunner().invoke(app, ["compression", str(own_job), str(tmp_path / "pressed")])
+    assert result.exit_code == 2
+    assert "give outputs.support_interval in the stage of the recipe" in result.output

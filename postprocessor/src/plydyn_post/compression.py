@@ -136,6 +136,7 @@ class Compression:
 def read_compression(job: Results, places: Places | None = None) -> Compression:
     """A test from the force of what moves the end, and the profiles at the places."""
     places = places or Places()
+    _check_histories(job)
     supports = job.supports()
     time, (axis, force) = supports["time"], _pushing(supports, job)
     low, high, thickness = _extent(job)
@@ -161,6 +162,20 @@ def read_compression(job: Results, places: Places | None = None) -> Compression:
     )
 
 
+def _check_histories(job: Results) -> None:
+    """Refuse a job without the histories that a strength is computed from."""
+    if not job.has("supports"):
+        raise ResultsError(
+            f"{job.job} has no history of support forces, from which the strength is computed: give"
+            " outputs.support_interval in the stage of the recipe (*DATABASE_SPCFORC in its deck)"
+        )
+    if not job.profiles:
+        raise ResultsError(
+            f"{job.job} has no profile, from which the end shortening is read: give"
+            " [[outputs.profiles]] in the recipe (*DATABASE_PROFILE in its first deck)"
+        )
+
+
 def _chosen(job: Results, places: Places) -> tuple[tuple[int, ...], int | None]:
     """Profiles at the gauges and in the middle: what was asked for, else what is there."""
     gauges, middle = places.gauges, places.middle
@@ -169,6 +184,13 @@ def _chosen(job: Results, places: Places) -> tuple[tuple[int, ...], int | None]:
     if middle is None and MIDDLE in job.profiles:
         middle = MIDDLE
     return gauges, middle
+
+
+def is_shortened(test: Compression, end: int = 1) -> bool:
+    """Whether the loaded end is pressed, and not pulled, at the peak of the stress."""
+    letter = "xyz"[test.axis]
+    faces = _faces(test.job, end, f"e{letter}{letter}", test.time)
+    return float(sum(face[test.peak] - face[0] for face in faces)) < 0.0
 
 
 def _gauge(job: Results, number: int, axis: int, time: np.ndarray) -> Gauge:

@@ -1,22 +1,30 @@
-"""The command of plydyn-post about compression after impact."""
+"""The commands of plydyn-post about chains of stages and compression after impact."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Annotated
 
 import typer
 from rich.table import Table as PrintedTable
 
 from plydyn_post.commands import Folder, Measured, app, beside, console, progress, tells_errors
-from plydyn_post.compression import Places, read_compression
+from plydyn_post.compression import Compression, Places, is_shortened, read_compression
 from plydyn_post.compression_report import compression_report, report_tasks, strength_table
+from plydyn_post.errors import ResultsError
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan
-from plydyn_post.results import open_results
+from plydyn_post.report import Report
+from plydyn_post.results import Results, open_results
+from plydyn_post.stages_report import stage_table, stages_report, stages_tasks
 
 Stages = Annotated[
     list[str], typer.Argument(help="Jobs of the stages in their order; the last is the test.")
 ]
+Pristine = Annotated[
+    str | None, typer.Option("--pristine", help="Job of the same test without an impact.")
+]
+Plain = Annotated[bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")]
 
 
 @app.command()
@@ -24,9 +32,7 @@ Stages = Annotated[
 def compression(
     jobs: Stages,
     output: Folder = None,
-    pristine: Annotated[
-        str | None, typer.Option("--pristine", help="Job of the same test without an impact.")
-    ] = None,
+    pristine: Pristine = None,
     end: Annotated[int, typer.Option("--end", help="Profile at the loaded end.")] = 1,
     gauge: Annotated[
         list[int] | None,
@@ -36,9 +42,7 @@ def compression(
         int | None, typer.Option("--middle", help="Profile at the centre of the plate.  [4]")
     ] = None,
     measured: Measured = None,
-    plain: Annotated[
-        bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")
-    ] = False,
+    plain: Plain = False,
 ) -> None:
     """Strength after impact: one page over all stages, and the strength as a CSV."""
     found = tuple(open_results(job) for job in jobs)
@@ -46,12 +50,58 @@ def compression(
     test = read_compression(found[-1], places)
     sound = read_compression(open_results(pristine), places) if pristine else None
     plan = Plan(found, output or beside(found[-1], "report"), tuple(measured or ()), plain=plain)
+    _report_test(plan, test, sound)
+
+
+@app.command()
+@tells_errors
+def stages(
+    jobs: Annotated[list[str], typer.Argument(help="Jobs of the stages in their order.")],
+    output: Folder = None,
+    pristine: Pristine = None,
+    measured: Measured = None,
+    plain: Plain = False,
+) -> None:
+    """One page over the stages of any chain; a compression test is reported as by `compression`."""
+    found = tuple(open_results(job) for job in jobs)
+    plan = Plan(found, output or beside(found[0], "report"), tuple(measured or ()), plain=plain)
+    test, why = _test_of(found[-1])
+    if test is not None:
+        sound = read_compression(open_results(pristine)) if pristine else None
+        _report_test(plan, test, sound)
+        return
+    if pristine:
+        raise ResultsError(f"--pristine needs a compression test as the last stage: {why}")
+    notes = () if len(found) == 1 or found[-1].impactors else (f"no strength is computed: {why}",)
+    with progress(len(stages_tasks(plan))) as tick:
+        made = stages_report(plan, notes, tick)
+    _print(stage_table(found))
+    _print_files(made)
+
+
+def _test_of(job: Results) -> tuple[Compression | None, str]:
+    """The compression test of a job, or why it is none."""
+    try:
+        test = read_compression(job)
+        shortened = is_shortened(test)
+    except ResultsError as error:
+        return None, str(error)
+    return (test, "") if shortened else (None, f"{job.job} is pulled and not compressed")
+
+
+def _report_test(plan: Plan, test: Compression, sound: Compression | None) -> None:
+    """Make the page of a compression test, and print its numbers."""
     with progress(len(report_tasks(plan, test, sound))) as tick:
         made = compression_report(plan, test, sound, tick)
     _print(strength_table(test, sound))
+    _print_files(made, [plan.folder / "strength.csv"])
+
+
+def _print_files(made: Report, more: Sequence[object] = ()) -> None:
+    """Print notes and the names of what was made."""
     for note in made.notes:
         console.print(f"note: {note}", markup=False)
-    for path in (*made.files, plan.folder / "strength.csv", made.page):
+    for path in (*made.files, *more, made.page):
         console.print(str(path), markup=False)
 
 

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-
-import numpy as np
 
 from plydyn_post.compression import EVENTS, MOST_BENDING, QUASI_STATIC, Compression
 from plydyn_post.compression_figures import (
@@ -21,8 +19,8 @@ from plydyn_post.compression_place import place_words
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task
-from plydyn_post.report import Report, make_report, tasks_of
-from plydyn_post.results import Results
+from plydyn_post.report import Report, make_report
+from plydyn_post.stages_report import stage_table, tasks_of_stage
 from plydyn_post.units import in_brackets, readable
 
 #: Section of the impact that says nothing of the strength
@@ -66,51 +64,12 @@ def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) ->
         draw = partial(draw_delamination, test)
         text = "Delaminated area over end shortening."
         tasks.append(Task("Compression", "compression_delamination", text, draw))
-    struck = [job for job in plan.jobs if job.impactors]
-    for job in struck:
-        tasks += [task for task in tasks_of(_alone(plan, job)) if task.section != LEFT_OUT]
-    if test.job not in struck:
-        tasks += damage_tasks(_alone(plan, test.job))
+    for job in plan.jobs:
+        if job.impactors:
+            tasks += [task for task in tasks_of_stage(plan, job) if task.section != LEFT_OUT]
+    if not test.job.impactors:
+        tasks += damage_tasks(plan.alone(test.job))
     return tasks
-
-
-def _alone(plan: Plan, job: Results) -> Plan:
-    """The plan of one job; its measured curves are those of an impact."""
-    return Plan((job,), plan.folder, plan.measured, plan.window, None, plan.plain)
-
-
-def stage_table(jobs: Sequence[Results]) -> PageTable:
-    """Time, energy taken and delaminated area at the end of every stage."""
-    rows = []
-    time_unit = energy_unit = area_unit = ""
-    for job in jobs:
-        energy = job.energy()
-        time = readable(energy.unit("time"), float(energy["time"][-1]))
-        spent = readable(energy.unit("internal"), 1.0e9)
-        time_unit, energy_unit = time.unit, spent.unit
-        dissipated = energy.get("dissipated")
-        area = "–"
-        if job.has("delamination"):
-            table = job.delamination()
-            area_unit = table.unit("projected area")
-            area = f"{table['projected area'][-1]:.4g}"
-        rows.append(
-            (
-                job.job,
-                f"{energy['time'][0] * time.factor:.4g} to {energy['time'][-1] * time.factor:.4g}",
-                "–" if dissipated is None else f"{dissipated[-1] * spent.factor:.4g}",
-                area,
-                f"{100.0 * float(np.max(np.abs(energy['error']))):.2g}",
-            )
-        )
-    headings = (
-        "stage",
-        in_brackets("time", time_unit),
-        in_brackets("dissipated", energy_unit),
-        in_brackets("delaminated, seen from above", area_unit),
-        "energy error [%]",
-    )
-    return PageTable("Stages", headings, tuple(rows), "At the end of each stage.")
 
 
 def strength_table(test: Compression, pristine: Compression | None) -> PageTable:

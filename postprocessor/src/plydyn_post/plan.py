@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from plydyn_post.results import Results
@@ -19,6 +19,10 @@ class Plan:
     window: float | None = None  # of the running mean, in time
     time: float | None = None  # of pictures and profiles
     plain: bool = False  # pictures by matplotlib
+
+    def alone(self, job: Results) -> Plan:
+        """The plan of one job; its measured curves are those of an impact."""
+        return replace(self, jobs=(job,), time=None)
 
 
 @dataclass(frozen=True)

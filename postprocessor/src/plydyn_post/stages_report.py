@@ -1,0 +1,81 @@
+"""One page over a chain of stages: what each one came to, with its figures and pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from plydyn_post.motion_figures import draw_motions, moves
+from plydyn_post.page import PageTable
+from plydyn_post.plan import Plan, Task, file_name
+from plydyn_post.report import Report, make_report, tasks_of
+from plydyn_post.results import Results
+from plydyn_post.units import in_brackets, readable
+
+
+def stages_report(
+    plan: Plan, notes: Sequence[str] = (), tick: Callable[[str], None] = lambda _: None
+) -> Report:
+    """Write the page: a table of the stages, and the figures and pictures of each."""
+    plan.folder.mkdir(parents=True, exist_ok=True)
+    return make_report(plan, stages_tasks(plan), tick, (stage_table(plan.jobs),), notes)
+
+
+def stages_tasks(plan: Plan) -> list[Task]:
+    """All images of all stages."""
+    return [task for job in plan.jobs for task in tasks_of_stage(plan, job)]
+
+
+def tasks_of_stage(plan: Plan, job: Results) -> list[Task]:
+    """All images of a stage; where several stages have an impactor, their names tell them apart."""
+    tasks = tasks_of(plan.alone(job))
+    if moves(job):
+        words = f"Forces of what is moved in {job.job}."
+        draw = partial(draw_motions, job)
+        tasks.append(Task("Moved ends", f"motions_{file_name(job.job)}", words, draw))
+    if sum(bool(one.impactors) for one in plan.jobs) < 2:
+        return tasks
+    return [task if job.job in task.name else _named(task, job) for task in tasks]
+
+
+def _named(task: Task, job: Results) -> Task:
+    """A task with the job in its name and caption."""
+    name = f"{task.name}_{file_name(job.job)}"
+    return replace(task, name=name, caption=f"{job.job}: {task.caption}")
+
+
+def stage_table(jobs: Sequence[Results]) -> PageTable:
+    """Time, energy taken and delaminated area at the end of every stage."""
+    rows = []
+    time_unit = energy_unit = area_unit = ""
+    for job in jobs:
+        energy = job.energy()
+        time = readable(energy.unit("time"), float(energy["time"][-1]))
+        spent = readable(energy.unit("internal"), 1.0e9)
+        time_unit, energy_unit = time.unit, spent.unit
+        dissipated = energy.get("dissipated")
+        area = "–"
+        if job.has("delamination"):
+            table = job.delamination()
+            area_unit = table.unit("projected area")
+            area = f"{table['projected area'][-1]:.4g}"
+        rows.append(
+            (
+                job.job,
+                f"{energy['time'][0] * time.factor:.4g} to {energy['time'][-1] * time.factor:.4g}",
+                "–" if dissipated is None else f"{dissipated[-1] * spent.factor:.4g}",
+                area,
+                f"{100.0 * float(np.max(np.abs(energy['error']))):.2g}",
+            )
+        )
+    headings = (
+        "stage",
+        in_brackets("time", time_unit),
+        in_brackets("dissipated", energy_unit),
+        in_brackets("delaminated, seen from above", area_unit),
+        "energy error [%]",
+    )
+    return PageTable("Stages", headings, tuple(rows), "At the end of each stage.")
