@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 import os
+import re
+import signal
 import subprocess
+import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from broken import unlike
 from runs import ROOT, SOLVER, Results
 
 CHAIN = ROOT / "decks" / "hpc" / "plydyn-chain"
 PRE = ROOT / ".venv" / "bin" / "plydyn-pre"
 NORMAL, INPUT, STOPPED = 0, 2, 4
+#: Exit codes of a script that Ctrl-C ended, and of one that was killed
+ENDED, KILLED = -signal.SIGINT, -signal.SIGKILL
+#: Longest wait for a stage to have made some steps, s
+PATIENCE = 60.0
 LONG, WIDE, THICK, MODULUS = 60.0, 40.0, 2.0, 70.0e3
 SPEED, END = 100.0, 1.0e-3
 
@@ -73,6 +81,7 @@ supports = [
   {{ set = "away", hold = "z" }},
 ]
 outputs.support_interval = 1.0e-6
+outputs.restart_steps = 7000
 [[stages.loads]]
 kind = "motion"
 set = "far"
@@ -87,37 +96,78 @@ value = [0.0, 1.0]
 """
 
 
+def write_decks(folder: Path) -> list[Path]:
+    """Write the decks of the chain."""
+    (folder / "c.toml").write_text(RECIPE)
+    done = subprocess.run(
+        [PRE, "deck", "c.toml"], cwd=folder, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == NORMAL, done.stderr
+    return [folder / name for name in ("c.k", "c_settle.k", "c_press.k")]
+
+
 @pytest.fixture
 def decks(tmp_path: Path) -> list[Path]:
     """The decks of the chain."""
-    (tmp_path / "c.toml").write_text(RECIPE)
-    done = subprocess.run(
-        [PRE, "deck", "c.toml"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == NORMAL, done.stderr
-    return [tmp_path / name for name in ("c.k", "c_settle.k", "c_press.k")]
+    return write_decks(tmp_path)
+
+
+def environment() -> dict[str, str]:
+    """Where the solver is found."""
+    path = f"{SOLVER.parent}:{os.environ['PATH']}"
+    return os.environ | {"PATH": path, "OMP_NUM_THREADS": "1"}
 
 
 def run_chain(folder: Path, *decks: Path) -> subprocess.CompletedProcess[str]:
     """Run the command on some decks."""
-    path = {"PATH": f"{SOLVER.parent}:{os.environ['PATH']}", "OMP_NUM_THREADS": "1"}
     line = [CHAIN, folder, *decks]
-    return subprocess.run(line, env=os.environ | path, capture_output=True, text=True, check=False)
+    return subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
 
 
-def test_chain_ends_in_the_stiffness_of_the_plate(decks: list[Path], tmp_path: Path) -> None:
+def stop_chain(how: signal.Signals, when: Path, folder: Path, *decks: Path) -> int:
+    """Send a signal as soon as a file is there: to the command, SIGKILL to all it started."""
+    # a test that runs in the background would pass on that Ctrl-C is ignored
+    line = ["env", "--default-signal=INT", CHAIN, folder, *decks]
+    with subprocess.Popen(
+        line, env=environment(), stdout=subprocess.DEVNULL, start_new_session=True
+    ) as chain:
+        until = time.monotonic() + PATIENCE
+        while not when.exists():
+            assert chain.poll() is None, "the chain ended before it could be stopped"
+            assert time.monotonic() < until
+            time.sleep(0.01)
+        if how is signal.SIGKILL:
+            os.killpg(chain.pid, how)
+        else:
+            chain.send_signal(how)
+        return chain.wait()
+
+
+def continued_from(done: subprocess.CompletedProcess[str]) -> str:
+    """The restart file that a command went on from first."""
+    found = re.search(r"continues from (\S+) at cycle", done.stdout)
+    assert found is not None, done.stdout
+    return Path(found[1]).name
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Results of a chain in one piece."""
+    folder = tmp_path_factory.mktemp("whole")
+    assert run_chain(folder / "results", *write_decks(folder)).returncode == NORMAL
+    return folder / "results"
+
+
+def test_chain_ends_in_the_stiffness_of_the_plate(whole: Path) -> None:
     """An elastic plate is as stiff after the impact as before: E A / L between its ends.
 
     The edges are free to move sideways. What the far end lags behind by its inertia is of the order
     of the transit time of a wave over the time of loading, 1 %.
     """
-    folder = tmp_path / "results"
-    done = run_chain(folder, *decks)
-    assert done.returncode == NORMAL, done.stdout + done.stderr
-    rest = Results(folder, "c_settle").table("energy")
+    rest = Results(whole, "c_settle").table("energy")
     assert rest["kinetic"][-1] < 1.1e-5 * rest["kinetic"].max()
     assert rest["internal"][-1] < 1e-3 * rest["internal"].max()
-    press = Results(folder, "c_press")
+    press = Results(whole, "c_press")
     table = press.table("supports")
     moved = SPEED * END * 0.75
     force = table["face motion 2005 fx"][-1]
@@ -139,6 +189,35 @@ def test_chain_goes_on_where_it_was(decks: list[Path], tmp_path: Path) -> None:
     done = run_chain(folder, *decks)
     assert done.returncode == INPUT
     assert "the restart file at the end of c_settle is missing" in done.stderr
+
+
+@pytest.mark.parametrize(("how", "code"), [(signal.SIGTERM, STOPPED), (signal.SIGINT, ENDED)])
+def test_a_stage_that_was_stopped_goes_on_from_there(
+    how: signal.Signals, code: int, decks: list[Path], whole: Path, tmp_path: Path
+) -> None:
+    """The command passes the signal on; called again, it ends with the results of one piece."""
+    folder = tmp_path / "broken"
+    assert stop_chain(how, folder / "c_press.runrsf", folder, *decks) == code
+    done = run_chain(folder, *decks)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert done.stdout.count("has ended already") == 2
+    assert continued_from(done) == "c_press.dump01"
+    assert unlike(whole, folder) == []
+
+
+@pytest.mark.parametrize(
+    ("when", "after"), [("c_press.runrsf", "c_press.runrsf"), ("c_settle.out", "c.dump01")]
+)
+def test_a_chain_that_was_killed_goes_on(
+    when: str, after: str, decks: list[Path], whole: Path, tmp_path: Path
+) -> None:
+    """From the last restart file of the stage, or without one from the end of the stage before."""
+    folder = tmp_path / "broken"
+    assert stop_chain(signal.SIGKILL, folder / when, folder, *decks) == KILLED
+    done = run_chain(folder, *decks)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert continued_from(done) == after
+    assert unlike(whole, folder) == []
 
 
 def test_bad_chains_are_refused(decks: list[Path], tmp_path: Path) -> None:
@@ -172,3 +251,79 @@ def test_results_of_another_laminate_are_refused(decks: list[Path], tmp_path: Pa
     assert done.returncode == INPUT
     assert f"the results {folder / 'c'}.* are of another deck than {decks[0]}" in done.stderr
     assert {path: path.stat().st_mtime_ns for path in folder.iterdir()} == before
+
+
+def free_environment(folder: Path) -> dict[str, str]:
+    """Without the programs on PATH, as in a fresh clone whose programs are built."""
+    (folder / "bin").mkdir()
+    (folder / "bin/plydyn").symlink_to(SOLVER)
+    path = {"PATH": f"{folder / 'bin'}:/usr/bin:/bin", "OMP_NUM_THREADS": "1"}
+    return os.environ | path
+
+
+#: The coupon of the template, with quads of 20 mm, four plies, and a blow of 1 J
+COARSE = (
+    ("laminate.layup", "[0/90]s"),
+    ("laminate.thickness", "1.0"),
+    ("mesh.core", "40"),
+    ("mesh.quad", "20"),
+    ("mesh.largest", "25"),
+    ("impactor.energy", "1.0e3"),
+    ("control.end_time", "2.0e-4"),
+    ("control.step_factor", "0.8"),
+    ("stages[1].at_rest", "0.05"),
+    ("stages[2].end_time", "1.0e-3"),
+)
+
+
+def test_one_command_leads_from_the_recipe_to_the_report(tmp_path: Path) -> None:
+    """From a folder with nothing but the recipe; a second call runs and draws nothing."""
+    line = [PRE, "new", tmp_path / "cai.toml", "--template", "astm-d7137"]
+    subprocess.run(line, capture_output=True, check=True)
+    line = [CHAIN, "cai.toml", "made", "--plain"]
+    line += [word for key, value in COARSE for word in ("--set", f"{key}={value}")]
+    found = free_environment(tmp_path)
+
+    def call(*more: str) -> subprocess.CompletedProcess[str]:
+        words = [*line, *more]
+        return subprocess.run(words, cwd=tmp_path, env=found, capture_output=True, text=True)
+
+    done = call()
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    page = (tmp_path / "made/cai_report/report.html").read_text()
+    for name in ("force", "compression_stress", "displacement_cai"):
+        assert f'src="{name}.png"' in page
+        assert (tmp_path / f"made/cai_report/{name}.png").is_file()
+    numbers = (tmp_path / "made/cai_report/strength.csv").read_text()
+    assert numbers.startswith("quantity,cai_compression")
+    files = {path: path.stat().st_mtime_ns for path in (tmp_path / "made").rglob("*")}
+    again = call()
+    assert again.returncode == NORMAL, again.stderr
+    assert again.stdout.count("has ended already") == 3
+    after = {path: path.stat().st_mtime_ns for path in (tmp_path / "made").rglob("*")}
+    assert after == files
+    other = call("--set", "laminate.layup=[90/0]s")
+    assert other.returncode == INPUT
+    assert "are of another deck than cai.toml" in other.stderr
+    assert {path: path.stat().st_mtime_ns for path in files} == files
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["none.toml"], "none.toml"),
+        (["c.toml", "--set", "stages[2].end_time=-1.0"], "stages[2].end_time"),
+        (["c.toml", "--set"], "--set needs a value"),
+        (["c.toml", "--fast"], "--fast is not an option"),
+        (["c.toml", "one", "two"], "one folder is enough"),
+        ([], "plydyn-chain RECIPE.toml"),
+    ],
+)
+def test_bad_calls_are_refused(words: list[str], expected: str, tmp_path: Path) -> None:
+    """By the name of what is wrong, and nothing is written."""
+    (tmp_path / "c.toml").write_text(RECIPE)
+    found = environment() | {"PATH": f"{PRE.parent}:{os.environ['PATH']}"}
+    done = subprocess.run([CHAIN, *words], cwd=tmp_path, env=found, capture_output=True, text=True)
+    assert done.returncode == INPUT
+    assert expected in done.stderr
+    assert [path.name for path in tmp_path.iterdir()] == ["c.toml"]
