@@ -53,7 +53,7 @@ module plydyn_element_group
       procedure :: layer_springs
       ! energies and losses
       procedure :: add_dissipation
-      procedure :: add_hourglass_energy
+      procedure :: add_stored_energy
       procedure :: add_losses
       procedure :: mark_areas
       procedure :: mark_interfaces
@@ -317,14 +317,15 @@ contains
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_dissipation
 
-   !> Add the energy that hourglass control has stored or taken
-   pure subroutine add_hourglass_energy(self, displacement, history, sums)
+   !> Add the energy that unloading gives back, from strains and stresses, and that which hourglass
+   !> control has stored or taken
+   pure subroutine add_stored_energy(self, displacement, history, sums)
       class(element_group_type), intent(in) :: self
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
-      !> One sum
+      !> Two sums, in this order
       type(exact_sums_type), intent(inout) :: sums
-   end subroutine add_hourglass_energy
+   end subroutine add_stored_energy
 
    !> Add areas and energies that interfaces have lost, as `losses` for each ply below one
    pure subroutine add_losses(self, history, sums)

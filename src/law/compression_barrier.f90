@@ -11,7 +11,7 @@ module plydyn_law_compression_barrier
    implicit none
    private
 
-   public :: add_barrier_stress, barrier_stiffness, barrier_stress, volume_ratio
+   public :: add_barrier_stress, barrier_energy, barrier_stiffness, barrier_stress, volume_ratio
 
    !> Ratio of volumes below which the barrier acts
    real(wp), parameter, public :: barrier_ratio = 0.8_wp
@@ -39,6 +39,23 @@ contains
 
       stress = -modulus*max(barrier_ratio - ratio, 0.0_wp)**2/max(ratio, least_ratio)
    end function barrier_stress
+
+   !> Energy of the barrier per volume of the undeformed material over its modulus: b(J), the
+   !> integral of -b' from J to J0
+   elemental real(wp) function barrier_energy(ratio) result(energy)
+      !> Ratio of volumes
+      real(wp), intent(in) :: ratio
+
+      real(wp) :: beyond, least
+
+      least = min(max(ratio, least_ratio), barrier_ratio)
+      ! and on, where the denominator falls no more
+      beyond = max(least_ratio - ratio, 0.0_wp)
+      energy = barrier_ratio**2*log(barrier_ratio/least) - 2.0_wp*barrier_ratio &
+         & *(barrier_ratio - least) + 0.5_wp*(barrier_ratio**2 - least**2) &
+         & + beyond*((barrier_ratio - least)*(barrier_ratio - least + beyond) &
+         & + beyond**2/3.0_wp)/least_ratio
+   end function barrier_energy
 
    !> Stiffness of the barrier as a share of its modulus: b''(J)
    elemental real(wp) function barrier_stiffness(ratio) result(stiffness)

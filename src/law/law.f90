@@ -35,6 +35,8 @@ module plydyn_law_law
       !> History variable of the energy dissipated so far by each mechanism, which is that energy
       !> unless the law says otherwise in `dissipated_energy`; 0 for none
       integer :: energy_variable(mechanisms) = 0
+      !> History variable of the size of the permanent shear strain 12; 0 for none
+      integer :: permanent_shear = 0
       !> Rule for the width of the crack band of lanes that soften, as in `band_length`; 0 elsewhere
       integer :: band_rule(lanes) = 0
       !> Width of the crack band of lanes whose deck gives it; 0 elsewhere
@@ -52,6 +54,7 @@ module plydyn_law_law
       procedure :: start_history
       procedure :: output_variables
       procedure :: dissipated_energy
+      procedure :: stored_energy
    end type law_type
 
    !> The law of some lanes of one block of layers
@@ -161,5 +164,26 @@ contains
 
       energy(:) = history(:, self%energy_variable(mechanism))
    end function dissipated_energy
+
+   !> Energy per volume that unloading gives back: half of the stress times the elastic strain. A
+   !> law with permanent strains other than that of the shear 12 overrides this
+   pure function stored_energy(self, strain, history) result(energy)
+      class(law_type), intent(in) :: self
+      !> Total strain
+      real(wp), intent(in) :: strain(lanes, 6)
+      !> History of the point that belongs to it
+      real(wp), intent(in) :: history(lanes, *)
+      !> Means nothing in lanes of other laws
+      real(wp) :: energy(lanes)
+
+      real(wp) :: elastic(lanes, 6), stress(lanes, 6)
+
+      elastic(:, :) = strain
+      if (self%permanent_shear > 0) elastic(:, 4) = sign(max(abs(strain(:, 4)) &
+         & - history(:, self%permanent_shear), 0.0_wp), strain(:, 4))
+      stress(:, :) = 0.0_wp
+      call self%stress_at(strain, history, stress)
+      energy(:) = 0.5_wp*sum(stress*elastic, 2)
+   end function stored_energy
 
 end module plydyn_law_law

@@ -5,6 +5,7 @@
 module plydyn_method_observer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_method_element_balance, only : element_balance_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type, new_file_positions
    use plydyn_state_state, only : state_type
@@ -27,6 +28,8 @@ module plydyn_method_observer
       logical :: attention = .false.
       !> Fields, progress line, restart file, due or not; all files flushed to the disk
       logical :: fields = .false., progress = .false., checkpoint = .false., flush = .false.
+      !> Energies of the elements that a history has taken in this step; not allocated without one
+      type(element_balance_type), allocatable :: balance
       !> Source of a request to stop with a restart file; not allocated without one
       character(:), allocatable :: stopped_by
    end type requests_type

@@ -22,7 +22,7 @@ module plydyn_run_observers
    use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
-   use plydyn_run_stability_monitor, only : new_finite_monitor, new_stability_monitor
+   use plydyn_run_stability_monitor, only : new_finite_monitor, stability_monitor_type
    use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private
@@ -55,7 +55,7 @@ contains
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(new_progress_monitor(), job, run, observers, error)
-      call add_other(new_stability_monitor(), observers)
+      call add_other(stability_monitor_type(), observers)
       call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
    end subroutine make_observers
 

@@ -62,6 +62,7 @@ DROPPED_FILES: dict[str, str] = {}
 
 #: Columns of histories, `ending: header`, that only one of the builds writes, and why
 ADDED_COLUMNS: dict[str, str] = {
+    r".*\.energy\.csv: stored( error)? \[.*\]": "energy stored, from strains and stresses",
     r".*energy.csv: least volume.*": "least ratio of volumes, of every 200th step",
     r".*\.energy\.csv: contact friction \[.*\]": "work of friction",
     r".*\.delamination\.csv: (interface \d+ area|sum|projected area) \[.*\]": (

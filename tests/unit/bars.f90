@@ -32,6 +32,7 @@ module bars
       procedure :: add_forces
       procedure :: find_rates
       procedure :: add_dissipation
+      procedure :: add_stored_energy
       procedure :: element_id
    end type bar_group_type
 
@@ -151,6 +152,18 @@ contains
          call sums%add(by_friction, history(self%first_history - 1 + e))
       end do
    end subroutine add_dissipation
+
+   pure subroutine add_stored_energy(self, displacement, history, sums)
+      class(bar_group_type), intent(in) :: self
+      real(wp), intent(in) :: displacement(:), history(:)
+      type(exact_sums_type), intent(inout) :: sums
+      integer :: e
+
+      do e = 1, size(self%element)
+         call sums%add(1, 0.5_wp*self%young*self%area/self%length(e) &
+            & *(displacement(self%place(2, e)) - displacement(self%place(1, e)))**2)
+      end do
+   end subroutine add_stored_energy
 
    pure integer function element_id(self, mesh, element) result(id)
       class(bar_group_type), intent(in) :: self

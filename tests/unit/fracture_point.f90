@@ -29,6 +29,7 @@ module fracture_point
       procedure :: lead
       procedure :: pull
       procedure :: stored
+      procedure :: stored_by_law
       procedure :: dissipated
       procedure :: energy_of
       procedure :: angle
@@ -145,6 +146,17 @@ contains
          call self%move(total)
       end do
    end subroutine pull
+
+   !> Energy per volume that unloading gives back, as the law has it
+   pure real(wp) function stored_by_law(self)
+      class(fracture_point_type), intent(in) :: self
+
+      real(wp) :: energy(lanes)
+
+      energy(:) = self%law%stored_energy(spread(self%strain, 1, lanes), &
+         & spread(self%history, 1, lanes))
+      stored_by_law = energy(1)
+   end function stored_by_law
 
    !> Energy stored per volume: that of the intact and of the cracked share, each with its strain
    pure real(wp) function stored(self)

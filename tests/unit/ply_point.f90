@@ -29,6 +29,7 @@ module ply_point
       procedure :: plastic
       procedure :: stays
       procedure :: stored
+      procedure :: stored_by_law
    end type point_type
 
 contains
@@ -218,6 +219,17 @@ contains
          stays = peak - asymptote/modulus*(1.0_wp - exp(-modulus*peak/asymptote))
       end associate
    end function stays
+
+   !> Energy per volume that unloading gives back, as the law has it
+   pure real(wp) function stored_by_law(self)
+      class(point_type), intent(in) :: self
+
+      real(wp) :: energy(lanes)
+
+      energy(:) = self%law%stored_energy(spread(self%strain, 1, lanes), &
+         & spread(self%history, 1, lanes))
+      stored_by_law = energy(1)
+   end function stored_by_law
 
    !> Energy per volume that unloading gives back
    pure real(wp) function stored(self)

@@ -119,6 +119,8 @@ contains
          & + history(:, fracture_at) &
          & + sum(history(:, closing_at:friction_at), 2))/work, spread(1.0_wp, 1, lanes), &
          & 1.0e-5_wp, "work is what is stored and lost")
+      call check(law%stored_energy(opening, history)/work, stored(law, opening, history)/work, &
+         & 1.0e-12_wp, "the law knows what is stored")
    end subroutine test_balance
 
    !> Elastic energy per area

@@ -1,8 +1,8 @@
 !> The barrier against material that is turned inside out
 program test_law_compression_barrier
    use plydyn_base_precision, only : wp
-   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, &
-      & barrier_stiffness, barrier_stress, volume_ratio
+   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_energy, &
+      & barrier_ratio, barrier_stiffness, barrier_stress, volume_ratio
    use testing, only : begin, check, finish
    implicit none
 
@@ -36,6 +36,22 @@ program test_law_compression_barrier
       call check(barrier_stiffness(0.1_wp*i), (high - low)/(2.0_wp*small), 1.0e-6_wp, &
          & "it is the slope of the stress")
    end do
+
+   call begin("barrier_energy")
+   call check(barrier_energy(barrier_ratio), 0.0_wp, 0.0_wp, "none where it begins")
+   call check(barrier_energy(2.0_wp), 0.0_wp, 0.0_wp, "nor without compression")
+   do i = 1, 7
+      low = barrier_energy(0.1_wp*i - small)
+      high = barrier_energy(0.1_wp*i + small)
+      call check((high - low)/(2.0_wp*small), barrier_stress(1.0_wp, 0.1_wp*i), 1.0e-6_wp, &
+         & "its slope is the stress")
+   end do
+   low = barrier_energy(-0.1_wp - small)
+   high = barrier_energy(-0.1_wp + small)
+   call check((high - low)/(2.0_wp*small), barrier_stress(1.0_wp, -0.1_wp), 1.0e-4_wp, &
+      & "also where a step has passed zero")
+   call check(barrier_energy(0.01_wp - small), barrier_energy(0.01_wp + small), 2.0e-4_wp, &
+      & "and it has no jump where the denominator stays")
 
    ! power of the stress is modulus times the change of the energy, whatever the motion
    call begin("add_barrier_stress")

@@ -272,7 +272,7 @@ contains
          & matrix_energy]
       type(point_type) :: point
       type(ply_constants_type) :: ply
-      real(wp) :: amplitude(6, waves), before(histories_closing), gap, least, spent, worst
+      real(wp) :: amplitude(6, waves), before(histories_closing), gap, least, spent, worst, wrong
       integer :: i, path
       logical :: grows
 
@@ -283,6 +283,7 @@ contains
       grows = .true.
       least = huge(least)
       worst = 0.0_wp
+      wrong = 0.0_wp
       do path = 1, paths
          ply%onset = merge(onset_hashin, ply%onset, path > paths/2)
          point = new_point(ply, narrow)
@@ -300,12 +301,14 @@ contains
          end do
          gap = abs(point%work - point%stored() - point%dissipated())
          worst = max(worst, gap/point%dissipated())
+         wrong = max(wrong, abs(point%stored_by_law() - point%stored())/point%dissipated())
       end do
       call check(grows, "damage, energies and the shear that stays never go back")
       call check(least >= 0.0_wp, "the energy stored is never negative")
       ! of second order in the step, a 20000th of five waves; of first order where cracks close
       call check(worst <= merge(2.0e-3_wp, 2.0e-4_wp, closes), &
          & "work is what is stored and what is dissipated")
+      call check(wrong, 0.0_wp, 1.0e-12_wp, "the law knows what is stored")
    end subroutine test_energy
 
    !> Amplitudes of a path: large enough to break the ply in every way

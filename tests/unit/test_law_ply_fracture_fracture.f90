@@ -45,13 +45,14 @@ contains
       integer, parameter :: paths = 40, knots = 8, steps = 150
       real(wp), parameter :: sizes(6) = [0.02_wp, 0.02_wp, 0.02_wp, 0.04_wp, 0.04_wp, 0.04_wp]
       type(fracture_point_type) :: point
-      real(wp) :: error, least, knot(6), largest(4), random(6)
+      real(wp) :: error, least, knot(6), largest(4), random(6), wrong
       integer :: i, k, n
 
       call begin("random paths")
       call random_seed(size=n)
       call random_seed(put=[(7*i, i=1, n)])
       error = 0.0_wp
+      wrong = 0.0_wp
       least = 0.0_wp
       largest(:) = 0.0_wp
       do i = 1, paths
@@ -61,13 +62,14 @@ contains
             knot(:) = sizes*(2.0_wp*random - 1.0_wp)
             call random_number(random)
             where (random > 0.6_wp) knot = 0.0_wp
-            call follow(point, knot, steps, error, least)
+            call follow(point, knot, steps, error, wrong, least)
          end do
          largest(:) = max(largest, [point%energy_of(by_fibre_damage), &
             & point%energy_of(by_matrix_damage), point%energy_of(by_ply_plasticity), &
             & point%energy_of(by_friction)])
       end do
       call check(error, 0.0_wp, 1.0e-12_wp, "work is stored or dissipated")
+      call check(wrong, 0.0_wp, 1.0e-12_wp, "the law knows what is stored")
       call check(all(largest > 1.0_wp), "all mechanisms take part")
       call check(least, 0.0_wp, 1.0e-2_wp, "no mechanism gives energy")
    end subroutine test_identity
@@ -96,13 +98,13 @@ contains
       end if
    end function varied_ply
 
-   !> Follow a path to a knot: largest error of the balance, least growth of any energy over all
-   !> that has been dissipated
-   subroutine follow(point, knot, steps, error, least)
+   !> Follow a path to a knot: largest errors of the balance and of the stored energy, least growth
+   !> of any energy over all that has been dissipated
+   subroutine follow(point, knot, steps, error, wrong, least)
       type(fracture_point_type), intent(inout) :: point
       real(wp), intent(in) :: knot(6)
       integer, intent(in) :: steps
-      real(wp), intent(inout) :: error, least
+      real(wp), intent(inout) :: error, wrong, least
 
       real(wp) :: before(4), from(6), moved
       integer :: i, k
@@ -117,6 +119,7 @@ contains
          ! round-off is that of all work that went there and back
          moved = max(moved, abs(point%work), point%stored(), point%dissipated(), 1.0e-3_wp)
          error = max(error, abs(point%work - point%stored() - point%dissipated())/moved)
+         wrong = max(wrong, abs(point%stored_by_law() - point%stored())/moved)
          do k = 1, 4
             least = min(least, (point%energy_of(mechanism(k)) - before(k))/moved)
          end do

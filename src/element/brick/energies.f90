@@ -1,14 +1,17 @@
-!> Energies of bricks: what their laws have dissipated, and what hourglass control has.
+!> Energies of bricks: what their laws have stored and dissipated, and what hourglass control has.
 module plydyn_element_brick_energies
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_brick_bricks, only : bricks_type
-   use plydyn_element_brick_kernel, only : hourglass_energy
+   use plydyn_element_brick_bricks, only : bricks_type, corners
+   use plydyn_element_brick_kernel, only : gather, hourglass_energy, mean_volume_strain
+   use plydyn_element_brick_point, only : elastic_stress, gradient_of, rotate_strain, strain_of
+   use plydyn_element_plate_layers, only : c33
+   use plydyn_law_compression_barrier, only : barrier_energy, barrier_ratio, volume_ratio
    use plydyn_law_law, only : mechanisms
    implicit none
    private
 
-   public :: add_brick_dissipation, add_control_energy
+   public :: add_brick_dissipation, add_brick_energy
 
 contains
 
@@ -39,23 +42,72 @@ contains
       end associate
    end subroutine add_brick_dissipation
 
-   !> Add the energy that hourglass control has stored or taken
-   pure subroutine add_control_energy(bricks, large, displacement, history, sums)
+   !> Add the energy that bricks have stored, and that which hourglass control has stored or taken,
+   !> batch by batch
+   pure subroutine add_brick_energy(bricks, large, displacement, history, sums)
       !> The bricks of a part
       type(bricks_type), intent(in) :: bricks
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
-      !> One sum
+      !> Two sums
       type(exact_sums_type), intent(inout) :: sums
-      integer :: b
 
-      if (bricks%points > 1) return
+      real(wp) :: energy, u(lanes, corners, 3)
+      real(wp) :: e(lanes, 6, bricks%points), h(lanes, 3, 3, bricks%points)
+      integer :: b, first, m
+
       do b = 1, size(bricks%shape)
-         call sums%add(1, hourglass_energy(bricks, b, large, displacement, &
+         call gather(bricks%place(:, :, b), displacement, u)
+         associate (shape => bricks%shapes(bricks%shape(b)))
+            do m = 1, bricks%points
+               call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
+               call strain_of(h(:, :, :, m), merge(1.0_wp, 0.0_wp, large), e(:, :, m))
+            end do
+            if (bricks%shares_volume .and. bricks%points > 1) then
+               call mean_volume_strain(shape%volume, e)
+            end if
+            energy = 0.0_wp
+            do m = 1, bricks%points
+               first = bricks%first_history + lanes*bricks%histories*(m - 1 + bricks%points*(b - 1))
+               energy = energy + dot_product(shape%volume(:, m), point_energy(bricks, large, &
+                  & h(:, :, :, m), e(:, :, m), history(first:first + lanes*bricks%histories - 1)))
+            end do
+         end associate
+         call sums%add(1, energy)
+         if (bricks%points == 1) call sums%add(2, hourglass_energy(bricks, b, large, displacement, &
             & history(bricks%first_history:)))
       end do
-   end subroutine add_control_energy
+   end subroutine add_brick_energy
+
+   !> Energy per volume at a point
+   pure function point_energy(bricks, large, gradient, strain, history) result(energy)
+      type(bricks_type), intent(in) :: bricks
+      logical, intent(in) :: large
+      !> Displacement gradient and strain in the axes of the model
+      real(wp), intent(in) :: gradient(lanes, 3, 3), strain(lanes, 6)
+      !> History of the point
+      real(wp), intent(in) :: history(lanes, bricks%histories)
+      real(wp) :: energy(lanes)
+
+      real(wp) :: along(lanes, 6), ratio, stress(lanes, 6)
+      integer :: l
+
+      if (size(bricks%laws) == 0) then
+         call elastic_stress(bricks%stiffness, strain, stress)
+         energy(:) = 0.5_wp*sum(stress*strain, 2)
+      else
+         along(:, :) = strain
+         call rotate_strain(bricks%cosine_sine, along)
+         energy(:) = bricks%laws(1)%law%stored_energy(along, history)
+      end if
+      if (.not. large) return
+      do l = 1, lanes
+         ratio = volume_ratio(gradient(l, :, :))
+         if (ratio < barrier_ratio) energy(l) = energy(l) &
+            & + bricks%stiffness(c33)*barrier_energy(ratio)
+      end do
+   end function point_energy
 
 end module plydyn_element_brick_energies

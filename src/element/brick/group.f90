@@ -5,7 +5,7 @@ module plydyn_element_brick_group
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
-   use plydyn_element_brick_energies, only : add_brick_dissipation, add_control_energy
+   use plydyn_element_brick_energies, only : add_brick_dissipation, add_brick_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, brick_volume_ratios
    use plydyn_element_brick_make, only : add_brick_masses, add_brick_shares, brick_density, &
       & find_shapes, set_batches
@@ -38,7 +38,7 @@ module plydyn_element_brick_group
       procedure :: take_elements, set_targets, add_masses, add_layer_mass
       procedure :: history_shape, set_history, start_history
       procedure :: add_forces, find_volume, find_rates, find_layer_rates
-      procedure :: add_dissipation, add_hourglass_energy, add_crack_bands
+      procedure :: add_dissipation, add_stored_energy, add_crack_bands
       procedure :: work, add_memory, element_id
       procedure :: sheets, find_cell, list_elements, element_nodes, node_weights
       procedure :: output_values, fibre_angle
@@ -202,13 +202,13 @@ contains
       call add_brick_dissipation(self%bricks, history, sums)
    end subroutine add_dissipation
 
-   pure subroutine add_hourglass_energy(self, displacement, history, sums)
+   pure subroutine add_stored_energy(self, displacement, history, sums)
       class(brick_group_type), intent(in) :: self
       real(wp), intent(in) :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
-      call add_control_energy(self%bricks, self%large, displacement, history, sums)
-   end subroutine add_hourglass_energy
+      call add_brick_energy(self%bricks, self%large, displacement, history, sums)
+   end subroutine add_stored_energy
 
    subroutine add_crack_bands(self, model, bands)
       class(brick_group_type), intent(in) :: self

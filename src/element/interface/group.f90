@@ -8,6 +8,7 @@ module plydyn_element_interface_group
       & set_interface_damage => set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_interface_process_zones, only : find_weakness
+   use plydyn_element_interface_stored_energy, only : add_interface_energy
    use plydyn_element_quad, only : tensor_order
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_quad_points, only : quad_points
@@ -43,6 +44,7 @@ module plydyn_element_interface_group
       procedure :: spring_rate, raise_spring_rates
       procedure :: add_joint_stiffness
       procedure :: add_losses
+      procedure :: add_stored_energy
       procedure :: mark_areas
       procedure :: mark_interfaces
       procedure :: work
@@ -265,6 +267,15 @@ contains
          end do
       end associate
    end subroutine add_joint_stiffness
+
+   pure subroutine add_stored_energy(self, displacement, history, sums)
+      class(interface_group_type), intent(in) :: self
+      real(wp), intent(in) :: displacement(:), history(:)
+      type(exact_sums_type), intent(inout) :: sums
+
+      call add_interface_energy(self%batch, self%large, displacement, &
+         & history(self%batch%first_history:), sums)
+   end subroutine add_stored_energy
 
    pure subroutine add_losses(self, history, sums)
       class(interface_group_type), intent(in) :: self

@@ -9,7 +9,7 @@ module plydyn_element_interface_kernel
    implicit none
    private
 
-   public :: add_face_forces
+   public :: add_face_forces, gather
 
    !> Points of the largest quad: work space of fixed size can be aligned
    integer, parameter :: most = 9

@@ -2,14 +2,31 @@
 module plydyn_element_plate_dissipation
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate_layers, only : layer_batch_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_law_law, only : mechanisms
    implicit none
    private
 
-   public :: add_batch_dissipation
+   public :: add_plate_dissipation
 
 contains
+
+   !> Add the energies of all layers
+   pure subroutine add_plate_dissipation(plate, history, sums)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> History of all Gauss points
+      real(wp), intent(in) :: history(:)
+      !> Sums in the order of `mechanism_names`
+      type(exact_sums_type), intent(inout) :: sums
+
+      integer :: b
+
+      do b = 1, size(plate%batches)
+         call add_batch_dissipation(plate%batches(b), plate%metric, &
+            & history(plate%batches(b)%first_history:), sums)
+      end do
+   end subroutine add_plate_dissipation
 
    !> Add the energies of a batch of layers, quad by quad
    pure subroutine add_batch_dissipation(batch, metric, history, sums)

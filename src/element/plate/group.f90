@@ -8,7 +8,7 @@ module plydyn_element_plate_group
    use plydyn_element_output_group, only : cell_type
    use plydyn_element_plate_kernels, only : add_layer_forces, find_least_volume
    use plydyn_element_plate_crack_bands, only : add_batch_bands
-   use plydyn_element_plate_dissipation, only : add_batch_dissipation
+   use plydyn_element_plate_dissipation, only : add_plate_dissipation
    use plydyn_element_plate_initial_history, only : start_histories
    use plydyn_element_plate_layers, only : history_rows, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
@@ -18,6 +18,7 @@ module plydyn_element_plate_group
       & node_shares, plate_cell, values_at_nodes
    use plydyn_element_plate_stable_rate, only : largest_quad_factor, layer_rates, plane_rate, &
       & rates_and_masses
+   use plydyn_element_plate_stored_energy, only : add_plate_energy
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recover_anywhere, only : plane_shares_type
    use plydyn_element_thickness, only : springs_of_layer => layer_springs
@@ -52,7 +53,7 @@ module plydyn_element_plate_group
       procedure :: history_shape, set_history, start_history
       procedure :: add_forces, find_volume
       procedure :: find_rates, find_layer_rates, rate_without_thickness, point_factor, layer_springs
-      procedure :: add_dissipation, add_crack_bands
+      procedure :: add_dissipation, add_stored_energy, add_crack_bands
       procedure :: work, add_memory, element_id
       procedure :: sheets, sheet_levels, find_cell, list_elements, element_nodes, node_weights
       procedure :: sheet_motion, output_values, fibre_angle
@@ -257,13 +258,17 @@ contains
       class(plate_group_type), intent(in) :: self
       real(wp), intent(in) :: history(:)
       type(exact_sums_type), intent(inout) :: sums
-      integer :: b
 
-      do b = 1, size(self%plate%batches)
-         call add_batch_dissipation(self%plate%batches(b), self%plate%metric, &
-            & history(self%plate%batches(b)%first_history:), sums)
-      end do
+      call add_plate_dissipation(self%plate, history, sums)
    end subroutine add_dissipation
+
+   pure subroutine add_stored_energy(self, displacement, history, sums)
+      class(plate_group_type), intent(in) :: self
+      real(wp), intent(in) :: displacement(:), history(:)
+      type(exact_sums_type), intent(inout) :: sums
+
+      call add_plate_energy(self%plate, self%large, displacement, history, sums)
+   end subroutine add_stored_energy
 
    subroutine add_crack_bands(self, model, bands)
       class(plate_group_type), intent(in) :: self

@@ -2,26 +2,30 @@
 module plydyn_io_csv_energy_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
-   use plydyn_domain_dissipation, only : dissipated_energies, hourglass_energy
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
+   use plydyn_method_element_balance, only : balance_of, element_balance_type
+   use plydyn_method_observer, only : instant_of, requests_type
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_law_law, only : mechanism_names, mechanisms
+   use plydyn_law_law, only : mechanism_names
    implicit none
    private
 
    !> Columns. A constant: gfortran 12 may blank the first word of a list of texts that is an actual
    !> argument
    character(20), parameter :: names(*) = [character(20) :: "cycle", "time", "step", "kinetic", &
-      & "internal", "dissipated", "impactor", "damping", "external", "contact", &
+      & "internal", "stored", "dissipated", "impactor", "damping", "external", "contact", &
       & "contact friction", mechanism_names, "hourglass", "half-step correction", "total", &
-      & "error", "momentum x", "momentum y", "momentum z", "least volume"]
+      & "error", "stored error", "momentum x", "momentum y", "momentum z", "least volume"]
 
    !> The history
    type, public, extends(history_recorder_type) :: energy_history_type
+      private
+      !> Energies of the elements in the last line
+      type(element_balance_type) :: balance
    contains
       procedure :: open => open_energies
+      procedure :: notify => notify_energies
       procedure :: record => record_energies
    end type energy_history_type
 
@@ -39,7 +43,7 @@ contains
       associate (u => simulation%model%control%units)
          units(:) = u%energy
          units(1:3) = [character(20) :: "-", u%time, u%time]
-         units(size(names) - 4) = "-"
+         units(size(names) - 5:size(names) - 4) = "-"
          units(size(names) - 3:size(names) - 1) = trim(u%force)//" "//u%time
          units(size(names)) = "-"
       end associate
@@ -47,25 +51,32 @@ contains
          & simulation%model%request%energy_interval, error)
    end subroutine open_energies
 
+   !> Add a line if it is due, and hand the energies of the elements to the stability monitor
+   subroutine notify_energies(self, simulation, requests, error)
+      class(energy_history_type), intent(inout) :: self
+      class(simulation_type), intent(inout) :: simulation
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. self%due(instant_of(simulation%state))) return
+      call self%record_due(simulation, error)
+      requests%balance = self%balance
+   end subroutine notify_energies
+
    !> Add a line
    subroutine record_energies(self, simulation, error)
       class(energy_history_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: dissipated(mechanisms), hourglass
-      type(delamination_type), allocatable :: lost(:)
-
-      allocate (lost(0))
-      associate (domain => simulation%domain, state => simulation%state, &
+      self%balance = balance_of(simulation%domain, simulation%state)
+      associate (balance => self%balance, state => simulation%state, &
          & e => simulation%state%energies)
-         if (can_fail(domain)) lost = delamination(domain, state%history)
-         dissipated(:) = dissipated_energies(domain, state%history, lost)
-         hourglass = hourglass_energy(domain, state%displacement, state%history)
          call self%write_line([real(state%cycle, wp), state%time, state%step_before, e%kinetic, &
-            & e%internal, sum(dissipated), e%impactor, e%damping, e%external, e%contact, &
-            & e%friction, dissipated, hourglass, e%half_step_correction - e%step_change - e%added, &
-            & e%total(), e%error(), e%momentum, state%least_volume], error)
+            & e%internal, balance%stored, sum(balance%dissipated), e%impactor, e%damping, &
+            & e%external, e%contact, e%friction, balance%dissipated, balance%hourglass, &
+            & e%half_step_correction - e%step_change - e%added, e%total(), e%error(), &
+            & balance%error(), e%momentum, state%least_volume], error)
       end associate
    end subroutine record_energies
 

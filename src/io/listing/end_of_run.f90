@@ -4,7 +4,7 @@ module plydyn_io_listing_end_of_run
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
-   use plydyn_domain_dissipation, only : dissipated_energies
+   use plydyn_domain_element_energies, only : dissipated_energies
    use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_listing, only : write_end
    use plydyn_io_output, only : output_type

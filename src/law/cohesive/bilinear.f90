@@ -5,7 +5,7 @@ module plydyn_law_cohesive_bilinear
    use plydyn_law_cohesive_closed_faces, only : add_friction, release_penalty
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_only, most_points, &
-      & normal, shear, softening_type, with_closing, with_friction
+      & normal, shear, softening_type, stretch_at, with_closing, with_friction
    use plydyn_law_cohesive_toughness, only : least_ratio
    use plydyn_law_cohesive_work_growth, only : detect_growth_by_work, grow_by_work
    implicit none
@@ -33,6 +33,7 @@ module plydyn_law_cohesive_bilinear
    contains
       procedure :: update
       procedure :: update_points
+      procedure :: stored_energy
    end type cohesive_type
 
 contains
@@ -199,6 +200,25 @@ contains
          history(:, q, :with_friction) = h
       end do
    end subroutine update_damaged
+
+   !> Energy per area that unloading gives back: of the intact share of the face, of closed faces,
+   !> and of the stretch of those that rub
+   pure function stored_energy(self, opening, history) result(energy)
+      class(cohesive_type), intent(in) :: self
+      !> As in `update`
+      real(wp), intent(in) :: opening(lanes, 3), history(lanes, self%histories)
+      real(wp) :: energy(lanes)
+
+      real(wp) :: whole(lanes)
+
+      whole(:) = 1.0_wp
+      if (self%histories > 0) whole(:) = 1.0_wp - history(:, damage_at)
+      energy(:) = 0.5_wp*(self%stiffness(shear)*whole*sum(opening(:, :2)**2, 2) &
+         & + self%stiffness(normal)*opening(:, 3)**2*merge(whole, max(whole, self%floor), &
+         & opening(:, 3) > 0.0_wp))
+      if (self%friction > 0.0_wp) energy(:) = energy + 0.5_wp*self%friction_stiffness &
+         & *history(:, damage_at)*history(:, stretch_at)**2
+   end function stored_energy
 
    !> Let damage grow at a point, by the mode of its opening or by the work of both modes
    pure subroutine grow(self, opening, traction, weakness, gain, history)

@@ -47,10 +47,8 @@ module plydyn_law_metal_plastic
 
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
-      !> Bulk modulus
-      real(wp) :: bulk(lanes) = 1.0_wp
-      !> Shear modulus
-      real(wp) :: shear(lanes) = 1.0_wp
+      !> Bulk and shear modulus
+      real(wp) :: bulk(lanes) = 1.0_wp, shear(lanes) = 1.0_wp
       !> Rise of the back stress over plastic strain in tension
       real(wp) :: kinematic(lanes) = 0.0_wp
       !> 1 in the lanes of this law, 0 in others: a mask that runs side by side with reals
@@ -62,6 +60,7 @@ module plydyn_law_metal_plastic
       procedure :: update_points
       procedure :: stress_at
       procedure :: output_variables
+      procedure :: stored_energy
       procedure :: own_lane
       procedure :: search
       procedure :: flow => search
@@ -74,16 +73,12 @@ module plydyn_law_metal_plastic
          import :: lanes, plastic_type, wp
          implicit none
          class(plastic_type), intent(in) :: self
-         !> Effective plastic strain
-         real(wp), intent(in) :: strain(lanes)
-         !> Its rate; 0 without time
-         real(wp), intent(in) :: rate(lanes)
+         !> Effective plastic strain, and its rate; 0 without time
+         real(wp), intent(in) :: strain(lanes), rate(lanes)
          !> Yield stress
          real(wp), intent(out) :: yield(lanes)
-         !> Its derivative by effective plastic strain
-         real(wp), intent(out) :: hardening(lanes)
-         !> Its derivative by the rate
-         real(wp), intent(out) :: viscosity(lanes)
+         !> Its derivatives by effective plastic strain and by the rate
+         real(wp), intent(out) :: hardening(lanes), viscosity(lanes)
       end subroutine yield_batch
    end interface
 
@@ -130,6 +125,21 @@ contains
       values(shows_plastic_strain) = history(lane, effective_plastic_strain)
       values(shows_dissipated) = history(lane, dissipated)
    end function output_variables
+
+   !> Energy per volume that unloading gives back, elastic and by the back stress
+   pure function stored_energy(self, strain, history) result(energy)
+      class(plastic_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, *)
+      real(wp) :: energy(lanes), stress(lanes, 6)
+      integer :: l
+
+      stress(:, :) = 0.0_wp
+      call self%stress_at(strain, history, stress)
+      do l = 1, lanes
+         energy(l) = 0.5_wp*sum(stress(l, :)*(strain(l, :) - history(l, :6))) &
+            & + self%kinematic(l)/3.0_wp*norm_squared(history(l, :6))
+      end do
+   end function stored_energy
 
    !> Stress and history at the end of a step
    pure subroutine update(self, step, strain, history, stress)

@@ -58,6 +58,7 @@ contains
       self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
       self%energy_variable(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
          & spared_work]
+      self%permanent_shear = shear_set
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane

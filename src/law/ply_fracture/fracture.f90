@@ -34,6 +34,7 @@ module plydyn_law_ply_fracture_fracture
       procedure :: set_lane
       procedure :: start_history
       procedure :: output_variables
+      procedure :: stored_energy
    end type ply_fracture_type
 
 contains
@@ -83,6 +84,29 @@ contains
          values(shows_dissipated) = sum(history(lane, fibre_energy:friction_energy))
       end associate
    end function output_variables
+
+   !> Energy per volume of the intact and of the cracked share of the plane, each with its strain.
+   !> The stress of a cracked point is that of its step, in which closed faces have slid
+   pure function stored_energy(self, strain, history) result(energy)
+      class(ply_fracture_type), intent(in) :: self
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, *)
+      real(wp) :: energy(lanes)
+
+      real(wp) :: elastic(lanes, 6), stress(lanes, 6)
+      integer :: k
+
+      elastic(:, :) = strain
+      elastic(:, 3) = elastic(:, 3) - history(:, crushed)
+      elastic(:, 4:) = elastic(:, 4:) - history(:, plastic_shear:plastic_shear + 2)
+      stress(:, :) = 0.0_wp
+      call self%stress_at(strain, history, stress)
+      do k = 1, 6
+         stress(:, k) = merge(history(:, last_stress - 1 + k), stress(:, k), &
+            & abs(history(:, plane_cosine)) + abs(history(:, plane_sine)) > 0.0_wp)
+      end do
+      energy(:) = 0.5_wp*(sum(stress*elastic, 2) - history(:, matrix_damage) &
+         & *sum(history(:, slip:slip + 2)*history(:, last_contact:last_contact + 2), 2))
+   end function stored_energy
 
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)

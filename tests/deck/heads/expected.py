@@ -5,8 +5,8 @@ import re
 from runs import ROOT, Results
 
 MOTION = ["ux [mm]", "uy [mm]", "uz [mm]", "vx [mm/ms]", "vy [mm/ms]", "vz [mm/ms]"]
-SHARES = ("kinetic", "internal", "dissipated", "impactor", "damping", "external", "contact")
-SHARES += ("contact friction",)
+SHARES = ("kinetic", "internal", "stored", "dissipated", "impactor", "damping", "external")
+SHARES += ("contact", "contact friction")
 SHARES += ("fibre damage", "matrix damage", "ply plasticity", "metal plasticity")
 SHARES += ("delamination", "friction", "hourglass", "half-step correction", "total")
 NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
@@ -14,7 +14,7 @@ NORMAL, SHEAR = ("xx", "yy", "zz"), ("xy", "xz", "yz")
 HEADS = {
     "energy": ["cycle [-]", "time [ms]", "step [ms]"]
     + [f"{name} [J]" for name in SHARES]
-    + ["error [-]"]
+    + ["error [-]", "stored error [-]"]
     + [f"momentum {axis} [kN ms]" for axis in "xyz"]
     + ["least volume [-]"],
     "impactor_7": [

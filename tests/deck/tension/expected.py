@@ -5,7 +5,8 @@ import pytest
 
 from runs import DIGITS, Results, Table
 
-STRAIN = 0.002 / 20.0
+LENGTH = 20.0
+STRAIN = 0.002 / LENGTH
 WIDTH, THICKNESS = 5.0, 0.5
 YOUNG, POISSON = 150.0e3, 0.02 * 150.0e3 / 10.0e3
 
@@ -26,6 +27,10 @@ def check(results: Results) -> None:
         assert profile[name] == pytest.approx(-POISSON * STRAIN * rows, rel=DIGITS)
     assert sorted(set(profile["ply"])) == [1.0, 2.0]
     check_forces(results.table("supports"), stress * WIDTH * THICKNESS)
+    energy = results.table("energy")
+    stored = 0.5 * stress * STRAIN * LENGTH * WIDTH * THICKNESS
+    assert energy["stored"][-1] == pytest.approx(stored, rel=DIGITS)
+    assert np.abs(energy["stored error"]).max() < DIGITS
 
 
 def check_forces(supports: Table, pull: float) -> None:

@@ -94,7 +94,14 @@ def as_seen(table: Table, turn: Array, side: int) -> Array:
 def check_same(compare: Comparison, what: str, first: Table, other: Array) -> None:
     """Every column agrees with the largest of its kind in mind."""
     for column, name in enumerate(first.names):
-        if name in ("step", "error", "contacts", "half-step correction", "penetration"):
+        if name in (
+            "step",
+            "error",
+            "stored error",
+            "contacts",
+            "half-step correction",
+            "penetration",
+        ):
             continue
         kind = name[-2:-1] if name[-1] in "xyz" else name
         alike = [c for c, n in enumerate(first.names) if n == name or n[-2:-1] == kind]

@@ -1,10 +1,10 @@
 !> Layers that yield, through domain and forces: stress, history, what is dissipated and recovered.
-program test_domain_dissipation
+program test_domain_element_energies
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_delamination, only : delamination_type
-   use plydyn_domain_dissipation, only : dissipated_energies
+   use plydyn_domain_element_energies, only : dissipated_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : recovered, scalars_at, stress_at
@@ -220,4 +220,4 @@ contains
          & yield=yield(i)))
    end function metal
 
-end program test_domain_dissipation
+end program test_domain_element_energies

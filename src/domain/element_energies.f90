@@ -1,5 +1,6 @@
-!> Energies that elements have dissipated or that control of them has taken, from all histories.
-module plydyn_domain_dissipation
+!> Energies of the elements from displacements and histories: what they have stored and dissipated,
+!> and what hourglass control has taken.
+module plydyn_domain_element_energies
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : delamination_type, interface_losses
@@ -8,7 +9,7 @@ module plydyn_domain_dissipation
    implicit none
    private
 
-   public :: dissipated_energies, hourglass_energy
+   public :: dissipated_energies, stored_energies
 
 contains
 
@@ -36,21 +37,23 @@ contains
          & + interface_losses(lost)
    end function dissipated_energies
 
-   !> Energy that hourglass control has stored or taken. All ranks must come here
-   real(wp) function hourglass_energy(domain, displacement, history) result(energy)
+   !> Energy that unloading of all elements gives back, and that which hourglass control has stored
+   !> or taken. All ranks must come here
+   function stored_energies(domain, displacement, history) result(energy)
       type(domain_type), intent(in) :: domain
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
+      real(wp) :: energy(2)
 
       type(exact_sums_type) :: sums
       integer :: g
 
-      sums = new_exact_sums(1)
+      sums = new_exact_sums(2)
       do g = 1, size(domain%groups)
-         call domain%groups(g)%item%add_hourglass_energy(displacement, history, sums)
+         call domain%groups(g)%item%add_stored_energy(displacement, history, sums)
       end do
       call domain%comm%sum(sums%limb)
-      energy = sums%value(1)
-   end function hourglass_energy
+      energy(:) = [sums%value(1), sums%value(2)]
+   end function stored_energies
 
-end module plydyn_domain_dissipation
+end module plydyn_domain_element_energies
