@@ -43,7 +43,7 @@ def rows(listing: str) -> dict[str, Array]:
 
 def number(listing: str, label: str) -> float:
     """A number of the listing, by the words before it."""
-    found = re.search(rf"^{label} +([\d.E+-]+)", listing, re.MULTILINE)
+    found = re.search(rf"^{label} +([\d.Ee+-]+)", listing, re.MULTILINE)
     assert found is not None, listing
     return float(found[1])
 
@@ -258,7 +258,7 @@ def test_slow_tension_does_not_feel_the_mass(tmp_path: Path) -> None:
     text = results.listing()
     assert rows(text)["all"][2] > 1000.0
     assert "warning" not in text, "the kinetic energy is watched"
-    largest = re.search(r"at most ([\d.E+-]+) of the internal one", text)
+    largest = re.search(r"at most ([\d.Ee+-]+) of the internal one", text)
     assert largest is not None
     assert float(largest[1]) < 0.05
     supports = results.table("supports")
@@ -326,7 +326,7 @@ def test_restart_changes_the_mass(scaled: tuple[float, float], tmp_path: Path) -
     expected = 0.9 * (scaled[1] or 1.0 / SPEED / np.sqrt(PROOF))
     np.testing.assert_allclose(steps, expected, rtol=1e-6)
     listing = Results(tmp_path, "stage").listing()
-    words = re.search(r"changes from ([\d.E+-]+) to ([\d.E+-]+) mJ with its mass", listing)
+    words = re.search(r"changes from ([\d.Ee+-]+) to ([\d.Ee+-]+) mJ with its mass", listing)
     assert words is not None, listing
     assert [float(words[1]), float(words[2])] == pytest.approx([kinetic[1], kinetic[0]], rel=1e-4)
     assert ("Mass scaling" in listing) == (scaled[1] > 0.0)

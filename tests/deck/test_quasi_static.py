@@ -47,7 +47,7 @@ def test_largest_share_is_that_of_the_first_time_looked_at(tmp_path: Path) -> No
     """K = m v^2 / 6 and U = k (v t)^2 / 2 of a bar: K/U = (transit/t)^2 / 3, from a tenth on."""
     transits = 40.0
     text = stretched(transits, 0.03, tmp_path).listing()
-    found = re.search(r"at most ([\d.E+-]+) of the internal one, at time ([\d.E+-]+)", text)
+    found = re.search(r"at most ([\d.Ee+-]+) of the internal one, at time ([\d.Ee+-]+)", text)
     assert found is not None, text
     time = float(found[2])
     # the first step after a tenth of the time; a step is 1/5 of a transit at most

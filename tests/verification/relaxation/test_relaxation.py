@@ -65,7 +65,7 @@ def test_rest_is_the_static_solution(compare: Comparison, tmp_path: Path) -> Non
     assert np.abs(energy["error"]).max() < 1e-9
     assert energy["time"][-1] < 20.0 / OMEGA
     listing = results.listing()
-    found = re.search(r"frequency of ([\d.E+]+) per s", listing)
+    found = re.search(r"frequency of ([\d.Ee+-]+) per s", listing)
     assert found
     frequency = float(found[1])
     compare.number("frequency", frequency, OMEGA / (2.0 * np.pi), unit="Hz", rel=0.02)

@@ -54,6 +54,6 @@ def test_disc_on_a_ring_comes_to_rest(compare: Comparison, tmp_path: Path) -> No
     assert energy["time"][-1] < 10.0 * PERIOD
     assert np.abs(energy["error"]).max() < 1e-9
     assert np.all(np.diff(energy["contact"]) >= -1e-12 * energy["external"].max())
-    line = re.search(r"frequency of ([\d.E+]+) per s", results.listing())
+    line = re.search(r"frequency of ([\d.Ee+-]+) per s", results.listing())
     assert line
     assert 0.5 / PERIOD < float(line[1]) < 2.0 / PERIOD
