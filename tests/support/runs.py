@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -92,9 +93,22 @@ def run(deck: Deck, folder: Path, job: str = "job") -> Results:
 
 def run_deck(path: Path, folder: Path, job: str) -> Results:
     """Run a deck, with its results in a folder, and expect it to end well."""
-    command = [SOLVER, "run", path, "-j", job, "-o", folder]
+    return _ended_well([SOLVER, "run", path, "-j", job, "-o", folder], path, Results(folder, job))
+
+
+def run_stage(before: Results, body: str, job: str) -> Results:
+    """Go on from the last restart file of a run with the keywords of a stage, as another job."""
+    path = before.folder / f"{job}.k"
+    path.write_text(f"*KEYWORD\n*CONTROL_STAGE\n1\n{body}*END\n")
+    dump = sorted(before.folder.glob(f"{before.job}.dump??"))[-1]
+    command = [SOLVER, "restart", dump, path, "-j", before.folder / job]
+    return _ended_well(command, path, Results(before.folder, job))
+
+
+def _ended_well(command: Sequence[str | Path], deck: Path, results: Results) -> Results:
+    """The results of a command that has to end well."""
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     if ended.returncode != 0:
         said = (ended.stdout + ended.stderr)[-3000:]
-        raise AssertionError(f"{path} ended with code {ended.returncode}:\n{said}")
-    return Results(folder, job)
+        raise AssertionError(f"{deck} ended with code {ended.returncode}:\n{said}")
+    return results
