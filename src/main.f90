@@ -18,6 +18,7 @@ program plydyn
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_changes, only : write_changes
    use plydyn_io_listing_listing, only : write_listing, write_restart
+   use plydyn_io_listing_loading_rate, only : loading_rate_warning, write_loading_rate
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
    use plydyn_io_listing_time_step, only : write_new_step
    use plydyn_state_file_positions, only : new_file_positions
@@ -139,6 +140,9 @@ contains
       if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
          & messages, parts%state)
       if (comm%is_root()) call write_changes(job%listing, command%deck, parts)
+      if (comm%is_root() .and. parts%model%changes%conditions) then
+         call write_loading_rate(job%listing, parts%model, parts%domain)
+      end if
       if (comm%is_root() .and. parts%model%changes%step) then
          call write_new_step(job, parts%model, parts%domain, kinetic)
       end if
@@ -250,8 +254,6 @@ contains
       type(run_type), intent(inout) :: parts
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: warning
-
       if (len(messages) > 0) write (output_unit, "(a)") messages
       parts%model%control%threads = choose_threads(threads, parts%model%control%threads)
       if (parts%model%control%threads > most_threads()) then
@@ -263,12 +265,22 @@ contains
       call set_threads(parts%model%control%threads)
       call set_up(comm, parts, error)
       if (allocated(error) .or. .not. comm%is_root()) return
-      warning = added_mass_warning(parts%domain)
+      call add_message(added_mass_warning(parts%domain), messages)
+      call add_message(loading_rate_warning(parts%model, parts%domain), messages)
+   end subroutine build_run
+
+   !> Print a warning, and add it to the messages for the listing
+   subroutine add_message(warning, messages)
+      !> The warning, empty for none
+      character(*), intent(in) :: warning
+      !> All messages
+      character(:), allocatable, intent(inout) :: messages
+
       if (len(warning) == 0) return
       write (output_unit, "(a)") warning
       if (len(messages) > 0) messages = messages//new_line("a")
       messages = messages//warning
-   end subroutine build_run
+   end subroutine add_message
 
    !> Write the listing up to the first step
    subroutine list(unit, deck, messages, seconds, parts)

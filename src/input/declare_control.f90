@@ -223,7 +223,9 @@ contains
          & //"not checked, since little energy is stored when loading begins. With FALL the run " &
          & //"ends normally behind that tenth, after the largest load has passed. The load is " &
          & //"measured by the power of the supports and loads, averaged over each hundredth of " &
-         & //"that time. It is proportional to the force where they move at a constant velocity."
+         & //"that time. It is proportional to the force where they move at a constant velocity. " &
+         & //"Where points are moved along x or y, the listing has the loading rate: passages of " &
+         & //"a wave in the loading time, and the kinetic energy to be expected."
       call keyword%add_card()
       call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
          & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)

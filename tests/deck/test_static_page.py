@@ -57,3 +57,19 @@ def test_its_frequency_is_that_of_the_plate(tmp_path: Path) -> None:
     found = 1.0e-3 * np.fft.rfftfreq(40000, time[1])[spectrum.argmax()]
     printed = float(re.search(r"first\s+frequency\s+is\s+([\d.]+) kHz", PAGE)[1])
     assert found == pytest.approx(printed, abs=0.1)
+
+
+def test_its_loading_rate_is_that_of_waves() -> None:
+    """Passages and stress of a wave in the coupon, and passages for 5 % of kinetic energy."""
+    speed = np.sqrt(50.0e3 / 1.58e-9)
+    transit, stress = 150.0 / speed, 1.58e-9 * speed * 62.5
+    page = " ".join(PAGE.split())
+    assert f"A wave takes {1.0e6 * transit:.0f} µs along the plate" in page
+    assert stress == pytest.approx(float(re.search(r"it has ([\d.]+) MPa", page)[1]), rel=0.02)
+    least, most = map(float, re.search(r"This is (\d+) to (\d+) passages", page).groups())
+    found = [way / 62.5 / transit for way in (0.65, 1.1)]
+    assert found == pytest.approx([least, most], rel=0.02)
+    steady = 10.0 / np.sqrt(3.0 * 0.05)
+    smooth = 30.0 * 0.1**2 * 0.9**2 / (0.1**3 * (10.0 - 1.5 + 0.06)) / np.sqrt(3.0 * 0.05)
+    assert f"needs {steady:.0f} passages of a wave" in page
+    assert f"over the whole time needs {smooth:.0f}" in page

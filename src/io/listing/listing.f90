@@ -14,6 +14,7 @@ module plydyn_io_listing_listing
    use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_impactors, only : write_impactors
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
+   use plydyn_io_listing_loading_rate, only : write_loading_rate
    use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_simulation, only : simulation_type
@@ -63,6 +64,7 @@ contains
          call write_interface_laws(unit, model)
          call write_masses(unit, model, domain, simulation%contacts)
          call write_step(unit, model, domain)
+         call write_loading_rate(unit, model, domain)
          call write_effort(unit, model, domain, seconds_per_step)
       end associate
       flush (unit)

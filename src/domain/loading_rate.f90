@@ -1,0 +1,258 @@
+!> How slowly a prescribed motion loads a plate along its plane, measured by waves.
+!>
+!> A bar of the length L and the wave speed c whose end has moved by d and moves at the speed v, all
+!> other points in proportion, has the kinetic energy (v L / c d)^2 / 3 over the internal one.
+module plydyn_domain_loading_rate
+   use plydyn_base_precision, only : wp
+   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_model_curve, only : curve_type
+   use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : motion_type, prescribes_acceleration, prescribes_velocity
+   implicit none
+   private
+
+   public :: find_loading_rate
+
+   real(wp), parameter :: pi = acos(-1.0_wp)
+   !> Intervals between the instants at which a motion is looked at
+   integer, parameter :: intervals = 1000
+   !> Share of the time with the loads after which `*CONTROL_QUASI_STATIC` compares energies
+   real(wp), parameter :: start_share = 0.1_wp
+
+   !> Loading by the motion along x or y with the largest speed
+   type, public :: loading_rate_type
+      !> Its index in `model%motions`; 0 where there is none, and nothing else is set
+      integer :: motion = 0
+      !> Length of the mesh along the motion; speed and time of a wave along it
+      real(wp) :: length = 0.0_wp, wave_speed = 0.0_wp, wave_time = 0.0_wp
+      !> Time over which the points move; their largest speed, and the stress behind its wave
+      real(wp) :: loading_time = 0.0_wp, speed = 0.0_wp, wave_stress = 0.0_wp
+      !> Largest kinetic energy over the internal one, after a tenth of the time
+      real(wp) :: kinetic_share = 0.0_wp
+      !> First period of a plate in bending, simply supported on all edges; 0 for bricks
+      real(wp) :: period = 0.0_wp
+   end type loading_rate_type
+
+   !> Stiffness and mass of a part over its area, or of a unit of thickness of bricks
+   type :: sheet_type
+      !> Stiffness in the plane, and in bending without strain of the mid-plane
+      real(wp) :: a(3, 3) = 0.0_wp, d(3, 3) = 0.0_wp
+      !> Thickness, and mass per area
+      real(wp) :: thickness = 0.0_wp, mass = 0.0_wp
+   end type sheet_type
+
+contains
+
+   !> Find the motion, and measure it
+   subroutine find_loading_rate(model, mass_ratio, rate)
+      type(model_type), intent(in) :: model
+      !> Mass with added mass over that without
+      real(wp), intent(in) :: mass_ratio
+      type(loading_rate_type), intent(out) :: rate
+
+      type(sheet_type) :: sheet
+      real(wp) :: modulus, size_of(2)
+      integer :: axis, m, p
+
+      do m = 1, size(model%motions)
+         call take_faster(model, m, rate)
+      end do
+      if (rate%motion == 0) return
+      axis = model%motions(rate%motion)%direction
+      size_of(:) = maxval(model%mesh%position(:2, :), dim=2) &
+         & - minval(model%mesh%position(:2, :), dim=2)
+      rate%length = size_of(axis)
+      rate%wave_speed = huge(1.0_wp)
+      do p = 1, size(model%parts)
+         sheet = sheet_of(model, p)
+         sheet%mass = mass_ratio*sheet%mass
+         modulus = determinant(sheet%a)/(sheet%thickness*minor(sheet%a, axis))
+         rate%wave_speed = min(rate%wave_speed, sqrt(modulus*sheet%thickness/sheet%mass))
+         rate%wave_stress = max(rate%wave_stress, rate%speed*sqrt(modulus*sheet%mass &
+            & /sheet%thickness))
+         if (model%parts(p)%brick%points == 0) then
+            rate%period = max(rate%period, period_of(sheet, size_of))
+         end if
+      end do
+      rate%wave_time = rate%length/rate%wave_speed
+      ! until here the largest of (v/d)^2/3
+      rate%kinetic_share = rate%kinetic_share*rate%wave_time**2
+   end subroutine find_loading_rate
+
+   !> Take a motion when it is faster than the one so far
+   subroutine take_faster(model, m, rate)
+      type(model_type), intent(in) :: model
+      !> Index of the motion
+      integer, intent(in) :: m
+      type(loading_rate_type), intent(inout) :: rate
+
+      real(wp) :: displacement, first, from, last, speed, squares, step, time, top
+      integer :: i
+
+      associate (motion => model%motions(m), curve => model%curves(model%motions(m)%curve))
+         if (motion%direction > 2 .or. motion%quantity == prescribes_acceleration) return
+         first = max(motion%birth, start_of(motion, curve))
+         last = min(motion%death, end_of(motion, curve), model%control%end_time)
+         if (last <= first) return
+         step = (last - first)/intervals
+         from = first + start_share*(model%control%end_time - first)
+         top = 0.0_wp
+         squares = 0.0_wp
+         displacement = 0.0_wp
+         do i = 1, intervals - 1
+            time = first + i*step
+            if (motion%quantity == prescribes_velocity) then
+               speed = motion%scale*curve%at(time)
+               displacement = displacement + 0.5_wp*step*motion%scale*(curve%at(time) &
+                  & + curve%at(time - step))
+            else
+               speed = motion%scale*(curve%at(time + step) - curve%at(time - step))/(2.0_wp*step)
+               displacement = motion%scale*(curve%at(time) - curve%at(first))
+            end if
+            top = max(top, abs(speed))
+            if (time < from - 0.01_wp*step .or. abs(displacement) <= 0.0_wp) cycle
+            squares = max(squares, (speed/displacement)**2)
+         end do
+      end associate
+      if (top <= rate%speed) return
+      rate%motion = m
+      rate%speed = top
+      rate%loading_time = last - first
+      rate%kinetic_share = squares/3.0_wp
+   end subroutine take_faster
+
+   !> Time at which a motion begins
+   pure real(wp) function start_of(motion, curve) result(time)
+      type(motion_type), intent(in) :: motion
+      type(curve_type), intent(in) :: curve
+
+      integer :: i
+
+      time = curve%x(1)
+      do i = 2, size(curve%x)
+         if (moves(motion, curve, i)) return
+         time = curve%x(i)
+      end do
+   end function start_of
+
+   !> Time at which a motion ends: never, where a velocity stays
+   pure real(wp) function end_of(motion, curve) result(time)
+      type(motion_type), intent(in) :: motion
+      type(curve_type), intent(in) :: curve
+
+      integer :: i
+
+      time = huge(1.0_wp)
+      if (motion%quantity == prescribes_velocity .and. abs(curve%y(size(curve%y))) > 0.0_wp) return
+      do i = size(curve%x), 2, -1
+         time = curve%x(i)
+         if (moves(motion, curve, i)) return
+      end do
+      time = curve%x(1)
+   end function end_of
+
+   !> Whether a motion moves before a point of its curve, from the point before it on
+   pure logical function moves(motion, curve, i)
+      type(motion_type), intent(in) :: motion
+      type(curve_type), intent(in) :: curve
+      !> Index of the point
+      integer, intent(in) :: i
+
+      if (motion%quantity == prescribes_velocity) then
+         moves = maxval(abs(curve%y(i - 1:i))) > 0.0_wp
+      else
+         moves = abs(curve%y(i) - curve%y(i - 1)) > 0.0_wp
+      end if
+   end function moves
+
+   !> Stiffness and mass of a part
+   pure function sheet_of(model, p) result(sheet)
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      type(sheet_type) :: sheet
+
+      real(wp) :: b(3, 3), z
+      integer :: i, k
+
+      b(:, :) = 0.0_wp
+      associate (part => model%parts(p))
+         if (part%brick%points > 0) then
+            associate (material => model%materials(part%plies(1)%material))
+               do i = 1, size(model%mesh%brick_part)
+                  if (model%mesh%brick_part(i) /= p) cycle
+                  call add_ply_stiffness(material%law, model%mesh%brick_angle(i), &
+                     & [0.0_wp, 1.0_wp], sheet%a, b, sheet%d)
+                  sheet%thickness = sheet%thickness + 1.0_wp
+               end do
+               sheet%mass = material%density*sheet%thickness
+            end associate
+            return
+         end if
+         z = 0.0_wp
+         do k = 1, size(part%plies)
+            associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
+               call add_ply_stiffness(material%law, ply%angle, [z, z + ply%thickness], sheet%a, &
+                  & b, sheet%d)
+               sheet%mass = sheet%mass + material%density*ply%thickness
+               z = z + ply%thickness
+            end associate
+         end do
+         sheet%thickness = z
+         sheet%d(:, :) = sheet%d - matmul(b, matmul(inverse(sheet%a), b))
+      end associate
+   end function sheet_of
+
+   !> First period of a rectangle, simply supported on all edges, without its coupling of bending
+   !> and twisting
+   pure real(wp) function period_of(sheet, size_of) result(period)
+      type(sheet_type), intent(in) :: sheet
+      !> Lengths along x and y
+      real(wp), intent(in) :: size_of(2)
+
+      associate (x => size_of(1)**2, y => size_of(2)**2, d => sheet%d)
+         period = 2.0_wp/pi*sqrt(sheet%mass/(d(1, 1)/x**2 + 2.0_wp*(d(1, 2) &
+            & + 2.0_wp*d(3, 3))/(x*y) + d(2, 2)/y**2))
+      end associate
+   end function period_of
+
+   !> Determinant of a matrix
+   pure real(wp) function determinant(a)
+      real(wp), intent(in) :: a(3, 3)
+
+      determinant = dot_product(a(:, 1), cross(a(:, 2), a(:, 3)))
+   end function determinant
+
+   !> Determinant of a matrix without a row and its column
+   pure real(wp) function minor(a, k)
+      real(wp), intent(in) :: a(3, 3)
+      !> Which row
+      integer, intent(in) :: k
+
+      integer :: i, j
+
+      i = modulo(k, 3) + 1
+      j = modulo(k + 1, 3) + 1
+      minor = a(i, i)*a(j, j) - a(i, j)*a(j, i)
+   end function minor
+
+   !> Inverse of a matrix
+   pure function inverse(a)
+      real(wp), intent(in) :: a(3, 3)
+      real(wp) :: inverse(3, 3)
+
+      inverse(1, :) = cross(a(:, 2), a(:, 3))
+      inverse(2, :) = cross(a(:, 3), a(:, 1))
+      inverse(3, :) = cross(a(:, 1), a(:, 2))
+      inverse(:, :) = inverse/determinant(a)
+   end function inverse
+
+   !> Product of two vectors that is normal to both
+   pure function cross(a, b)
+      real(wp), intent(in) :: a(3), b(3)
+      real(wp) :: cross(3)
+
+      cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
+   end function cross
+
+end module plydyn_domain_loading_rate

@@ -1,0 +1,94 @@
+!> The part of the listing on how slowly a quasi-static run is loaded along the plane.
+module plydyn_io_listing_loading_rate
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : fixed_text, text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_loading_rate, only : find_loading_rate, loading_rate_type
+   use plydyn_io_listing_table, only : write_section
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: loading_rate_warning, write_loading_rate
+
+   !> Parts of a whole
+   real(wp), parameter :: per_cent = 100.0_wp
+
+contains
+
+   !> A warning where the kinetic energy to be expected is more than the deck allows, else empty
+   function loading_rate_warning(model, domain) result(words)
+      type(model_type), intent(in) :: model
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      type(loading_rate_type) :: rate
+      real(wp) :: least
+
+      words = ""
+      if (domain%control%kinetic_limit <= 0.0_wp) return
+      call find_loading_rate(model, mass_ratio(domain), rate)
+      if (rate%kinetic_share <= domain%control%kinetic_limit) return
+      ! the share falls with the square of the time
+      least = rate%loading_time*sqrt(rate%kinetic_share/domain%control%kinetic_limit)
+      words = "warning: "//trim(model%motions(rate%motion)%name)//" moves within " &
+         & //fixed_text(rate%loading_time/rate%wave_time, 1)//" passages of a wave along the " &
+         & //"plate: after a tenth of the time the kinetic energy is then about " &
+         & //fixed_text(per_cent*rate%kinetic_share, 1)//" % of the internal one, more than " &
+         & //"SHARE of *CONTROL_QUASI_STATIC; right would be the same curve over "//text(least, 2) &
+         & //" "//trim(model%control%units%time)//", "//fixed_text(least/rate%wave_time, 0) &
+         & //" passages, at least"
+   end function loading_rate_warning
+
+   !> Waves and periods within the time of loading, where a quasi-static deck moves points along x
+   !> or y
+   subroutine write_loading_rate(unit, model, domain)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+
+      type(loading_rate_type) :: rate
+      character(:), allocatable :: time
+
+      if (max(domain%control%kinetic_limit, domain%control%load_share) <= 0.0_wp) return
+      call find_loading_rate(model, mass_ratio(domain), rate)
+      if (rate%motion == 0) return
+      call write_section(unit, "Loading rate")
+      associate (u => model%control%units, motion => model%motions(rate%motion))
+         time = " "//trim(u%time)
+         write (unit, "(4a)") "fastest motion                along ", &
+            & achar(iachar("x") + motion%direction - 1), ", ", trim(motion%name)
+         write (unit, "(a,es12.5,4a)") "largest speed                ", rate%speed, " ", &
+            & trim(u%length), "/", trim(u%time)
+         write (unit, "(a,es12.5,1x,a)") "stress behind a wave of it   ", rate%wave_stress, &
+            & trim(u%stress)
+         write (unit, "(a,es12.5,1x,a)") "length of the plate          ", rate%length, &
+            & trim(u%length)
+         write (unit, "(a,es12.5,4a)") "speed of a wave along it     ", rate%wave_speed, " ", &
+            & trim(u%length), "/", trim(u%time)
+         write (unit, "(a,es12.5,a)") "time of a wave along it      ", rate%wave_time, time
+         write (unit, "(a,es12.5,4a)") "loading time                 ", rate%loading_time, time, &
+            & ", ", fixed_text(rate%loading_time/rate%wave_time, 1), " passages of a wave"
+         if (rate%period > 0.0_wp) then
+            write (unit, "(a,es12.5,5a)") "first period, about          ", rate%period, time, &
+               & " with simply supported edges, ", &
+               & fixed_text(rate%loading_time/rate%period, 1), " in the loading time"
+         end if
+         write (unit, "(a,es12.5,a)") "kinetic over internal energy ", rate%kinetic_share, &
+            & " at most, to be expected after a tenth of the time"
+      end associate
+   end subroutine write_loading_rate
+
+   !> Mass with added mass over that without
+   pure real(wp) function mass_ratio(domain)
+      type(domain_type), intent(in) :: domain
+
+      mass_ratio = 1.0_wp
+      if (size(domain%inertia%added) == 0) return
+      mass_ratio = 1.0_wp + sum(domain%inertia%added%added)/sum(domain%inertia%added%own)
+   end function mass_ratio
+
+end module plydyn_io_listing_loading_rate
