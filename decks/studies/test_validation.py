@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from runner.cases import StudyError
-from studies.validation import AT_25, BLIND, TESTS, beams_text
+from studies.mechanisms import mechanisms
+from studies.validation import AT_25, BANDS, BLIND, TESTS, beams_text
 
 ROW = "| {} | 2 | {} | {} | 150.0 | 1.200 | 0.750 | 1.0 ± 0.1 | 1e-3 |"
 
@@ -45,3 +46,24 @@ def test_blind_recipes_differ_from_the_known_one_by_material_and_energy() -> Non
         }
     assert all(Path(test.case.path).is_file() for test in (*TESTS, *BLIND))
     assert set(AT_25) == set(TESTS[0].measured)
+
+
+def test_bands_are_the_blind_impacts_with_one_change_each() -> None:
+    """The finer mesh changes nothing but the quads, a seed nothing but the scatter of the bond."""
+    for blind, (fine, seeds) in zip(BLIND, BANDS.values(), strict=True):
+        assert fine.case.path == blind.case.path
+        assert fine.case.varied == ("mesh.quad=2.0",)
+        assert [seed.case.path for seed in seeds] == [blind.case.path] * 5
+        assert len({seed.case.varied for seed in seeds}) == 5
+        assert all(word.startswith("materials.bond.") for s in seeds for word in s.case.varied)
+
+
+def test_mechanisms_vary_the_impact_of_25_joule_alone() -> None:
+    """Each row is the recipe of the test with some keys changed, which the recipe accepts."""
+    known = TESTS[0].case
+    study = mechanisms()
+    assert study.cases[0].varied == ()
+    for case in study.cases:
+        assert case.path == known.path
+        assert case.model.control == known.model.control
+    assert len({case.varied for case in study.cases}) == len(study.cases)

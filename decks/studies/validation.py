@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 from plydyn_post.cscan import draw_delamination
+from plydyn_post.grid import read_state, read_times
 
 from readings import damage
 from readings.damage import Impact
@@ -42,19 +43,34 @@ TESTS = (
     _t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
     _t700("t700gc_25J_finest", "T700GC/M21, 25 J, quads of 1 mm", AT_25, "mesh.quad=1.0"),
     _t700("t700gc_25J_planes", "the same with planes of fracture, quads of 2.8 mm", AT_25),
+    _t700("t700gc_25J_planes_fine", "planes of fracture, 1.9 mm", AT_25, "mesh.quad=2.0"),
+    _t700("t700gc_25J_planes_finest", "planes of fracture, 1 mm", AT_25, "mesh.quad=1.0"),
 )
 #: Strengths of the interfaces that scatter by a tenth over 2 mm, as those of resins do
 SCATTER = ("materials.bond.scatter=12.0", "materials.bond.scatter_length=2.0")
-SEEDS = tuple(
-    _t700(f"t700gc_25J_seed{k}", f"seed {k}", {}, *SCATTER, f"materials.bond.seed={k}")
-    for k in range(1, 6)
-)
+
+
+def _seeds(name: str) -> tuple[Test, ...]:
+    """Five realisations of an impact."""
+    return tuple(
+        _t700(f"{name}_seed{k}", f"seed {k}", {}, *SCATTER, f"materials.bond.seed={k}")
+        for k in range(1, 6)
+    )
+
+
+SEEDS = _seeds("t700gc_25J")
 BLIND = (
     _t700("t700_6J", "T700/M21, 6.5 J, quads of 2.8 mm", {}),
     _t700("t700_17J", "T700/M21, 17 J, quads of 2.8 mm", {}),
     _t700("t700_29J", "T700/M21, 29.5 J, quads of 2.8 mm", {}),
 )
 
+#: The same on a finer mesh, and five seeds of each, by the first words of their rows
+BANDS = {
+    "T700/M21, 6.5 J": (_t700("t700_6J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_6J")),
+    "T700/M21, 17 J": (_t700("t700_17J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_17J")),
+    "T700/M21, 29.5 J": (_t700("t700_29J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_29J")),
+}
 #: The same with another law of the plies than the default
 OTHER_LAWS = (
     _t700("t700_17J_planes", "T700/M21 with planes of fracture, 17 J, quads of 2.8 mm", {}),
@@ -64,6 +80,8 @@ DRAWN = {
     "t700gc_25J": "validation_interfaces.png",
     "t700gc_25J_finest": "validation_interfaces_finest.png",
 }
+#: Mean damage of the fibres of a cell that counts as broken
+BROKEN = 0.5
 #: Where the study of beams stands, and how many cells its rows have
 BEAMS, BEAM_CELLS = ROOT / "manual/verification.md", 9
 
@@ -78,6 +96,13 @@ def validation() -> Study:
 def blind() -> Study:
     """Impacts whose measured numbers nobody here has seen, for manual/validation.md; run once."""
     return Study([test.case for test in (*BLIND, *OTHER_LAWS)], _report_blind)
+
+
+@command()
+def bands() -> Study:
+    """A finer mesh and five seeds of the blind impacts, for manual/validation.md."""
+    cases = [test.case for fine, seeds in BANDS.values() for test in (fine, *seeds)]
+    return Study(cases, _report_bands)
 
 
 def read_numbers(one: Impact) -> dict[str, float | None]:
@@ -119,22 +144,61 @@ def _report_blind(runs: list[Run], _folder: Path) -> list[Page]:
     return [Page("blind", [Section("Blind numbers", text, "blind")])]
 
 
+def _report_bands(runs: list[Run], _folder: Path) -> list[Page]:
+    found = {run.case.name: run for run in runs}
+    rows = []
+    for label, (fine, seeds) in BANDS.items():
+        if fine.case.name in found:
+            numbers = read_numbers(damage.read_impact(found[fine.case.name]))
+            rows.append([f"{label}, quads of 1.9 mm", *map(_word, numbers.values())])
+        ran = [found[seed.case.name] for seed in seeds if seed.case.name in found]
+        if len(ran) > 1:
+            columns = _columns(ran)
+            cells = [f"{np.mean(of):.4g} ± {_deviation(of):.2g}" for of in columns.values()]
+            rows.append([f"{label}, {len(ran)} seeds on 2.8 mm", *cells])
+    names = (PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA)
+    text = f"{table(('test', *names), rows)}\n{made_by(runs)}" if rows else "Not run.\n"
+    return [Page("bands", [Section("Scatter of the blind numbers", text, "bands")])]
+
+
+def _word(value: float | None) -> str:
+    return NOTHING if value is None else f"{value:.4g}"
+
+
+def _columns(runs: Sequence[Run]) -> dict[str, np.ndarray]:
+    """Each number of some runs, by its name."""
+    read = [read_numbers(damage.read_impact(run)) for run in runs]
+    return {name: np.array([one[name] for one in read], dtype=float) for name in read[0]}
+
+
 def _parts_text(runs: Sequence[Run]) -> str:
     """Energy by mechanism, and delaminated area by interface."""
     if not runs:
         return "Not run.\n"
     read = [damage.read_impact(run) for run in runs]
     rubbed = Quantity("friction [J]", lambda one: one.dissipated.get("friction", 0.0) / 1e3, ".2f")
-    columns = (damage.LABEL, *damage.DISSIPATED, rubbed, damage.TOTAL)
+    broken = Quantity("fibres broken over [mm]", broken_width, ".1f")
+    columns = (damage.LABEL, *damage.DISSIPATED, broken, rubbed, damage.TOTAL)
     return f"{tabulate(columns, read)}\n{damage.areas_text(read)}"
+
+
+def broken_width(one: Impact) -> float:
+    """Twice the distance of the farthest point with broken fibres from the axes through the impact.
+
+    Mid-points of cells, as points between two quads have the mean of both.
+    """
+    path = one.run.results.fields
+    state = read_state(path, len(read_times(path)) - 1)
+    cells = state.point_data_to_cell_data()
+    places = state.cell_centers().points[cells["damage_fibre"] > BROKEN]
+    return 2.0 * float(np.abs(places[:, :2]).max()) if len(places) else 0.0
 
 
 def _seeds_text(runs: Sequence[Run]) -> str:
     """Mean, standard deviation and range of runs with different seeds."""
     if len(runs) < 2:
         return "Not run.\n"
-    read = [read_numbers(damage.read_impact(run)) for run in runs]
-    columns = {name: np.array([one[name] for one in read], dtype=float) for name in read[0]}
+    columns = _columns(runs)
     rows = [
         [word, *(f"{of(values):.3g}" for values in columns.values())]
         for word, of in (
@@ -188,7 +252,7 @@ def _row(run: Run, test: Test) -> list[str]:
     numbers = read_numbers(damage.read_impact(run))
     cells = []
     for name, value in numbers.items():
-        word = NOTHING if value is None else f"{value:.4g}"
+        word = _word(value)
         if value is not None and name in test.measured and np.isfinite(value):
             word += f" ({change(value, test.measured[name])})"
         cells.append(word)
