@@ -12,6 +12,9 @@ from deck_cards import cards_of
 import plydyn_pre as pre
 from plydyn_pre.deck import stage_text
 from plydyn_pre.recipe import example_recipe, load_recipe
+from plydyn_pre.study import Stage
+
+FALL = pre.Impactor(radius=8.0, mass=1.0e-3, energy=1.0e3)
 
 
 @pytest.fixture(scope="module")
@@ -116,6 +119,18 @@ def test_a_compression_test_leaves_its_field_free(
         ({"until_fall": 0.5}, "needs quasi_static"),
         ({"mass_scaled_step": -1.0e-7}, "mass_scaled_step"),
         ({"contact": pre.Contact()}, "needs an impactor"),
+        ({"outputs": pre.Outputs(fields=("displacement",))}, r"outputs\.fields: fields are those"),
+        ({"outputs": pre.Outputs(nodes=("end",))}, r"outputs\.nodes: nodes with a history are"),
+        ({"outputs": pre.Outputs(profiles=(pre.Profile((0.0, 0.0)),))}, r"outputs\.profiles"),
+        (
+            {"outputs": pre.Outputs(fixture_interval=1.0e-6)},
+            r"stages\[1\]\.outputs\.fixture_interval: there are no fixtures",
+        ),
+        (
+            {"impactor": FALL, "contact": pre.Contact(face="bottom")},
+            r"stages\[1\]\.contact\.face: a fall hits the top",
+        ),
+        ({"impactor": replace(FALL, velocity=(0.0, 0.0, -3.0e7), energy=None)}, "faster than any"),
     ],
 )
 def test_what_is_no_stage_is_refused(
@@ -123,6 +138,48 @@ def test_what_is_no_stage_is_refused(
 ) -> None:
     with pytest.raises(pre.RecipeError, match=words):
         replace(study, stages=(replace(study.stages[0], **change),))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (
+            {"supports": (pre.Support("upper_end", hold="x"),)},
+            r"stages\[2\]\.loads\[1\]\.set: node \d+ is held or moved along x by supports",
+        ),
+        (
+            {"supports": (pre.Support("lower"),)},
+            r"stages\[2\]\.supports\[1\]\.set: 'lower' is not a node set",
+        ),
+    ],
+)
+def test_places_of_a_stage_are_told_by_their_keys(
+    change: dict[str, object], words: str, study: pre.Study
+) -> None:
+    stages = (study.stages[0], replace(study.stages[1], **change))
+    with pytest.raises(pre.RecipeError, match=words):
+        decks(replace(study, stages=stages))
+
+
+def test_sets_are_told_by_their_own_keys(study: pre.Study) -> None:
+    """A stage uses them, and the recipe has them."""
+    sets = study.sets | {"upper_end": pre.NodeSet(box=(500.0, 600.0, 0.0, 1.0))}
+    with pytest.raises(pre.RecipeError, match=r"^sets\.upper_end\.box: no node lies in it"):
+        decks(replace(study, sets=sets))
+
+
+def test_stages_of_a_quarter_are_symmetric() -> None:
+    metal = pre.Elastic(density=2.7e-9, E=70000.0, nu=0.33)
+    aside = pre.Impactor(radius=8.0, mass=1.0e-3, energy=1.0e3, position=(5.0, 0.0))
+    with pytest.raises(pre.RecipeError, match=r"stages\[1\]\.impactor\.position: a quarter is hit"):
+        pre.Study(
+            title="quarter",
+            materials={"metal": metal},
+            laminate=pre.Laminate(layup="[0/90]s", thickness=1.0, material="metal"),
+            mesh=pre.Coupon(plate=60.0, window=40.0, core=10.0, quad=5.0, quarter=True),
+            control=pre.Control(1.0e-4),
+            stages=(Stage("hit", 1.0e-4, impactor=aside),),
+        )
 
 
 def test_names_of_stages_differ(study: pre.Study) -> None:

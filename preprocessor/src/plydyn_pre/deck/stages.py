@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from contextlib import contextmanager
+from dataclasses import fields, replace
 from itertools import chain
 
 from plydyn_pre.deck import conditions, control
 from plydyn_pre.deck.cards import keyword, title_line
 from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
+from plydyn_pre.deck.places import check_places
+from plydyn_pre.errors import RecipeError
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Stage, Study
 from plydyn_pre.version import VERSION
@@ -18,6 +21,8 @@ from plydyn_pre.version import VERSION
 NUMBERS = 1000
 #: Steps that no run makes: a restart file at the end alone
 END_ALONE = 999_999_999
+#: Keys of a stage
+_KEYS = {each.name for each in fields(Stage)}
 
 
 def end_keyword(study: Study) -> Iterator[str]:
@@ -28,8 +33,15 @@ def end_keyword(study: Study) -> Iterator[str]:
 
 def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str]:
     """The deck of a stage, counted from 1; the sum is that of the first deck of the chain."""
+    with _blaming(number):
+        yield from _stage(study, mesh, number, deck_sum)
+
+
+def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str]:
+    """The deck of a stage; errors name keys within its table."""
     stage = study.stages[number - 1]
     names = Names(_part(study, stage), mesh, first=NUMBERS * number + 1)
+    check_places(names)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}\n$ stage {number} of {deck_sum}"
     yield keyword("TITLE", title_line(f"{study.title}: {stage.name}"))
     yield keyword("CONTROL_STAGE", {"time": 1})
@@ -55,6 +67,16 @@ def stage_text(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator
         conditions.set_keywords(names),
     )
     yield "*END"
+
+
+@contextmanager
+def _blaming(number: int) -> Iterator[None]:
+    """Put the number of a stage before the keys of an error that are its own."""
+    try:
+        yield
+    except RecipeError as error:
+        of_stage = error.path.partition("[")[0].partition(".")[0] in _KEYS
+        raise error.within(f"stages[{number}]" if of_stage else "") from error
 
 
 def _part(study: Study, stage: Stage) -> Study:

@@ -12,6 +12,9 @@ from plydyn_pre.study.control import Outputs
 from plydyn_pre.study.fixtures import Fixture
 from plydyn_pre.study.impactor import Impactor
 
+#: Outputs that a restart does not change
+_OF_FIRST = {"fields": "fields", "nodes": "nodes with a history", "profiles": "profiles"}
+
 
 @dataclass(frozen=True)
 class Stage:
@@ -49,6 +52,9 @@ class Stage:
         require(watched, "until_fall", "needs quasi_static, which may be 0")
         hit = self.contact is None or self.impactor is not None
         require(hit, "contact", "needs an impactor of the stage")
+        for name, what in _OF_FIRST.items():
+            rule = f"{what} are those of the first run; leave it out of a stage"
+            require(not getattr(self.outputs, name), f"outputs.{name}", rule)
         stays = not any(isinstance(load, Lever) for load in self.loads)
         require(stays, "loads", "a lever is there from the start; it belongs to the recipe's loads")
 
@@ -67,3 +73,6 @@ def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures:
         require(not both, f"{path}.impactor", "the one before is still there; remove it")
         there["impactor"] |= stage.impactor is not None
         there["fixtures"] |= bool(stage.fixtures)
+        asked = stage.outputs.fixture_interval is not None
+        rule = "there are no fixtures in this stage"
+        require(there["fixtures"] or not asked, f"{path}.outputs.fixture_interval", rule)

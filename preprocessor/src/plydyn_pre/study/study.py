@@ -38,6 +38,7 @@ from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
 
 _JOINTS = ("tied", "apart")
+_FALLS = "a fall hits the top face; give a velocity"
 
 
 @dataclass(frozen=True)
@@ -85,15 +86,15 @@ class Study:
         if is_quarter(self.mesh):
             check_quarter(self.mesh, self.all_laminates, self.impactor, self.loads)
             check_fixtures(self.mesh, self.fixtures)
+        for number, stage in enumerate(self.stages, start=1):
+            self._check_stage(stage, f"stages[{number}]")
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
         check_levers(self.loads, self.touch if self.impactor else None, self.control)
         check_step_curve(self.curves, self.control)
-        for part in (self, *self.stages):
-            check_speed(part.impactor, self.units)
+        check_speed(self.impactor, self.units)
         falls = self.impactor is not None and self.impactor.energy is not None
-        rule = "a fall hits the top face; give a velocity"
-        require(not falls or self.touch.face == "top", "contact.face", rule)
+        require(not falls or self.touch.face == "top", "contact.face", _FALLS)
         asked = self.outputs.fixture_interval is not None
         require(not asked or bool(self.fixtures), "fixtures", "missing; a history needs one")
         for name, material in self.materials.items():
@@ -108,6 +109,20 @@ class Study:
         if isinstance(self.mesh, Coupon):
             shape = sized(self.mesh, self.all_laminates, self.materials)
             object.__setattr__(self, "mesh", shape)
+
+    def _check_stage(self, stage: Stage, path: str) -> None:
+        """Refuse a stage that does not suit the mesh, the materials and the units."""
+        try:
+            check_fields(self.all_laminates, self.materials, stage.outputs)
+            check_speed(stage.impactor, self.units)
+            falls = stage.impactor is not None and stage.impactor.energy is not None
+            on_top = stage.contact is None or stage.contact.face == "top"
+            require(on_top or not falls, "contact.face", _FALLS)
+            if is_quarter(self.mesh):
+                check_quarter(self.mesh, self.all_laminates, stage.impactor, stage.loads)
+                check_fixtures(self.mesh, stage.fixtures)
+        except RecipeError as error:
+            raise error.within(path) from error
 
     def laminate_of(self, part: str) -> Laminate:
         """The laminate of a part of the mesh."""
