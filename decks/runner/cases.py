@@ -38,6 +38,12 @@ class Case:
     common: tuple[str, ...] = ()
     given: tuple[str, ...] = ()  # by --set
     threads: int = 1
+    stages: tuple[str, ...] = ()  # names of those of its recipe that are run, in their order
+
+    @property
+    def jobs(self) -> tuple[str, ...]:
+        """The names of its jobs: the first run, and the stages that follow."""
+        return (self.name, *(f"{self.name}_{stage}" for stage in self.stages))
 
     @property
     def path(self) -> Path:
@@ -78,7 +84,7 @@ class Effort:
 
 @dataclass(frozen=True)
 class Run:
-    """A case that has run, to its end or until it was asked to stop."""
+    """A case that has run, to its end or until it was asked to stop; of a chain its last stage."""
 
     case: Case
     effort: Effort
@@ -86,22 +92,25 @@ class Run:
 
     @property
     def listing(self) -> str:
-        """The text of its listing."""
+        """The text of the listing of its first job, which names the build."""
         return _listing(self.results.folder, self.case).read_text(encoding="utf-8")
 
 
 def read_runs(cases: Sequence[Case], folder: Path) -> list[Run]:
     """The runs of those cases that have run in a folder."""
     return [
-        Run(case, effort, open_results(folder / case.name))
+        Run(case, effort, open_results(folder / case.jobs[-1]))
         for case in cases
         if (effort := read_effort(case, folder))
     ]
 
 
 def read_effort(case: Case, folder: Path) -> Effort | None:
-    """What the run of a case took, nothing if there is none that came to a good end."""
-    kept, listing = effort_file(case, folder), _listing(folder, case)
+    """What the run of a case took, nothing if there is none that came to a good end.
+
+    Of a chain, steps and the time of the loop are those of the last stage.
+    """
+    kept, listing = effort_file(case, folder), _listing(folder, case, last=True)
     if not (kept.is_file() and listing.is_file()):
         return None
     took = json.loads(kept.read_text(encoding="utf-8"))
@@ -131,12 +140,13 @@ def is_whole(case: Case, folder: Path, version: str) -> bool:
     """Whether a build has run a case to its end."""
     if read_effort(case, folder) is None:
         return False
-    text = _listing(folder, case).read_text(encoding="utf-8")
-    return text.startswith(version) and "\nnormal end" in text
+    made = _listing(folder, case).read_text(encoding="utf-8").startswith(version)
+    return made and "\nnormal end" in _listing(folder, case, last=True).read_text(encoding="utf-8")
 
 
-def _listing(folder: Path, case: Case) -> Path:
-    return folder / f"{case.name}.out"
+def _listing(folder: Path, case: Case, *, last: bool = False) -> Path:
+    """The listing of the first job of a case, or of the last one."""
+    return folder / f"{case.jobs[-1 if last else 0]}.out"
 
 
 def builds(runs: Sequence[Run], lines: int = 1) -> str:

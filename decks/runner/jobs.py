@@ -23,6 +23,8 @@ from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request
 ENDED, STOPPED = 0, 4
+#: What runs a deck and its stages
+CHAIN = ROOT / "decks/hpc/plydyn-chain"
 _DONE = re.compile(r"\s(\d+\.\d)%\s")
 console = Console(highlight=False)
 
@@ -113,16 +115,17 @@ class Queue:
         console.print(f"{case.name}: {wall:.0f} s", markup=False)
 
     def _solve(self, case: Case, deck: Path, tick: Callable[[float], None]) -> float:
-        """Run a deck and keep what it took; gives the wall time."""
-        words = [self.tools.solver, "run", deck, "-j", case.name, "-o", self.folder]
-        words.append(f"ncpu={case.threads}")
+        """Run a deck and the stages that follow, and keep what it took; gives the wall time."""
+        words = self._words(case, deck)
         if self.core is not None and shutil.which("taskset"):
             words = ["taskset", "-c", str(self.core), *words]
         kept = effort_file(case, self.folder)
         kept.unlink(missing_ok=True)
         start = time.perf_counter()
+        found = os.environ | {"OMP_NUM_THREADS": str(case.threads)}
+        found["PATH"] = f"{self.tools.solver.parent}{os.pathsep}{found['PATH']}"
         with subprocess.Popen(
-            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=found
         ) as process:
             last = _follow(process, self.folder / f"{case.name}.screen", tick)
             _, status, usage = os.wait4(process.pid, 0)
@@ -134,6 +137,25 @@ class Queue:
         took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
         kept.write_text(json.dumps(took), encoding="utf-8")
         return wall
+
+    def _words(self, case: Case, deck: Path) -> list[str | Path]:
+        """The command that runs a case; stages that have ended are run again only if all are."""
+        if not case.stages:
+            words = [self.tools.solver, "run", deck, "-j", case.name, "-o", self.folder]
+            return [*words, f"ncpu={case.threads}"]
+        if self.tools.solver.name != "plydyn":
+            raise StudyError(f"{case.name}: a chain needs a solver of the name plydyn")
+        if self.again:
+            for job in case.jobs:
+                for ending in ("out", "sum", "dump*", "runrsf*"):
+                    for path in self.folder.glob(f"{job}.{ending}"):
+                        path.unlink()
+        return [CHAIN, self.folder, *_decks(case, self.folder)]
+
+
+def _decks(case: Case, folder: Path) -> list[Path]:
+    """The decks of a case."""
+    return [folder / f"{job}.k" for job in case.jobs]
 
 
 def _run_group(work: Callable[[Case], None], cases: Sequence[Case], at_once: int) -> None:
@@ -150,17 +172,17 @@ def _run_group(work: Callable[[Case], None], cases: Sequence[Case], at_once: int
 def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
     """Write the deck of a case; gives also whether the same one was there already."""
     folder.mkdir(parents=True, exist_ok=True)
-    deck = folder / f"{case.name}.k"
-    before = deck.read_bytes() if deck.is_file() else b""
+    decks = _decks(case, folder)
+    before = [deck.read_bytes() if deck.is_file() else b"" for deck in decks]
     replaced = [word for override in case.overrides for word in ("--set", override)]
-    words = [tools.pre, "deck", case.path, "-o", deck, *replaced]
+    words = [tools.pre, "deck", case.path, "-o", decks[0], *replaced]
     made = subprocess.run(words, capture_output=True, text=True, check=False)
     if made.returncode:
         raise StudyError(f"{case.name}: {made.stderr.strip() or made.stdout.strip()}")
-    same = deck.read_bytes() == before
+    same = [deck.read_bytes() for deck in decks] == before
     if not same:
         effort_file(case, folder).unlink(missing_ok=True)
-    return deck, same
+    return decks[0], same
 
 
 def _follow(process: subprocess.Popen[str], log: Path, tick: Callable[[float], None]) -> str:
