@@ -52,7 +52,8 @@ contains
             run = pack([(k, k=1, size(here))], [here(2:) /= here(:size(here) - 1), &
                & spread(.true., 1, min(1, size(here)))])
             other = [other, here(run) - 1]
-            nodes = [nodes, run - [integer :: 0, run(:size(run) - 1)]]
+            ! a chunk that meets no other has no run
+            nodes = [nodes, (run(k) - merge(0, run(max(1, k - 1)), k == 1), k=1, size(run))]
          end associate
          first(c + 1) = size(other)
       end do
