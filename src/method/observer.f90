@@ -111,8 +111,8 @@ contains
    !> A step is made
    subroutine notify(self, simulation, requests, error)
       class(observer_type), intent(inout) :: self
-      !> The simulation at the end of the step. Of it the state alone may change: run control moves
-      !> the end, the monitors of volume and relaxation keep what they measured
+      !> The simulation at the end of the step. Of it the state may change: run control moves the
+      !> end, the monitors of volume and relaxation keep what they measured; and the least volume
       class(simulation_type), intent(inout) :: simulation
       !> Requests to and from other observers
       type(requests_type), intent(inout) :: requests

@@ -51,7 +51,7 @@ contains
       call add_other(new_finite_monitor(), observers)
       call add_other(new_relaxation_monitor(job, trim(run%model%control%units%time)), observers)
       call add_other(new_quasi_static_monitor(job, trim(run%model%control%units%time)), observers)
-      call add_other(new_volume_monitor(job, run%model%mesh), observers)
+      call add_other(new_volume_monitor(job, run%model), observers)
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(new_progress_monitor(), job, run, observers, error)

@@ -7,27 +7,31 @@ module plydyn_run_volume_monitor
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_io_job, only : job_type
+   use plydyn_io_schedule, only : schedule_type
    use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    public :: new_volume_monitor
 
-   !> Steps between two looks
+   !> Steps between two looks that the step follows
    integer, parameter :: steps_per_look = 200
    !> Ratio below which there is a warning
    real(wp), parameter :: warning_ratio = 0.3_wp
 
-   !> Looks at all elements now and then
+   !> Looks at all elements every so many steps, and with each output of energies or fields
    type, public, extends(observer_type) :: volume_monitor_type
       private
       !> Where a warning goes
       type(job_type) :: job
       !> The user's numbers
       type(mesh_type) :: mesh
+      !> Instants of these outputs, as far as they have an interval
+      type(schedule_type), allocatable :: outputs(:)
       !> Whether there was a warning
       logical :: has_warned = .false.
    contains
@@ -38,21 +42,29 @@ module plydyn_run_volume_monitor
 contains
 
    !> A monitor
-   function new_volume_monitor(job, mesh) result(self)
+   function new_volume_monitor(job, model) result(self)
       type(job_type), intent(in) :: job
-      type(mesh_type), intent(in) :: mesh
+      !> Has the mesh and the intervals of outputs
+      type(model_type), intent(in) :: model
       type(volume_monitor_type) :: self
 
+      real(wp) :: interval(2)
+      integer :: i
+
       self%job = job
-      self%mesh = mesh
+      self%mesh = model%mesh
+      interval(:) = [model%request%energy_interval, model%request%field_interval]
+      self%outputs = [(schedule_type(interval(i)), i=1, size(interval))]
+      self%outputs = pack(self%outputs, interval > 0.0_wp)
    end function new_volume_monitor
 
-   !> Every so many steps, and at the end
+   !> Every so many steps, with outputs and at the end
    pure logical function due(self, instant)
       class(volume_monitor_type), intent(in) :: self
       type(instant_type), intent(in) :: instant
 
-      due = instant%is_last .or. mod(instant%cycle, steps_per_look) == 0
+      due = instant%is_last .or. mod(instant%cycle, steps_per_look) == 0 &
+         & .or. any(self%outputs%due(instant%time))
    end function due
 
    !> Look at a step
@@ -67,7 +79,12 @@ contains
       if (.not. self%due(instant_of(simulation%state))) return
       associate (domain => simulation%domain, state => simulation%state)
          least = find_least_volume(domain, state%displacement)
-         state%least_volume = least%ratio
+         call self%outputs%advance(state%time)
+         simulation%least_volume = least%ratio
+         ! outputs do not change the step
+         if (state%is_finished() .or. mod(state%cycle, steps_per_look) == 0) then
+            state%least_volume = least%ratio
+         end if
          if (least%ratio < domain%control%volume_limit) then
             call fail(error, exit_run, place_of(self, domain, state, least)//", below the limit " &
                & //"of "//text(domain%control%volume_limit)//" (VOLLIM of *CONTROL_LAYERWISE)")
@@ -122,7 +139,7 @@ contains
       associate (group => domain%groups(least%group)%item)
          words = group%element_kind//" "//text(group%element_id(self%mesh, least%element))
          if (least%layer > 0) words = words//", "//group%layer_kind//" "//text(least%layer)
-         words = words//" is pressed to "//text(least%ratio, 3)//" of its volume at cycle " &
+         words = words//" is pressed to "//text(least%ratio, 5)//" of its volume at cycle " &
             & //text(state%cycle)//", time "//text(state%time)
       end associate
    end function place_of

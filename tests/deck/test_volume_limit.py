@@ -5,18 +5,26 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from broken import said
+from decks import Deck
+from meshes import regular
 from runs import Results
 
 DECK = Path(__file__).parent / "crushed" / "deck.k"
 #: Of that deck: thickness of a layer, and the share of it that is lost per time, 1/s
 THICKNESS = 0.25
 RATE = 0.225 / 4.0e-4 / THICKNESS
-#: Steps from one look at the volumes to the next
-STEPS = 200
+#: Rows of the energies, with each of which volumes are looked at, s
+ROW = 1.0e-6
 STOPPED = 3
+
+#: A clamped strip whose far end is moved beyond its clamp: length, displacement, rows of output
+LONG, FAR, ROWS = 40.0, -45.0, 100
+END = 1.0e-3
+WARNED = 0.3
 
 
 @pytest.mark.parametrize("limit", [0.6, 0.35])
@@ -30,10 +38,71 @@ def test_run_stops_below_the_bound(limit: float, tmp_path: Path) -> None:
     found = re.search(r"pressed to (\S+) of its volume at cycle \d+, time (\S+),.*VOLLIM", words)
     assert found is not None, words
     least, time = float(found[1]), float(found[2])
-    # three digits are printed
     assert least == pytest.approx(1.0 - RATE * time, abs=1e-3)
     results = Results(tmp_path, "job")
-    assert limit - STEPS * results.table("energy")["step"][1] * RATE < least < limit
+    assert limit - (ROW + results.table("energy")["step"][1]) * RATE < least < limit
     # the state at the stop is in the file of fields
     moved = abs(results.field("displacement")[:, 2]).max()
     assert moved == pytest.approx(THICKNESS * RATE * time, rel=1e-3)
+
+
+def pressed_strip(folder: Path, kinematics: int) -> tuple[int, str, Results]:
+    """A strip of metal that can only become shorter: held across and through its thickness."""
+    deck = Deck("strip pressed through its clamp", END)
+    deck.add("CONTROL_LAYERWISE", (kinematics, 0.05))
+    mesh = regular(LONG, 10.0, 8, 2, 4)
+    deck.mesh(mesh)
+    deck.add("MAT_PLASTIC_KINEMATIC", (1, 7.8e-9, 2.1e5, 0.3, 200.0, 2000.0, 1.0))
+    deck.add("PART_COMPOSITE", "strip", (1, 0), (1, 1.0, 0.0, 0))
+    deck.add("SECTION_LAYERWISE", (1, 0, 1))
+    x = mesh.points[:, 0]
+    deck.hold(range(len(x)), "yz")
+    deck.hold(np.flatnonzero(x < 1e-9), "x")
+    curve = deck.curve([(0.0, 0.0), (END, 1.0)])
+    deck.move(np.flatnonzero(x > LONG - 1e-9), 1, curve, FAR)
+    deck.intervals(glstat=END / ROWS, binary_d3plot=END / 4)
+    deck.write(folder / "strip.k")
+    code, words = said("run", folder / "strip.k", "-o", folder)
+    return code, words, Results(folder, "strip")
+
+
+def check_volumes(words: str, results: Results) -> None:
+    """Each row has the least ratio, at most the mean one, and the warning names the first one."""
+    table = results.table("energy")
+    time, least = table["time"], table["least volume"]
+    # the plane strain of a strip held across: its volume is its length
+    assert (least < 1.0 + FAR / LONG * time / END + 1e-9).all()
+    found = re.findall(r"warning: quad \d+, ply 1 is pressed to (\S+) of its volume", words)
+    assert len(found) == 1, words
+    when = float(re.search(r"pressed.* at cycle \d+, time (\S+);", words)[1])
+    first = int(np.argmax(least < WARNED))
+    assert time[first - 1] < when < time[first] * (1.0 + 1e-5)
+    assert float(found[0]) < WARNED
+
+
+def test_strip_pressed_through_its_clamp_is_stopped(tmp_path: Path) -> None:
+    """No strip is shorter than nothing: the run stops, with a state, before its far end is there.
+
+    Warning and stop name quad, ply and time.
+    """
+    code, words, results = pressed_strip(tmp_path, kinematics=1)
+    assert code == STOPPED, words
+    check_volumes(words, results)
+    found = re.search(
+        r"quad \d+, ply 1 is pressed to (\S+) of its.*time (\S+), below the limit", words
+    )
+    assert found is not None, words
+    least, time = float(found[1]), float(found[2])
+    assert least < 0.0
+    assert time <= -LONG / FAR * END
+    # the state at the stop is in the file of fields
+    moved = abs(results.field("displacement")[:, 0]).max()
+    assert moved == pytest.approx(-FAR * time / END, rel=1e-3)
+
+
+def test_linear_strain_only_warns(tmp_path: Path) -> None:
+    """Linear strain knows no volumes: the run ends, with a warning and a column below zero."""
+    code, words, results = pressed_strip(tmp_path, kinematics=0)
+    assert code == 0, words
+    check_volumes(words, results)
+    assert results.table("energy")["least volume"][-1] <= 1.0 + FAR / LONG

@@ -69,6 +69,11 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
+      real(wp) :: least_volume
+
+      ! where every step has a line, volumes are looked at less often
+      least_volume = merge(simulation%least_volume, simulation%state%least_volume, &
+         & self%schedule%interval > 0.0_wp)
       self%balance = balance_of(simulation%domain, simulation%state)
       associate (balance => self%balance, state => simulation%state, &
          & e => simulation%state%energies)
@@ -76,7 +81,7 @@ contains
             & e%internal, balance%stored, sum(balance%dissipated), e%impactor, e%damping, &
             & e%external, e%contact, e%friction, balance%dissipated, balance%hourglass, &
             & e%half_step_correction - e%step_change - e%added, e%total(), e%error(), &
-            & balance%error(), e%momentum, state%least_volume], error)
+            & balance%error(), e%momentum, least_volume], error)
       end associate
    end subroutine record_energies
 
