@@ -75,7 +75,8 @@ module plydyn_deck_declaration
       character(:), allocatable :: remark
       !> Lines of an example behind the name, each with a line feed; unallocated without one
       character(:), allocatable :: example
-      !> Heading of `manual/theory.md` that explains it, as a link; empty without one
+      !> Heading of `manual/theory.md` that explains it, as a link, or page and heading; empty
+      !> without one
       character(:), allocatable :: theory
       !> `is_read`, `is_ignored` or `is_refused`
       integer :: status = is_read

@@ -1,7 +1,7 @@
 !> Finds the declaration of a keyword by name, or a suggestion for an unknown name.
 module plydyn_deck_lookup
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
+   use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type, text_field
    use plydyn_deck_nearest, only : nearest_word
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_values, only : split_words
@@ -79,6 +79,29 @@ contains
       i = 0
    end function find_keyword
 
+   !> Suggestion in place of an option _TITLE or _ID that a keyword does not have; empty without one
+   function option_advice(name, keywords) result(words)
+      !> Name without star, in capitals
+      character(*), intent(in) :: name
+      !> Declarations of the keywords that are known
+      type(keyword_type), intent(in) :: keywords(:)
+      character(:), allocatable :: words
+
+      integer :: bar, i
+
+      words = ""
+      bar = index(name, "_", back=.true.)
+      if (bar == 0) return
+      if (.not. any(name(bar:) == [character(6) :: "_TITLE", "_ID"])) return
+      i = find_keyword(name(:bar - 1), keywords)
+      if (i == 0) return
+      if (keywords(i)%status /= is_read) return
+      words = "*"//name(:bar - 1)//" without "//name(bar:)
+      if (size(keywords(i)%cards) == 0) return
+      if (keywords(i)%cards(1)%fields(1)%kind == text_field) words = words &
+         & //": its first card is the title in any case"
+   end function option_advice
+
    !> Suggestion in place of an unknown keyword
    function keyword_advice(name, keywords) result(words)
       !> Name without star, in capitals
@@ -91,6 +114,8 @@ contains
       character(:), allocatable :: stem
       integer :: i
 
+      words = option_advice(name, keywords)
+      if (len(words) > 0) return
       do i = 1, size(keywords)
          known(i) = ""
          if (keywords(i)%status /= is_read) cycle

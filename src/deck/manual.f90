@@ -100,7 +100,7 @@ contains
       words = words//line_feed
    end function origin_text
 
-   !> Example of a keyword, and where the theory explains it
+   !> Example of a keyword, and where the manual explains it
    function example_text(keyword) result(words)
       !> Its declaration
       type(keyword_type), intent(in) :: keyword
@@ -108,8 +108,11 @@ contains
 
       words = line_feed//"Example"//line_feed//line_feed//"```"//line_feed//"*"//keyword%name &
          & //line_feed//keyword%example//"```"//line_feed
-      if (len(keyword%theory) > 0) words = words//line_feed//"[Theory](theory.md#" &
-         & //keyword%theory//")"//line_feed
+      if (index(keyword%theory, ".md#") > 0) then
+         words = words//line_feed//"[Use]("//keyword%theory//")"//line_feed
+      else if (len(keyword%theory) > 0) then
+         words = words//line_feed//"[Theory](theory.md#"//keyword%theory//")"//line_feed
+      end if
    end function example_text
 
    !> Table of one card

@@ -1,4 +1,4 @@
-!> Example cards of the keywords, and the sections of the theory that explain them.
+!> Example cards of the keywords, and the sections of the manual that explain them.
 !>
 !> The examples fit the deck of `manual/decks.md`, with nodes 1 to 25 and elements 1 to 4.
 module plydyn_input_examples
@@ -10,36 +10,39 @@ module plydyn_input_examples
 
    !> Longest row of the table below
    integer, parameter :: row_length = 260
-   !> Name of the keyword, section of `manual/theory.md`, lines of the example; all before a bar
+   !> Name of the keyword, section of `manual/theory.md` or page and section, lines of the example;
+   !> all before a bar
    character(row_length), parameter :: examples(*) = [character(row_length) :: &
-      & "KEYWORD||", &
-      & "COMMENT||what a reader should know|", &
-      & "END||", &
-      & "INCLUDE||mesh.k|", &
-      & "INCLUDE_PATH||meshes|", &
-      & "PARAMETER||R speed, -2000.0|", &
-      & "PARAMETER_EXPRESSION||R speed, -sqrt(2*4.0/2.0e-6)|", &
-      & "TITLE||A ball on a clamped plate|", &
-      & "CONTROL_UNITS||mm, s, t|", &
+      & "KEYWORD|decks.md#a-whole-deck|", &
+      & "COMMENT|decks.md#a-whole-deck|what a reader should know|", &
+      & "END|decks.md#a-whole-deck|", &
+      & "INCLUDE|decks.md#includes-parameters-and-sets|mesh.k|", &
+      & "INCLUDE_PATH|decks.md#includes-parameters-and-sets|meshes|", &
+      & "PARAMETER|decks.md#includes-parameters-and-sets|R speed, -2000.0|", &
+      & "PARAMETER_EXPRESSION|decks.md#includes-parameters-and-sets|" &
+      & //"R speed, -sqrt(2*4.0/2.0e-6)|", &
+      & "TITLE|decks.md#a-whole-deck|A ball on a clamped plate|", &
+      & "CONTROL_UNITS|decks.md#a-whole-deck|mm, s, t|", &
       & "CONTROL_TERMINATION|9-central-differences|4.0e-4|", &
-      & "CONTROL_STAGE||1|", &
-      & "DELETE_IMPACTOR||1|", &
-      & "DELETE_FIXTURE||1|", &
+      & "CONTROL_STAGE|running.md#restarting|1|", &
+      & "DELETE_IMPACTOR|running.md#restarting|1|", &
+      & "DELETE_FIXTURE|running.md#restarting|1|", &
       & "CONTROL_TIMESTEP|10-the-stable-step|0.0, 0.8|", &
       & "CONTROL_ENERGY|12-the-energy-balance|2, 1, 2, 2|", &
-      & "CONTROL_PARALLEL||1|", &
+      & "CONTROL_PARALLEL|running.md#threads-and-ranks|1|", &
       & "CONTROL_LAYERWISE|3-strain-and-stress|0, 0.05|", &
       & "DAMPING_GLOBAL|9-central-differences|0, 2.0e3|", &
       & "DAMPING_RELAXATION|9-central-differences|1.0e-4|", &
-      & "CONTROL_QUASI_STATIC||0.05|", &
+      & "CONTROL_QUASI_STATIC|static.md#the-loading-rate-of-a-compression-or-tension-test|0.05|", &
       & "NODE|2-layer-wise-kinematics|1, 0, 0, 0|2, 10, 0, 0|", &
       & "ELEMENT_SHELL|2-layer-wise-kinematics|1, 1, 1, 2, 7, 6|2, 1, 2, 3, 8, 7|", &
       & "ELEMENT_PLATE_Q9|2-layer-wise-kinematics|1, 1|1, 3, 13, 11, 2, 8, 12, 6, 7|", &
-      & "SET_NODE_LIST||1|1, 2, 3, 4, 5, 6, 10, 11|15, 16, 20, 21, 22, 23, 24, 25|", &
-      & "SET_NODE_GENERAL||1|BOX, 1|NODE, 13|", &
-      & "SET_SHELL_LIST||1|1, 2|", &
-      & "DEFINE_BOX||1, -1.0, 1.0, -1.0, 41.0, -1.0, 1.0|", &
-      & "DEFINE_CURVE||1|0.0, 0.0|1.0e-4, 1.0|", &
+      & "SET_NODE_LIST|decks.md#includes-parameters-and-sets|" &
+      & //"1|1, 2, 3, 4, 5, 6, 10, 11|15, 16, 20, 21, 22, 23, 24, 25|", &
+      & "SET_NODE_GENERAL|decks.md#includes-parameters-and-sets|1|BOX, 1|NODE, 13|", &
+      & "SET_SHELL_LIST|decks.md#includes-parameters-and-sets|1|1, 2|", &
+      & "DEFINE_BOX|decks.md#includes-parameters-and-sets|1, -1.0, 1.0, -1.0, 41.0, -1.0, 1.0|", &
+      & "DEFINE_CURVE|decks.md#includes-parameters-and-sets|1|0.0, 0.0|1.0e-4, 1.0|", &
       & "PART_COMPOSITE|2-layer-wise-kinematics|plate|1|1, 0.25, 0.0, 0, 1, 0.25, 90.0|" &
       & //"1, 0.25, 90.0, 0, 1, 0.25, 0.0|", &
       & "PART_COMPOSITE_LONG|2-layer-wise-kinematics|plate|1|1, 0.25, 0.0|1, 0.25, 90.0|" &
@@ -113,23 +116,23 @@ module plydyn_input_examples
       & "FIXTURE_BAR|fixtures|1, -1, 0, 2.0|10.0, 0, 10.0, 40.0|", &
       & "FIXTURE_CLAMP|fixtures|1, 1, 100.0, 0, 0, 0.3|10.0, 10.0, 0, 3.0|", &
       & "DATABASE_GLSTAT|12-the-energy-balance|1.0e-6|", &
-      & "DATABASE_NODOUT||1.0e-6|", &
+      & "DATABASE_NODOUT|running.md#jobnodescsv|1.0e-6|", &
       & "DATABASE_SPCFORC|8-supports-motions-and-loads|1.0e-6|", &
-      & "DATABASE_BINARY_D3PLOT||2.0e-5|", &
+      & "DATABASE_BINARY_D3PLOT|running.md#jobvtkhdf|2.0e-5|", &
       & "DATABASE_IMPACTOR|11-contact|1.0e-6|", &
       & "DATABASE_FIXTURE|fixtures|1.0e-6|", &
-      & "DATABASE_HISTORY_NODE||8, 13|", &
-      & "DATABASE_HISTORY_NODE_SET||2|", &
+      & "DATABASE_HISTORY_NODE|running.md#jobnodescsv|8, 13|", &
+      & "DATABASE_HISTORY_NODE_SET|running.md#jobnodescsv|2|", &
       & "DATABASE_FIELD|13-recovery-of-strain-and-stress|displacement stress|", &
       & "DATABASE_PROFILE|13-recovery-of-strain-and-stress|1, 20.0, 20.0, 5, 1.0e-5|", &
       & "DATABASE_DELAM|71-the-law-of-an-interface-that-fails|1.0e-6|", &
-      & "DATABASE_BINARY_D3DUMP||10000|", &
-      & "DATABASE_BINARY_RUNRSF||5000|"]
+      & "DATABASE_BINARY_D3DUMP|running.md#restarting|10000|", &
+      & "DATABASE_BINARY_RUNRSF|running.md#restarting|5000|"]
    character(*), parameter :: bar = "|", line_feed = achar(10)
 
 contains
 
-   !> Give a keyword its example and its section of the theory, where the table has them
+   !> Give a keyword its example and its section of the manual, where the table has them
    pure subroutine add_example(keyword)
       !> The keyword
       type(keyword_type), intent(inout) :: keyword

@@ -51,6 +51,7 @@ def said(*words: object) -> tuple[int, str]:
         (["check", DECK, "-p", "speed=fast"], INPUT, "as in -p velocity=3.0"),
         (["run", "check", DECK], USAGE, "cannot go together"),
         (["run", DECK, "--wall-time", "1:2:3:4"], USAGE, "hours, minutes and seconds"),
+        (["check", DECK, "ncpu=99999999999"], USAGE, "a number of threads from 1 to"),
         (["check", "missing.k"], INPUT, "the file 'missing.k' cannot be read"),
         (["check", Path(__file__).parent], INPUT, "cannot be read"),
         (["check", RECIPE], INPUT, "le2.toml' is a recipe, not a deck"),

@@ -66,3 +66,16 @@ def test_every_picture_is_used() -> None:
 def test_words_of_the_field_are_found(words: str) -> None:
     """A user who searches for the word that other programs have finds it."""
     assert words in (MANUAL / "keywords.md").read_text()
+
+
+def test_every_keyword_links_to_what_explains_it() -> None:
+    """To a section of the theory, or to the page that shows its use; `test_links…` follows them."""
+    pages = (MANUAL / "keywords.md").read_text().partition("\n# Keywords that are known")[0]
+    parts = re.split(r"^## \*(\w+)$", pages, flags=re.MULTILINE)[1:]
+    without = [
+        name
+        for name, text in zip(parts[::2], parts[1::2], strict=True)
+        if not re.search(r"^\[(Theory|Use)\]\(\w+\.md#[\w-]+\)$", text, re.MULTILINE)
+    ]
+    assert len(parts) > 2 * 90
+    assert not without

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from broken import averaged
+from broken import averaged, said
 from runs import SOLVER
 from spread import metal, springs, tied
 
@@ -57,3 +57,22 @@ def test_deck_asks_for_threads(tmp_path: Path) -> None:
     path = deck.write(tmp_path / "deck.k")
     asked = run(path, tmp_path / "deck", 3, ["-j", "deck"])
     assert run(path, tmp_path / "word", 2, ["ncpu=2"]) == asked
+
+
+@pytest.mark.parametrize(
+    ("threads", "words"),
+    [
+        ("0", ""),
+        ("100000", "100000 threads are too many for this machine: right would be at most"),
+        ("99999999999", "an integer of at least 0; it is too large"),
+        ("-1", "NCPU cannot be -1"),
+        ("1.5", "NCPU: '1.5' is not an integer"),
+    ],
+)
+def test_threads_of_a_deck_have_a_bound(threads: str, words: str, tmp_path: Path) -> None:
+    """A number that no machine has is refused before it takes any memory; 0 is the usual one."""
+    deck = springs()
+    deck.add("CONTROL_PARALLEL", f"{threads},")
+    code, text = said("check", deck.write(tmp_path / "deck.k"))
+    assert code == (2 if words else 0), text
+    assert words in text

@@ -105,6 +105,12 @@ program test_input_read_interface
    call read_plate("*MAT_186|6,0.,0,0,0,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
       & //"0.1,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
    call check_error(error, "TES 0 is not supported", "another separation")
+   call read_plate("*MAT_186|6,0.,0,0,2.0,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
+      & //"0.1,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check(.not. allocated(error), "TES 2.0, as other programs write it, is 2")
+   call read_plate("*MAT_186|6,0.,0,0,1.5,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
+      & //"0.1,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
+   call check_error(error, "'1.5' is not an integer", "TES 1.5 is none")
    call read_plate("*MAT_186|6,0.,0,0,2,3,0.3,0.8|1.,60.,80.|*DEFINE_CURVE|3,|0.,0.|" &
       & //"0.1,1.|0.5,1.|1.,0.|*INTERFACE_COHESIVE|7,0,0,6|")
    call check_error(error, "curve 3 is no triangle", "a plateau")
