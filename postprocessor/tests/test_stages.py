@@ -11,6 +11,7 @@ from test_compression import write_test
 from typer.testing import CliRunner
 
 from plydyn_post.cli import app
+from plydyn_post.compression import read_compression
 from plydyn_post.errors import ResultsError
 from plydyn_post.motion_figures import draw_motions, moves
 from plydyn_post.plan import Plan
@@ -47,18 +48,37 @@ def test_a_compression_test_is_found_at_the_end(own_job: Path, tmp_path: Path) -
     assert (tmp_path / "page/strength.csv").is_file()
 
 
-def test_a_plate_that_is_pulled_gets_its_force(own_job: Path, tmp_path: Path) -> None:
-    """There is no strength, and the page says why."""
+def test_a_plate_that_is_pulled_has_an_elongation(own_job: Path, tmp_path: Path) -> None:
+    """The same numbers as in compression, by their names in tension."""
     pull(tmp_path)
+    pressed = write_test(tmp_path)
+    pulled = read_compression(open_results(tmp_path / "pulled"))
+    assert pulled.pulled
+    assert not pressed.pulled
+    assert pulled.strength == pytest.approx(pressed.strength)
+    assert pulled.strain == pytest.approx(pressed.strain)
     code, printed = call(own_job, tmp_path / "pulled", "-o", tmp_path / "page")
     assert code == 0, printed
-    assert "no strength is computed: pulled is pulled and not compressed" in printed
+    assert "elongation at the peak" in printed
     page = (tmp_path / "page/report.html").read_text()
-    assert 'src="motions_pulled.png"' in page
+    assert "<h2>Tension</h2>" in page
+    assert 'src="compression_stress.png"' in page
+
+
+def test_a_plate_without_profiles_gets_its_force(own_job: Path, tmp_path: Path) -> None:
+    """There is no strength, and the page says why."""
+    write_test(tmp_path)
+    for path in tmp_path.glob("pressed.profile_*.csv"):
+        path.unlink()
+    code, printed = call(own_job, tmp_path / "pressed", "-o", tmp_path / "page")
+    assert code == 0, printed
+    assert "no strength is computed: pressed has no profile" in printed
+    page = (tmp_path / "page/report.html").read_text()
+    assert 'src="motions_pressed.png"' in page
     assert "<h2>Stages</h2>" in page
-    code, printed = call(tmp_path / "pulled", "--pristine", own_job)
+    code, printed = call(tmp_path / "pressed", "--pristine", own_job)
     assert code == 2
-    assert "--pristine needs a compression test" in printed
+    assert "--pristine needs a test of strength" in printed
 
 
 def test_pictures_of_two_impacts_have_names_of_their_own(own_job: Path) -> None:

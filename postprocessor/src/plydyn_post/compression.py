@@ -1,4 +1,7 @@
-"""A compression test: stress over end shortening, strain gauges, strength, and what ended it."""
+"""A test of a plate: stress over end shortening, strain gauges, strength, and what ended it.
+
+In a tension test the end is pulled, and the shortening is an elongation.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +48,7 @@ class Places:
 
 @dataclass(frozen=True)
 class Gauge:
-    """Strain gauges back to back, counted from the start of the stage, shortening positive."""
+    """Strain gauges back to back, counted from the start of the stage, positive along the load."""
 
     number: int
     bottom: np.ndarray  # (times,)
@@ -75,6 +78,12 @@ class Compression:
     thickness: float
     length: float
     units: dict[str, str]
+    pulled: bool = False  # tension: shortening and strains are elongations
+
+    @property
+    def moved(self) -> str:
+        """The word for the motion of the loaded end."""
+        return "elongation" if self.pulled else "end shortening"
 
     @property
     def peak(self) -> int:
@@ -146,6 +155,7 @@ def read_compression(job: Results, places: Places | None = None) -> Compression:
     if np.all(moved == 0.0):
         raise ResultsError(f"{job.job}: profile {places.end} at the end does not move; see --end")
     gauges, middle = _chosen(job, places)
+    pulled = _is_pulled(job, places, time, axis, force)
     faces = None if middle is None else np.stack(_faces(job, middle, "uz", time), axis=1)
     return Compression(
         job,
@@ -153,12 +163,13 @@ def read_compression(job: Results, places: Places | None = None) -> Compression:
         time,
         moved,
         force / (width * thickness),
-        tuple(_gauge(job, number, axis, time) for number in gauges),
+        tuple(_gauge(job, number, axis, time, 1.0 if pulled else -1.0) for number in gauges),
         faces,
         float(width),
         thickness,
         float(length),
         read_header(job.fields).units,
+        pulled,
     )
 
 
@@ -186,33 +197,35 @@ def _chosen(job: Results, places: Places) -> tuple[tuple[int, ...], int | None]:
     return gauges, middle
 
 
-def is_shortened(test: Compression, end: int = 1) -> bool:
-    """Whether the loaded end is pressed, and not pulled, at the peak of the stress."""
-    letter = "xyz"[test.axis]
-    faces = _faces(test.job, end, f"e{letter}{letter}", test.time)
-    return float(sum(face[test.peak] - face[0] for face in faces)) < 0.0
+def _is_pulled(
+    job: Results, places: Places, time: np.ndarray, axis: int, force: np.ndarray
+) -> bool:
+    """Whether the loaded end is pulled: both faces together are longer at the largest force."""
+    letter = "xyz"[axis]
+    strain = sum(_faces(job, places.end, f"e{letter}{letter}", time))
+    return bool(strain[np.argmax(force)] > strain[0])
 
 
-def _gauge(job: Results, number: int, axis: int, time: np.ndarray) -> Gauge:
-    """Strain along the load on both faces at a profile."""
+def _gauge(job: Results, number: int, axis: int, time: np.ndarray, sign: float) -> Gauge:
+    """Strain along the load on both faces at a profile, times a sign."""
     letter = "xyz"[axis]
     bottom, top = _faces(job, number, f"e{letter}{letter}", time)
-    return Gauge(number, bottom[0] - bottom, top[0] - top)
+    return Gauge(number, sign * (bottom - bottom[0]), sign * (top - top[0]))
 
 
 def _pushing(supports: Table, job: Results) -> tuple[int, np.ndarray]:
-    """Axis and force, pushing positive, of the motion of the deck with the largest force."""
+    """Axis and force, positive along the load, of the motion of the deck with the largest force."""
     names = [
         name
         for name in supports.names
         if name.startswith(("motion", "face motion")) and name.endswith(("fx", "fy"))
     ]
     if not names:
-        raise ResultsError(f"{job.job} has no prescribed motion that presses along x or y")
+        raise ResultsError(f"{job.job} has no prescribed motion that loads it along x or y")
     largest = max(names, key=lambda name: float(np.max(np.abs(supports[name]))))
     force = supports[largest]
     if not np.any(force):
-        raise ResultsError(f"{job.job}: nothing presses on the plate")
+        raise ResultsError(f"{job.job}: nothing loads the plate")
     sign = np.sign(force[np.argmax(np.abs(force))])
     return "xy".index(largest[-1]), sign * force
 

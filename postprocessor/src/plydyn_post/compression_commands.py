@@ -9,7 +9,7 @@ import typer
 from rich.table import Table as PrintedTable
 
 from plydyn_post.commands import Folder, Measured, app, beside, console, progress, tells_errors
-from plydyn_post.compression import Compression, Places, is_shortened, read_compression
+from plydyn_post.compression import Compression, Places, read_compression
 from plydyn_post.compression_report import compression_report, report_tasks, strength_table
 from plydyn_post.errors import ResultsError
 from plydyn_post.page import PageTable
@@ -44,7 +44,7 @@ def compression(
     measured: Measured = None,
     plain: Plain = False,
 ) -> None:
-    """Strength after impact: one page over all stages, and the strength as a CSV."""
+    """Strength after impact, in compression or tension: one page over all stages, and a CSV."""
     found = tuple(open_results(job) for job in jobs)
     places = Places(end, tuple(gauge) if gauge else None, middle)
     test = read_compression(found[-1], places)
@@ -62,7 +62,7 @@ def stages(
     measured: Measured = None,
     plain: Plain = False,
 ) -> None:
-    """One page over the stages of any chain; a compression test is reported as by `compression`."""
+    """One page over the stages of any chain; of a test in compression or tension the strength."""
     found = tuple(open_results(job) for job in jobs)
     plan = Plan(found, output or beside(found[0], "report"), tuple(measured or ()), plain=plain)
     test, why = _test_of(found[-1])
@@ -71,7 +71,7 @@ def stages(
         _report_test(plan, test, sound)
         return
     if pristine:
-        raise ResultsError(f"--pristine needs a compression test as the last stage: {why}")
+        raise ResultsError(f"--pristine needs a test of strength as the last stage: {why}")
     notes = () if len(found) == 1 or found[-1].impactors else (f"no strength is computed: {why}",)
     with progress(len(stages_tasks(plan))) as tick:
         made = stages_report(plan, notes, tick)
@@ -80,17 +80,15 @@ def stages(
 
 
 def _test_of(job: Results) -> tuple[Compression | None, str]:
-    """The compression test of a job, or why it is none."""
+    """The compression or tension test of a job, or why it is none."""
     try:
-        test = read_compression(job)
-        shortened = is_shortened(test)
+        return read_compression(job), ""
     except ResultsError as error:
         return None, str(error)
-    return (test, "") if shortened else (None, f"{job.job} is pulled and not compressed")
 
 
 def _report_test(plan: Plan, test: Compression, sound: Compression | None) -> None:
-    """Make the page of a compression test, and print its numbers."""
+    """Make the page of a test, and print its numbers."""
     with progress(len(report_tasks(plan, test, sound))) as tick:
         made = compression_report(plan, test, sound, tick)
     _print(strength_table(test, sound))

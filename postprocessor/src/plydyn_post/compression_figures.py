@@ -31,8 +31,8 @@ def stress_label(test: Compression) -> str:
 
 
 def shortening_label(test: Compression) -> str:
-    """Label of an axis of end shortening."""
-    return in_brackets("End shortening", test.units.get("length", ""))
+    """Label of an axis of end shortening or elongation."""
+    return in_brackets(test.moved.capitalize(), test.units.get("length", ""))
 
 
 def draw_stress(tests: Sequence[Compression], path: Path) -> Path:

@@ -38,5 +38,6 @@ def place_words(test: Compression) -> str:
     if len(places) == 0:
         return ""
     near = float(np.mean((places < END) | (places > 1.0 - END)))
-    verdict = "the ends were crushed" if near > 0.5 else "the plate failed between its ends"
+    ends = "the plate broke at its ends" if test.pulled else "the ends were crushed"
+    verdict = ends if near > 0.5 else "the plate failed between its ends"
     return f"{near:.0%} of the points with broken fibres lie within a tenth of an end: {verdict}."

@@ -49,8 +49,9 @@ def compression_report(
 def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) -> list[Task]:
     """Figures of the test, damage at its end, and all of the stages with an impactor."""
     tests = (test,) if pristine is None else (test, pristine)
+    section = "Tension" if test.pulled else "Compression"
     wanted = (
-        ("stress", "Stress over end shortening; the peak is marked.", partial(draw_stress, tests)),
+        ("stress", f"Stress over {test.moved}; the peak is marked.", partial(draw_stress, tests)),
         (
             "gauges",
             "Strain gauges back to back, and percent bending from a fifth of the peak on.",
@@ -59,11 +60,11 @@ def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) ->
         ("faces", "Both faces in the middle of the plate.", partial(draw_faces, test)),
         ("event", "What breaks; the dotted line is the peak.", partial(draw_event, test)),
     )
-    tasks = [Task("Compression", f"compression_{name}", text, draw) for name, text, draw in wanted]
+    tasks = [Task(section, f"compression_{name}", text, draw) for name, text, draw in wanted]
     if test.job.has("delamination"):
         draw = partial(draw_delamination, test)
-        text = "Delaminated area over end shortening."
-        tasks.append(Task("Compression", "compression_delamination", text, draw))
+        text = f"Delaminated area over {test.moved}."
+        tasks.append(Task(section, "compression_delamination", text, draw))
     for job in plan.jobs:
         if job.impactors:
             tasks += [task for task in tasks_of_stage(plan, job) if task.section != LEFT_OUT]
@@ -84,7 +85,7 @@ def strength_table(test: Compression, pristine: Compression | None) -> PageTable
             force.unit,
             lambda one: one.strength * one.width * one.thickness * force.factor,
         ),
-        ("end shortening at the peak", length, lambda one: float(one.shortening[one.peak])),
+        (f"{test.moved} at the peak", length, lambda one: float(one.shortening[one.peak])),
         ("mean strain at the peak", "µm/m", lambda one: 1.0e6 * one.strain),
         ("bending at the peak", "%", lambda one: one.bending),
         ("largest kinetic / internal energy", "%", lambda one: 100.0 * one.kinetic_share()),
