@@ -21,6 +21,7 @@ from plydyn_post.interfaces import read_areas, read_interfaces
 from plydyn_post.maps import area_words, half_window
 from plydyn_post.plies import read_stack
 from plydyn_post.ply_maps import draw_ply_maps
+from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
 from plydyn_post.style import save
@@ -93,6 +94,31 @@ def test_areas_of_ellipses_are_measured_on_the_maps(tmp_path: Path, nodes: int) 
     # the ellipses cross: together they cover less than their sum and more than the largest
     assert max(known.areas()) < scan.areas.projected < sum(known.areas())
     assert scan.areas.unit == "mm2"
+
+
+def test_areas_are_counted_within_a_circle_or_a_box(tmp_path: Path) -> None:
+    """The ellipses are centred: a box of one half of the plate has half of each."""
+    job = known.write_job(tmp_path)
+    known.write_interfaces(tmp_path, "plate", quads=60)
+    job.with_name("plate.delamination.csv").unlink()
+    found, side = open_results(job), synthetic.SIDE
+    whole = read_scan(found).areas
+    half = read_scan(found, region=region_of(f"0,{side / 2},0,{side}")).areas
+    assert half.projected == pytest.approx(0.5 * whole.projected, rel=1e-6)
+    assert half.total == pytest.approx(0.5 * whole.total, rel=1e-6)
+    # the third ellipse is a circle of 4; a smaller one within it is full, but for cut triangles
+    radius, triangle = 3.0, side / 60 / 8
+    inner = read_scan(found, region=region_of(f"{radius}")).areas.each[3]
+    assert inner == pytest.approx(np.pi * radius**2, abs=2 * np.pi * radius * triangle)
+    everything = read_scan(found, region=region_of(f"{side}")).areas
+    assert everything.each == pytest.approx(whole.each)
+
+
+@pytest.mark.parametrize("text", ["-1", "a", "1,2", "2,1,0,3", "0", "nan", "1,2,3,nan"])
+def test_a_region_that_there_is_not_is_refused(text: str, damaged: Path) -> None:
+    result = runner.invoke(app, ["cscan", str(damaged), f"--within={text}"])
+    assert result.exit_code == 2
+    assert "give a radius above zero" in " ".join(result.output.split())
 
 
 def test_areas_by_energy_are_those_with_half_of_it_spent(tmp_path: Path) -> None:
@@ -208,6 +234,8 @@ def test_mechanisms_are_read_by_their_names(damaged: Path) -> None:
     [
         (["cscan"], "plate_cscan.png"),
         (["cscan", "--whole", "--time", "0.001"], "plate_cscan.png"),
+        (["cscan", "--within", "4"], "plate_cscan.png"),
+        (["cscan", "--within", "0,10,0,10"], "plate_cscan.png"),
         (["delamination"], "plate_delamination.png"),
         (["delamination", "--over-time"], "plate_areas.png"),
         (["damage"], "plate_damage.png"),

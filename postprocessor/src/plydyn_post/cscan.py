@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -35,6 +36,7 @@ from plydyn_post.maps import (
     outline_beyond,
     scale_bar,
 )
+from plydyn_post.region import Region
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of, sheet_of_points
 from plydyn_post.style import INK, WIDE, figure, literal, save
@@ -62,15 +64,20 @@ class Scan:
     middle: np.ndarray  # (2,) below the impactor
     half: float  # half the side of the window that holds all damage
     near: float  # that of the window that holds what is delaminated
+    region: Region | None = None  # in which areas are counted; the whole plate without one
 
 
-def read_scan(results: Results, time: float | None = None, whole: bool = False) -> Scan:
-    """The interfaces at an instant, the last one without a time."""
+def read_scan(
+    results: Results, time: float | None = None, whole: bool = False, region: Region | None = None
+) -> Scan:
+    """The interfaces at an instant, the last one without a time; areas within a region."""
     state = read_interfaces(results, time)
     sheets = tuple(sheet_of(one.places, one.spent) for one in state.each)
     damage = tuple(sheet_of(one.places, one.damage) for one in state.each)
     middle = middle_of(state.header, state.each[0].places)
-    if results.has("delamination"):
+    if region is not None:
+        areas = drawn_areas(state, sheets, lambda sheet: region.cut(sheet, middle))
+    elif results.has("delamination"):
         areas = read_areas(results, state.time)
     else:
         areas = drawn_areas(state, sheets)
@@ -79,20 +86,24 @@ def read_scan(results: Results, time: float | None = None, whole: bool = False) 
     some = any(sheet.values.max() > DELAMINATED for sheet in sheets)
     around = AROUND * half_window(sheets, middle, whole, DELAMINATED)
     near = min(half, around) if some else half
-    return Scan(state, sheets, damage, areas, middle, half, near)
+    return Scan(state, sheets, damage, areas, middle, half, near, region)
 
 
-def drawn_areas(state: Interfaces, sheets: tuple[Sheet, ...]) -> Areas:
-    """Areas measured on the maps, for results without a history of them."""
+def drawn_areas(
+    state: Interfaces,
+    sheets: tuple[Sheet, ...],
+    part: Callable[[Sheet], Sheet] = lambda sheet: sheet,
+) -> Areas:
+    """Areas measured on a part of the maps, for results without a history of them."""
     each = {
-        one.number: area_beyond(sheet, DELAMINATED)
+        one.number: area_beyond(part(sheet), DELAMINATED)
         for one, sheet in zip(state.each, sheets, strict=True)
     }
-    projected = area_beyond(worst_of(state, sheets), DELAMINATED)
+    projected = area_beyond(part(worst_of(state, sheets)), DELAMINATED)
     failed = None
     if ENERGY in state.each[0].fields:
         complete = tuple(sheet_of(one.places, one.failed) for one in state.each)
-        failed = area_beyond(worst_of(state, complete), DELAMINATED)
+        failed = area_beyond(part(worst_of(state, complete)), DELAMINATED)
     unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
     return Areas(each, projected, unit, failed)
 
@@ -116,10 +127,14 @@ def worst_of(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
 
 
 def draw_cscan(
-    results: Results, path: Path, time: float | None = None, whole: bool = False
+    results: Results,
+    path: Path,
+    time: float | None = None,
+    whole: bool = False,
+    region: Region | None = None,
 ) -> Path:
     """Delaminated interfaces over each other, coloured by depth, as seen from the impactor."""
-    scan = read_scan(results, time, whole)
+    scan = read_scan(results, time, whole, region)
     order = _order(scan)
     size = (WIDE, max(4.15, 1.2 + ROW * len(order)))
     with figure(1, 2, size=size, width_ratios=[1.72, 1]) as (made, (axes, side)):
@@ -147,6 +162,8 @@ def draw_map(axes: Axes, scan: Scan) -> None:
         outline_beyond(axes, scan.sheets[place], DELAMINATED, "white", 1.5)
         outline_beyond(axes, scan.sheets[place], DELAMINATED, colour, 1.0)
     mark_impact(axes, scan.middle)
+    if scan.region is not None:
+        scan.region.draw(axes, scan.middle)
     look_from_above(axes, scan.middle, scan.near)
     scale_bar(axes, scan.middle, scan.near, scan.state.header.units.get("length", ""))
 
@@ -171,7 +188,9 @@ def _legend(
         words += f"\n    completely failed {area_words(scan.areas.failed, unit)}"
     words += f"\nall together {area_words(scan.areas.total, unit)}"
     rows.append((Line2D([], [], linestyle="none"), words))
-    mirror = words_of(results)
+    more = [words_of(results)]
+    if scan.region is not None:
+        more.insert(0, "areas " + scan.region.words(header.units.get("length", "")))
     side.legend(
         [row[0] for row in rows],
         [row[1] for row in rows],
@@ -180,7 +199,7 @@ def _legend(
         title=f"{literal(results.job)}   {instant(header, scan.state.time)}\n"
         f"delaminated: {scan.state.criterion}\n"
         f"depth below the {'top' if hit_from_above(header) else 'bottom'},  ply below / above"
-        + (f"\n{mirror}" if mirror else ""),
+        + "".join(f"\n{line}" for line in more if line),
         alignment="left",
         fontsize=8 if between == "\n" else 7,
         labelspacing=0.75 if between == "\n" else 0.3,

@@ -34,6 +34,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.grid import read_times
 from plydyn_post.numbers import compare
 from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
+from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish
 from plydyn_post.section import draw_section
@@ -41,6 +42,13 @@ from plydyn_post.section import draw_section
 Mechanisms = Annotated[
     list[str] | None,
     typer.Option("--show", help=f"One of {', '.join(MECHANISMS)}; may be given again."),
+]
+
+Within = Annotated[
+    str | None,
+    typer.Option(
+        help="Count areas within this radius around the impact only, or in a box x1,x2,y1,y2."
+    ),
 ]
 
 
@@ -51,11 +59,13 @@ def cscan(
     output: Output = None,
     time: Time = None,
     whole: Whole = False,
+    within: Within = None,
     mirror: Mirror = "auto",
 ) -> None:
     """C-scan: delaminated interfaces over each other, coloured by depth, with areas."""
     found = open_results(job, mirror)
-    made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole)
+    region = region_of(within) if within else None
+    made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole, region)
     console.print(str(made), markup=False)
 
 
