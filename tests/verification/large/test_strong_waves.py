@@ -68,5 +68,7 @@ def test_strong_waves_need_four_fifths_of_the_step(compare: Comparison, tmp_path
     for share, linear, name in ((0.8, False, "large displacement"), (0.95, True, "linear strain")):
         found = struck(share, linear, tmp_path / name)
         compare.number(f"energy over work at {share:g} of the step, {name}", found, 1.0, abs=0.01)
-    with pytest.raises(AssertionError, match="the motion is unstable"):
+    # growing waves are seen in the motion or, first, in what is stored
+    guards = "the motion is unstable|have given back more energy than they took"
+    with pytest.raises(AssertionError, match=guards):
         struck(0.9, False, tmp_path / "more")
