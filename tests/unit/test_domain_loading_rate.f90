@@ -24,7 +24,7 @@ program test_domain_loading_rate
       & curve_type(id=2, x=[0.0_wp, 0.25_wp*end_time, 0.75_wp*end_time, end_time], &
       & y=[0.0_wp, 0.0_wp, 1.0_wp, 1.0_wp]), curve_type(id=3, x=[0.0_wp], y=[1.0_wp])]
    call none()
-   call steady()
+   call growing()
    call partial()
    call velocity()
    call finish()
@@ -44,7 +44,7 @@ contains
    end subroutine none
 
    !> A displacement that grows steadily; the fastest of several
-   subroutine steady()
+   subroutine growing()
       real(wp) :: modulus, density
 
       call begin("steady displacement")
@@ -66,7 +66,7 @@ contains
       call find_loading_rate(model, 4.0_wp, rate)
       call check(rate%wave_speed, 0.5_wp*sqrt(modulus/density), digits*rate%wave_speed, &
          & "four times the mass, half the speed")
-   end subroutine steady
+   end subroutine growing
 
    !> A curve that rests before and after
    subroutine partial()
