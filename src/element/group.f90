@@ -183,12 +183,14 @@ contains
    end subroutine set_damage
 
    !> Find the least ratio of volumes, det F; nothing where the group has no volume
-   pure subroutine find_volume(self, displacement, least)
+   pure subroutine find_volume(self, displacement, least, mesh)
       class(element_group_type), intent(in) :: self
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
       !> Least ratio of volumes so far
       type(least_volume_type), intent(inout) :: least
+      !> The mesh, to look at the corners of elements, and not at their Gauss points
+      type(mesh_type), intent(in), optional :: mesh
    end subroutine find_volume
 
    !> Largest eigenvalue of each element of the rank, and the user's number of the layer that has

@@ -12,6 +12,7 @@ module plydyn_run_volume_monitor
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
+   use plydyn_run_worst_point, only : moment
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -32,8 +33,8 @@ module plydyn_run_volume_monitor
       type(mesh_type) :: mesh
       !> Instants of these outputs, as far as they have an interval
       type(schedule_type), allocatable :: outputs(:)
-      !> Whether there was a warning
-      logical :: has_warned = .false.
+      !> Whether there was a warning, and one of a corner that is inside out
+      logical :: has_warned = .false., has_warned_of_corner = .false.
    contains
       procedure :: due
       procedure :: notify
@@ -93,14 +94,35 @@ contains
             if (domain%comm%is_root()) call self%job%note("warning: " &
                & //place_of(self, domain, state, least)//"; no law of plies is known to hold there")
          end if
+         if (.not. (allocated(error) .or. self%has_warned_of_corner)) then
+            call look_at_corners(self, domain, state)
+         end if
       end associate
    end subroutine notify
 
+   !> Warn of the first element that is inside out at a corner
+   subroutine look_at_corners(self, domain, state)
+      class(volume_monitor_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+
+      type(least_volume_type) :: least
+
+      least = find_least_volume(domain, state%displacement, self%mesh)
+      if (least%ratio > 0.0_wp) return
+      self%has_warned_of_corner = .true.
+      if (domain%comm%is_root()) call self%job%note("warning: a corner of " &
+         & //element_of(self, domain, least)//" is turned inside out"//moment(state) &
+         & //"; its stresses mean nothing there")
+   end subroutine look_at_corners
+
    !> The least ratio of volumes, det F, of all ranks; the same on all of them, which come together
-   function find_least_volume(domain, displacement) result(least)
+   function find_least_volume(domain, displacement, mesh) result(least)
       type(domain_type), intent(in) :: domain
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
+      !> The mesh, to look at the corners of elements in place of their Gauss points
+      type(mesh_type), intent(in), optional :: mesh
       type(least_volume_type) :: least
 
       type(least_volume_type) :: own
@@ -109,7 +131,7 @@ contains
 
       do g = 1, size(domain%groups)
          own = least_volume_type()
-         call domain%groups(g)%item%find_volume(displacement, own)
+         call domain%groups(g)%item%find_volume(displacement, own, mesh)
          own%group = g
          if (is_less(own, least)) least = own
       end do
@@ -136,12 +158,21 @@ contains
       type(least_volume_type), intent(in) :: least
       character(:), allocatable :: words
 
+      words = element_of(self, domain, least)//" is pressed to "//text(least%ratio, 5) &
+         & //" of its volume"//moment(state)
+   end function place_of
+
+   !> Kind and the user's number of the element, and of the ply
+   function element_of(self, domain, least) result(words)
+      class(volume_monitor_type), intent(in) :: self
+      type(domain_type), intent(in) :: domain
+      type(least_volume_type), intent(in) :: least
+      character(:), allocatable :: words
+
       associate (group => domain%groups(least%group)%item)
          words = group%element_kind//" "//text(group%element_id(self%mesh, least%element))
          if (least%layer > 0) words = words//", "//group%layer_kind//" "//text(least%layer)
-         words = words//" is pressed to "//text(least%ratio, 5)//" of its volume at cycle " &
-            & //text(state%cycle)//", time "//text(state%time)
       end associate
-   end function place_of
+   end function element_of
 
 end module plydyn_run_volume_monitor

@@ -106,3 +106,37 @@ def test_linear_strain_only_warns(tmp_path: Path) -> None:
     assert code == 0, words
     check_volumes(words, results)
     assert results.table("energy")["least volume"][-1] <= 1.0 + FAR / LONG
+
+
+@pytest.mark.parametrize("moved", [-4.9, -5.5])
+def test_corner_that_is_turned_inside_out_is_reported(moved: float, tmp_path: Path) -> None:
+    """One corner of a square of 10 mm moves along the diagonal by a in x and y.
+
+    The edges beside it then span 10 (10 - 2 a) mm2, less than nothing beyond 5 mm.
+    """
+    deck = Deck("corner pushed into its quad", END)
+    deck.add("CONTROL_LAYERWISE", (0, 0.05))
+    mesh = regular(10.0, 10.0, 1, 1, 4)
+    deck.mesh(mesh)
+    deck.add("MAT_ELASTIC", (1, 7.8e-9, 2.1e5, 0.3))
+    deck.add("PART_COMPOSITE", "square", (1, 0), (1, 1.0, 0.0, 0))
+    deck.add("SECTION_LAYERWISE", (1, 0, 1))
+    corner = np.flatnonzero(mesh.points.sum(axis=1) > 20.0 - 1e-9)
+    others = np.setdiff1d(np.arange(len(mesh.points)), corner)
+    deck.hold(others, "xyz")
+    deck.hold(corner, "z")
+    curve = deck.curve([(0.0, 0.0), (END, 1.0)])
+    for direction in (1, 2):
+        deck.move(corner, direction, curve, moved)
+    deck.intervals(glstat=END / ROWS)
+    deck.write(tmp_path / "square.k")
+    code, words = said("run", tmp_path / "square.k", "-o", tmp_path)
+    assert code == 0, words
+    assert Results(tmp_path, "square").table("energy")["least volume"].min() > 0.0
+    found = re.findall(
+        r"a corner of quad 1, ply 1 is turned inside out at cycle \d+, time (\S+);", words
+    )
+    assert len(found) == (1 if moved < -5.0 else 0), words
+    for time in found:
+        crossing = 5.0 / -moved * END
+        assert crossing < float(time) < crossing + 1.1 * END / ROWS

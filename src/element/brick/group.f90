@@ -153,10 +153,12 @@ contains
          & history(self%bricks%first_history:), force)
    end subroutine add_forces
 
-   pure subroutine find_volume(self, displacement, least)
+   !> At the points of the bricks in any case
+   pure subroutine find_volume(self, displacement, least, mesh)
       class(brick_group_type), intent(in) :: self
       real(wp), intent(in), contiguous :: displacement(:)
       type(least_volume_type), intent(inout) :: least
+      type(mesh_type), intent(in), optional :: mesh
 
       real(wp) :: ratio(lanes)
       integer :: b, l

@@ -6,14 +6,14 @@ module plydyn_element_plate_group
    use plydyn_element_group, only : element_group_type, group_item_type
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : cell_type
+   use plydyn_element_plate_corner_volume, only : find_corner_volumes
    use plydyn_element_plate_kernels, only : add_layer_forces, find_least_volume
    use plydyn_element_plate_crack_bands, only : add_batch_bands
    use plydyn_element_plate_dissipation, only : add_plate_dissipation
    use plydyn_element_plate_initial_history, only : start_histories
    use plydyn_element_plate_layers, only : history_rows, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
-   use plydyn_element_plate_masses, only : add_plate_masses => add_masses, &
-      & add_mass_of_layer
+   use plydyn_element_plate_masses, only : add_plate_masses => add_masses, add_mass_of_layer
    use plydyn_element_plate_output, only : layer_levels, layer_motion, layer_place_type, &
       & node_shares, plate_cell, values_at_nodes
    use plydyn_element_plate_stable_rate, only : largest_quad_factor, layer_rates, plane_rate, &
@@ -199,14 +199,19 @@ contains
       end do
    end subroutine add_forces
 
-   pure subroutine find_volume(self, displacement, least)
+   pure subroutine find_volume(self, displacement, least, mesh)
       class(plate_group_type), intent(in) :: self
       real(wp), intent(in), contiguous :: displacement(:)
       type(least_volume_type), intent(inout) :: least
+      type(mesh_type), intent(in), optional :: mesh
 
       type(least_volume_type) :: own
 
-      call find_least_volume(self%plate, displacement, own)
+      if (present(mesh)) then
+         call find_corner_volumes(self%plate, mesh, displacement, own)
+      else
+         call find_least_volume(self%plate, displacement, own)
+      end if
       if (own%element < huge(1)) call least%take(own%ratio, own%element, self%layers%ply(own%layer))
    end subroutine find_volume
 
@@ -303,10 +308,8 @@ contains
       class(plate_group_type), intent(in) :: self
       real(wp), intent(inout) :: reals, integers
 
-      associate (plate => self%plate)
-         reals = reals + size(plate%metric)
-         integers = integers + size(plate%node) + size(plate%target) + size(plate%quad)
-      end associate
+      reals = reals + size(self%plate%metric)
+      integers = integers + size(self%plate%node) + size(self%plate%target) + size(self%plate%quad)
    end subroutine add_memory
 
    pure integer function element_id(self, mesh, element) result(id)
@@ -317,7 +320,6 @@ contains
       id = mesh%quad_id(element)
    end function element_id
 
-   !> One for each layer
    pure integer function sheets(self)
       class(plate_group_type), intent(in) :: self
 

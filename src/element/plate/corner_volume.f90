@@ -1,0 +1,155 @@
+!> Ratios of volumes at the corners of the cells of plates, where the polynomials of a layer deviate
+!> most from their Gauss points: a cell may be inside out there alone.
+module plydyn_element_plate_corner_volume
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_least_volume, only : least_volume_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_quad, only : quad_node_metric, tensor_order
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_law_compression_barrier, only : volume_ratio
+   use plydyn_model_mesh, only : mesh_type
+   implicit none
+   private
+
+   public :: find_corner_volumes
+
+contains
+
+   !> Find the least ratio of volumes at the corners of all layers, with the index of the layer
+   pure subroutine find_corner_volumes(plate, mesh, displacement, least)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> The mesh, which has its positions
+      type(mesh_type), intent(in) :: mesh
+      !> Displacement of all points
+      real(wp), intent(in) :: displacement(:)
+      !> Least ratio of volumes so far
+      type(least_volume_type), intent(inout) :: least
+
+      real(wp) :: metric(5, plate%side**2), ratio(lanes)
+      integer :: b, block, e
+
+      do e = 1, size(plate%quad)
+         metric(:, :) = quad_node_metric(plate%side, mesh%position(1:2, &
+            & mesh%quad_node(tensor_order(plate%side), plate%quad(e))))
+         do b = 1, size(plate%batches)
+            associate (batch => plate%batches(b))
+               do block = 1, batch%blocks
+                  ratio(:) = block_ratio(batch, block, plate%side, plate%node(:, e), metric, &
+                     & displacement)
+                  where (batch%layer(:, block) == 0) ratio = huge(1.0_wp)
+                  call take_least(ratio, plate%quad(e), batch%layer(:, block), least)
+               end do
+            end associate
+         end do
+      end do
+   end subroutine find_corner_volumes
+
+   !> Take the ratios of the layers of a block into account
+   pure subroutine take_least(ratio, quad, layer, least)
+      real(wp), intent(in) :: ratio(lanes)
+      !> Index of the quad in the mesh, and layers
+      integer, intent(in) :: quad, layer(lanes)
+      type(least_volume_type), intent(inout) :: least
+      integer :: l
+
+      do l = 1, lanes
+         call least%take(ratio(l), quad, layer(l))
+      end do
+   end subroutine take_least
+
+   !> Least ratio of volumes of each layer of a block at the corners of its bottom and top
+   pure function block_ratio(batch, block, side, node, metric, displacement) result(ratio)
+      type(layer_batch_type), intent(in) :: batch
+      !> Block of layers, nodes along a side, nodes of the quad
+      integer, intent(in) :: block, side, node(:)
+      !> Geometry at the nodes
+      real(wp), intent(in) :: metric(5, side**2)
+      real(wp), intent(in) :: displacement(:)
+      real(wp) :: ratio(lanes)
+
+      real(wp) :: h(lanes, 3, 3), u(lanes, side, side, batch%expansion%order + 1, 3)
+      real(wp) :: slope(batch%expansion%order + 1, 2), unused(batch%expansion%order + 1)
+      integer :: face, i, j, l
+
+      call lagrange(batch%expansion%node, -1.0_wp, unused, slope(:, 1))
+      call lagrange(batch%expansion%node, 1.0_wp, unused, slope(:, 2))
+      u(:, :, :, :, :) = node_values(batch, block, side, node, displacement)
+      ratio(:) = huge(1.0_wp)
+      do face = 1, 2
+         do j = 1, side, side - 1
+            do i = 1, side, side - 1
+               h(:, :, :) = corner_gradient(u, [i, j, merge(1, size(slope, 1), face == 1)], &
+                  & metric(:, i + side*(j - 1)), slope(:, face), batch%two_over_h(:, block))
+               do l = 1, lanes
+                  ratio(l) = min(ratio(l), volume_ratio(h(l, :, :)))
+               end do
+            end do
+         end do
+      end do
+   end function block_ratio
+
+   !> Displacement of a block at the nodes of a quad at all levels
+   pure function node_values(batch, block, side, node, displacement) result(u)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, side, node(:)
+      real(wp), intent(in) :: displacement(:)
+      real(wp) :: u(lanes, side, side, batch%expansion%order + 1, 3)
+
+      integer :: c, first, i, j, t
+
+      do c = 1, 3
+         do t = 1, size(u, 4)
+            do j = 1, side
+               do i = 1, side
+                  first = batch%height*(node(i + side*(j - 1)) - 1) + batch%first + lanes*(block &
+                     & - 1 + batch%blocks*(t - 1 + size(u, 4)*(c - 1)))
+                  u(:, i, j, t, c) = displacement(first:first + lanes - 1)
+               end do
+            end do
+         end do
+      end do
+   end function node_values
+
+   !> Displacement gradient at a corner, (lanes, components, directions)
+   pure function corner_gradient(u, place, metric, slope, two_over_h) result(h)
+      !> From `node_values`
+      real(wp), intent(in) :: u(:, :, :, :, :)
+      !> Of the corner along xi and eta, and its level
+      integer, intent(in) :: place(3)
+      !> Geometry of the corner, slopes of the expansion, 2 over the thickness
+      real(wp), intent(in) :: metric(5), slope(:), two_over_h(lanes)
+      real(wp) :: h(lanes, 3, 3)
+
+      real(wp) :: along(lanes, 2)
+      integer :: c, t
+
+      do c = 1, 3
+         along(:, 1) = twice_slope(u(:, :, place(2), place(3), c), place(1))
+         along(:, 2) = twice_slope(u(:, place(1), :, place(3), c), place(2))
+         h(:, c, 1) = along(:, 1)*metric(1) + along(:, 2)*metric(3)
+         h(:, c, 2) = along(:, 1)*metric(2) + along(:, 2)*metric(4)
+         h(:, c, 3) = 0.0_wp
+         do t = 1, size(slope)
+            h(:, c, 3) = h(:, c, 3) + slope(t)*u(:, place(1), place(2), t, c)
+         end do
+         h(:, c, 3) = h(:, c, 3)*two_over_h
+      end do
+   end function corner_gradient
+
+   !> Twice the derivative along a line of two or three nodes at one of its ends
+   pure function twice_slope(line, at) result(slope)
+      !> (lanes, nodes)
+      real(wp), intent(in) :: line(:, :)
+      !> The first or the last node
+      integer, intent(in) :: at
+      real(wp) :: slope(lanes)
+
+      associate (n => size(line, 2))
+         slope(:) = line(:, n) - line(:, 1)
+         if (n == 3) slope(:) = slope + real(2*(at - 2), wp)*(line(:, 3) + line(:, 1) &
+            & - 2.0_wp*line(:, 2))
+      end associate
+   end function twice_slope
+
+end module plydyn_element_plate_corner_volume
