@@ -20,7 +20,10 @@ from runs import ROOT, SOLVER
 
 PAGE = ROOT / "manual/tutorial.md"
 #: Pictures of the page by the files of the folder that they are
-PICTURES = {"first_report/force.png": "tutorial_force.png"}
+PICTURES = {
+    "first_report/force.png": "tutorial_force.png",
+    "small_cscan.png": "tutorial_cscan.png",
+}
 
 
 @dataclass(frozen=True)
