@@ -26,6 +26,7 @@ contains
       model%title = ""
       model%mesh = new_mesh()
       allocate (model%parts(0), model%materials(0), model%interface_materials(0))
+      allocate (model%change_list(0))
       allocate (model%curves(0), model%supports(0), model%motions(0), model%initial_velocities(0))
       allocate (model%constraints(0), model%initial_damages(0))
       allocate (model%point_loads(0), model%line_loads(0), model%pressures(0))

@@ -55,7 +55,7 @@ contains
       call begin_model(model)
       if (len(path) > 0) then
          model%changes = changes_of(deck)
-         model%change_list = list_changes(deck)
+         if (.not. catalogue%report%has_errors()) model%change_list = list_changes(deck)
          call warn_of_nothing(deck, catalogue)
       end if
       call read_keywords(deck, rows, catalogue, model)

@@ -73,7 +73,7 @@ def check_histories(one: Results, other: Results) -> None:
         if name == "energy":
             energies = slice(a.names.index("kinetic"), a.names.index("error"))
             scale[energies] = scale[energies].max()
-            scale[a.names.index("error")] = 1.0
+            scale[[a.names.index("error"), a.names.index("stored error")]] = 1.0
             scale[-4:-1] = scale[-4:-1].max()
         else:
             forces = [i for i, word in enumerate(a.names) if word.startswith("force")]

@@ -195,4 +195,4 @@ def test_energy_that_is_no_number_is_found(tmp_path: Path) -> None:
     path.write_text("\n".join(words) + "\n")
     code, text = said("run", path, "-o", tmp_path)
     assert code == FAILED, text
-    assert "have dissipated is no longer finite at cycle" in text
+    assert "have stored or dissipated is no longer finite at cycle" in text
