@@ -154,7 +154,7 @@ def _report_bands(runs: list[Run], _folder: Path) -> list[Page]:
         ran = [found[seed.case.name] for seed in seeds if seed.case.name in found]
         if len(ran) > 1:
             columns = _columns(ran)
-            cells = [f"{np.mean(of):.4g} ± {_deviation(of):.2g}" for of in columns.values()]
+            cells = [f"{np.mean(of):.4g} ± {_deviation(of):.3g}" for of in columns.values()]
             rows.append([f"{label}, {len(ran)} seeds on 2.8 mm", *cells])
     names = (PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA)
     text = f"{table(('test', *names), rows)}\n{made_by(runs)}" if rows else "Not run.\n"
