@@ -37,23 +37,23 @@ contains
          & + interface_losses(lost)
    end function dissipated_energies
 
-   !> Energy that unloading of all elements gives back, and that which hourglass control has stored
-   !> or taken. All ranks must come here
+   !> Energy that unloading of all elements gives back, that which hourglass control has stored or
+   !> taken, and that which it has taken by viscous forces. All ranks must come here
    function stored_energies(domain, displacement, history) result(energy)
       type(domain_type), intent(in) :: domain
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
-      real(wp) :: energy(2)
+      real(wp) :: energy(3)
 
       type(exact_sums_type) :: sums
       integer :: g
 
-      sums = new_exact_sums(2)
+      sums = new_exact_sums(3)
       do g = 1, size(domain%groups)
          call domain%groups(g)%item%add_stored_energy(displacement, history, sums)
       end do
       call domain%comm%sum(sums%limb)
-      energy(:) = [sums%value(1), sums%value(2)]
+      energy(:) = [(sums%value(g), g=1, size(energy))]
    end function stored_energies
 
 end module plydyn_domain_element_energies

@@ -22,6 +22,8 @@ module plydyn_method_element_balance
       real(wp) :: internal = 0.0_wp
       !> What unloading gives back; what hourglass control has stored or taken
       real(wp) :: stored = 0.0_wp, hourglass = 0.0_wp
+      !> The part of it by viscous forces, which is summed to the first order of the step only
+      real(wp) :: viscous = 0.0_wp
       !> Dissipated, in the order of `mechanism_names`
       real(wp) :: dissipated(mechanisms) = 0.0_wp
       !> The largest energy that went into the model so far
@@ -41,7 +43,7 @@ contains
       type(state_type), intent(in) :: state
       type(element_balance_type) :: self
 
-      real(wp) :: stored(2)
+      real(wp) :: stored(3)
       type(delamination_type), allocatable :: lost(:)
 
       allocate (lost(0))
@@ -51,6 +53,7 @@ contains
       stored(:) = stored_energies(domain, state%displacement, state%history)
       self%stored = stored(1)
       self%hourglass = stored(2)
+      self%viscous = stored(3)
       self%dissipated(:) = dissipated_energies(domain, state%history, lost)
    end function balance_of
 

@@ -194,7 +194,8 @@ contains
             & //"those of any material")
          return
       end if
-      if (abs(balance%error()) <= domain%control%energy_limit) return
+      if (abs(balance%error())*balance%reference <= domain%control%energy_limit*balance%reference &
+         & + balance%viscous) return
       amounts = moment(state)//": by their strains and stresses they have stored " &
          & //text(balance%stored)//", the work of their forces less what they have dissipated is " &
          & //text(balance%internal - balance%hourglass - sum(balance%dissipated)) &

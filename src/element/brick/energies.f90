@@ -51,7 +51,7 @@ contains
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
-      !> Two sums
+      !> Three sums
       type(exact_sums_type), intent(inout) :: sums
 
       real(wp) :: energy, u(lanes, corners, 3)
@@ -76,8 +76,10 @@ contains
             end do
          end associate
          call sums%add(1, energy)
-         if (bricks%points == 1) call sums%add(2, hourglass_energy(bricks, b, large, displacement, &
-            & history(bricks%first_history:)))
+         if (bricks%points > 1) cycle
+         energy = hourglass_energy(bricks, b, large, displacement, history(bricks%first_history:))
+         call sums%add(2, energy)
+         if (bricks%viscosity > 0.0_wp) call sums%add(3, energy)
       end do
    end subroutine add_brick_energy
 
