@@ -105,7 +105,8 @@ contains
          self%velocity_before(:, i) = state%impactors(i)%velocity
          call move_impactor(domain, i, state)
       end do
-      self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) > 0
+      self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) &
+         & + size(domain%constraints%list) > 0
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
             call pair%candidates%update_slack(largest_move(domain, state%step, reduction), &

@@ -76,3 +76,13 @@ def test_threads_of_a_deck_have_a_bound(threads: str, words: str, tmp_path: Path
     code, text = said("check", deck.write(tmp_path / "deck.k"))
     assert code == (2 if words else 0), text
     assert words in text
+
+
+def test_points_of_constraints_are_led_before_their_forces(tmp_path: Path) -> None:
+    """A lever moves its points while other threads sum forces: ten runs have the bits of one."""
+    deck = Path(__file__).parent / "lever" / "deck.k"
+    names = ("deck.constraints.csv", "deck.nodes.csv")
+    alone = run(deck, tmp_path / "alone", 1, ["ncpu=1"])
+    for k in range(10):
+        results = run(deck, tmp_path / f"two_{k}", 2, ["ncpu=2"])
+        assert all(results[name] == alone[name] for name in names)
