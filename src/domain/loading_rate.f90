@@ -3,6 +3,7 @@
 !> A bar of the length L and the wave speed c whose end has moved by d and moves at the speed v, all
 !> other points in proportion, has the kinetic energy (v L / c d)^2 / 3 over the internal one.
 module plydyn_domain_loading_rate
+   use plydyn_base_matrix, only : invert
    use plydyn_base_precision, only : wp
    use plydyn_law_ply_laminate, only : add_ply_stiffness
    use plydyn_model_curve, only : curve_type
@@ -51,7 +52,7 @@ contains
       type(loading_rate_type), intent(out) :: rate
 
       type(sheet_type) :: sheet
-      real(wp) :: modulus, size_of(2)
+      real(wp) :: flexibility(3, 3), modulus, size_of(2), unused
       integer :: axis, m, p
 
       do m = 1, size(model%motions)
@@ -66,7 +67,8 @@ contains
       do p = 1, size(model%parts)
          sheet = sheet_of(model, p)
          sheet%mass = mass_ratio*sheet%mass
-         modulus = determinant(sheet%a)/(sheet%thickness*minor(sheet%a, axis))
+         call invert(sheet%a, flexibility, unused)
+         modulus = 1.0_wp/(sheet%thickness*flexibility(axis, axis))
          rate%wave_speed = min(rate%wave_speed, sqrt(modulus*sheet%thickness/sheet%mass))
          rate%wave_stress = max(rate%wave_stress, rate%speed*sqrt(modulus*sheet%mass &
             & /sheet%thickness))
@@ -172,7 +174,7 @@ contains
       integer, intent(in) :: p
       type(sheet_type) :: sheet
 
-      real(wp) :: b(3, 3), z
+      real(wp) :: b(3, 3), flexibility(3, 3), unused, z
       integer :: i, k
 
       b(:, :) = 0.0_wp
@@ -199,7 +201,8 @@ contains
             end associate
          end do
          sheet%thickness = z
-         sheet%d(:, :) = sheet%d - matmul(b, matmul(inverse(sheet%a), b))
+         call invert(sheet%a, flexibility, unused)
+         sheet%d(:, :) = sheet%d - matmul(b, matmul(flexibility, b))
       end associate
    end function sheet_of
 
@@ -215,44 +218,5 @@ contains
             & + 2.0_wp*d(3, 3))/(x*y) + d(2, 2)/y**2))
       end associate
    end function period_of
-
-   !> Determinant of a matrix
-   pure real(wp) function determinant(a)
-      real(wp), intent(in) :: a(3, 3)
-
-      determinant = dot_product(a(:, 1), cross(a(:, 2), a(:, 3)))
-   end function determinant
-
-   !> Determinant of a matrix without a row and its column
-   pure real(wp) function minor(a, k)
-      real(wp), intent(in) :: a(3, 3)
-      !> Which row
-      integer, intent(in) :: k
-
-      integer :: i, j
-
-      i = modulo(k, 3) + 1
-      j = modulo(k + 1, 3) + 1
-      minor = a(i, i)*a(j, j) - a(i, j)*a(j, i)
-   end function minor
-
-   !> Inverse of a matrix
-   pure function inverse(a)
-      real(wp), intent(in) :: a(3, 3)
-      real(wp) :: inverse(3, 3)
-
-      inverse(1, :) = cross(a(:, 2), a(:, 3))
-      inverse(2, :) = cross(a(:, 3), a(:, 1))
-      inverse(3, :) = cross(a(:, 1), a(:, 2))
-      inverse(:, :) = inverse/determinant(a)
-   end function inverse
-
-   !> Product of two vectors that is normal to both
-   pure function cross(a, b)
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: cross(3)
-
-      cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross
 
 end module plydyn_domain_loading_rate

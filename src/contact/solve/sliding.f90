@@ -9,6 +9,7 @@
 !> Gauss-Seidel method of Jourdan, Alart and Jean (1998). Multipliers are vectors along the surface
 !> and not components along two tangents, so that no direction is preferred.
 module plydyn_contact_solve_sliding
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type, &
       & gap_change, relative_motion
@@ -257,14 +258,5 @@ contains
 
       along(:) = vector - dot_product(vector, normal)*normal
    end function along
-
-   !> Vector product
-   pure function cross(a, b)
-      !> The factors
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: cross(3)
-
-      cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross
 
 end module plydyn_contact_solve_sliding

@@ -11,6 +11,7 @@
 !> own axes, but for the shear of bending and for the normal strain that a brick cannot have with
 !> them (stress is 0 there), as in the assumed strain of Belytschko and Bindeman (1993).
 module plydyn_element_brick_bricks
+   use plydyn_base_matrix, only : cross, invert
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_law, only : block_law_type
@@ -182,26 +183,6 @@ contains
          slope(3, :) = matmul(zeta, gradient)
       end associate
    end function parent_slope
-
-   !> Inverse and determinant
-   pure subroutine invert(a, inverse, determinant)
-      real(wp), intent(in) :: a(3, 3)
-      real(wp), intent(out) :: inverse(3, 3), determinant
-
-      inverse(1, :) = cross(a(:, 2), a(:, 3))
-      inverse(2, :) = cross(a(:, 3), a(:, 1))
-      inverse(3, :) = cross(a(:, 1), a(:, 2))
-      determinant = dot_product(inverse(1, :), a(:, 1))
-      inverse(:, :) = inverse/determinant
-   end subroutine invert
-
-   !> Vector product
-   pure function cross(a, b)
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: cross(3)
-
-      cross(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross
 
    !> The brick's own axes, and its stiffness against hourglass modes there
    pure subroutine set_mode_stiffness(position, volume, stiffness, axis, mode_stiffness)
