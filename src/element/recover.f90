@@ -2,7 +2,7 @@
 module plydyn_element_recover
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : layer_scalars, point_history
-   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
    use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
    use plydyn_law_ply_elastic, only : strain_rotation
@@ -131,8 +131,7 @@ contains
       integer :: t
 
       do t = 1, size(u, 2)
-         u(:, t) = displacement(batch%height*(node - 1) + batch%first + (lane - 1) &
-            & + lanes*((block - 1) + batch%blocks*((t - 1) + size(u, 2)*(direction - 1))))
+         u(:, t) = displacement(first_degree(batch, block, node, t, direction) + lane - 1)
       end do
    end function column_values
 

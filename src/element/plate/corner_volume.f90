@@ -3,7 +3,7 @@
 module plydyn_element_plate_corner_volume
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_least_volume, only : least_volume_type
-   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_node_metric, tensor_order
    use plydyn_fem_expansion, only : lagrange
    use plydyn_law_compression_barrier, only : volume_ratio
@@ -26,24 +26,38 @@ contains
       !> Least ratio of volumes so far
       type(least_volume_type), intent(inout) :: least
 
-      real(wp) :: metric(5, plate%side**2), ratio(lanes)
-      integer :: b, block, e
+      integer :: b
 
+      do b = 1, size(plate%batches)
+         call look_at_batch(plate, plate%batches(b), mesh, displacement, least)
+      end do
+   end subroutine find_corner_volumes
+
+   !> The same of the layers of one order
+   pure subroutine look_at_batch(plate, batch, mesh, displacement, least)
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      type(mesh_type), intent(in) :: mesh
+      real(wp), intent(in) :: displacement(:)
+      type(least_volume_type), intent(inout) :: least
+
+      real(wp) :: metric(5, plate%side**2), ratio(lanes), unused(batch%expansion%order + 1)
+      real(wp) :: slope(batch%expansion%order + 1, 2)
+      integer :: block, e
+
+      call lagrange(batch%expansion%node, -1.0_wp, unused, slope(:, 1))
+      call lagrange(batch%expansion%node, 1.0_wp, unused, slope(:, 2))
       do e = 1, size(plate%quad)
          metric(:, :) = quad_node_metric(plate%side, mesh%position(1:2, &
             & mesh%quad_node(tensor_order(plate%side), plate%quad(e))))
-         do b = 1, size(plate%batches)
-            associate (batch => plate%batches(b))
-               do block = 1, batch%blocks
-                  ratio(:) = block_ratio(batch, block, plate%side, plate%node(:, e), metric, &
-                     & displacement)
-                  where (batch%layer(:, block) == 0) ratio = huge(1.0_wp)
-                  call take_least(ratio, plate%quad(e), batch%layer(:, block), least)
-               end do
-            end associate
+         do block = 1, batch%blocks
+            ratio(:) = block_ratio(batch, block, slope, metric, node_values(batch, block, &
+               & plate%side, plate%node(:, e), displacement))
+            where (batch%layer(:, block) == 0) ratio = huge(1.0_wp)
+            call take_least(ratio, plate%quad(e), batch%layer(:, block), least)
          end do
       end do
-   end subroutine find_corner_volumes
+   end subroutine look_at_batch
 
    !> Take the ratios of the layers of a block into account
    pure subroutine take_least(ratio, quad, layer, least)
@@ -59,22 +73,22 @@ contains
    end subroutine take_least
 
    !> Least ratio of volumes of each layer of a block at the corners of its bottom and top
-   pure function block_ratio(batch, block, side, node, metric, displacement) result(ratio)
+   pure function block_ratio(batch, block, slope, metric, u) result(ratio)
       type(layer_batch_type), intent(in) :: batch
-      !> Block of layers, nodes along a side, nodes of the quad
-      integer, intent(in) :: block, side, node(:)
+      !> Block of layers
+      integer, intent(in) :: block
+      !> Slopes of the expansion at the bottom and at the top
+      real(wp), intent(in) :: slope(:, :)
       !> Geometry at the nodes
-      real(wp), intent(in) :: metric(5, side**2)
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in) :: metric(:, :)
+      !> From `node_values`
+      real(wp), intent(in) :: u(:, :, :, :, :)
       real(wp) :: ratio(lanes)
 
-      real(wp) :: h(lanes, 3, 3), u(lanes, side, side, batch%expansion%order + 1, 3)
-      real(wp) :: slope(batch%expansion%order + 1, 2), unused(batch%expansion%order + 1)
-      integer :: face, i, j, l
+      real(wp) :: h(lanes, 3, 3)
+      integer :: face, i, j, l, side
 
-      call lagrange(batch%expansion%node, -1.0_wp, unused, slope(:, 1))
-      call lagrange(batch%expansion%node, 1.0_wp, unused, slope(:, 2))
-      u(:, :, :, :, :) = node_values(batch, block, side, node, displacement)
+      side = size(u, 2)
       ratio(:) = huge(1.0_wp)
       do face = 1, 2
          do j = 1, side, side - 1
@@ -102,8 +116,7 @@ contains
          do t = 1, size(u, 4)
             do j = 1, side
                do i = 1, side
-                  first = batch%height*(node(i + side*(j - 1)) - 1) + batch%first + lanes*(block &
-                     & - 1 + batch%blocks*(t - 1 + size(u, 4)*(c - 1)))
+                  first = first_degree(batch, block, node(i + side*(j - 1)), t, c)
                   u(:, i, j, t, c) = displacement(first:first + lanes - 1)
                end do
             end do

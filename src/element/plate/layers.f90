@@ -6,7 +6,7 @@ module plydyn_element_plate_layers
    implicit none
    private
 
-   public :: batch_stiffness, history_rows
+   public :: batch_stiffness, first_degree, history_rows
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
@@ -74,6 +74,19 @@ contains
 
       constants(:) = [(stiffness(row(i), column(i)), i=1, 13)]
    end function batch_stiffness
+
+   !> Degree of freedom of the first layer of a block; those of its other lanes follow
+   elemental integer function first_degree(batch, block, node, level, direction) result(first)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Block of layers, node of the plate, level from the bottom of the layer, direction
+      integer, intent(in) :: block, node, level, direction
+
+      associate (levels => batch%expansion%order + 1)
+         first = batch%height*(node - 1) + batch%first + lanes*(block - 1 &
+            & + batch%blocks*(level - 1 + levels*(direction - 1)))
+      end associate
+   end function first_degree
 
    !> Rows of a variable of the history in a quad: its Gauss points, those of a block together
    elemental integer function history_rows(batch, side) result(rows)

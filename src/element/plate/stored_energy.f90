@@ -1,12 +1,13 @@
 !> Energy that plates have stored: strains at all Gauss points, and what their laws give back.
 !>
-!> It is the check on the kernels of the forces, and has nothing in common with them but the laws:
-!> displacement gradients are sums over the nodes of a quad, as in textbooks.
+!> It is the check on the kernels of the forces. Displacement gradients are sums over the nodes of a
+!> quad, as in textbooks. With the kernels it shares the geometry of the quads, the stiffness, the
+!> tables of the expansion and the laws, so that an error in these does not show.
 module plydyn_element_plate_stored_energy
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : point_history
-   use plydyn_element_plate_layers, only : c33, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : c33, first_degree, layer_batch_type, plate_type
    use plydyn_element_recover, only : gauss_metric
    use plydyn_law_compression_barrier, only : barrier_energy, barrier_ratio, volume_ratio
    implicit none
@@ -91,8 +92,7 @@ contains
       do c = 1, 3
          do t = 1, size(value, 3)
             do i = 1, size(node)
-               first = batch%height*(node(i) - 1) + batch%first + lanes*(block - 1 &
-                  & + batch%blocks*(t - 1 + size(value, 3)*(c - 1)))
+               first = first_degree(batch, block, node(i), t, c)
                do m = 1, size(value, 3)
                   value(:, i, m, c) = value(:, i, m, c) + batch%expansion%to_gauss(m, t) &
                      & *displacement(first:first + lanes - 1)
