@@ -17,7 +17,7 @@ program test_run_wrong_kernel
    use plydyn_run_stability_monitor, only : stability_monitor_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
-   use wrong_plates, only : spoil_interfaces, spoil_plates
+   use wrong_plates, only : spoil
    implicit none
 
    !> Share by which forces are wrong: too small, so that the step stays stable
@@ -104,11 +104,7 @@ contains
       call observers%start("test_run_wrong_kernel")
       allocate (monitor, source=stability_monitor_type())
       call observers%add(monitor)
-      if (springs) then
-         call spoil_interfaces(parts%domain, share)
-      else
-         call spoil_plates(parts%domain, share)
-      end if
+      call spoil(parts%domain, interfaces=springs, stiffer=share)
       call run(parts, observers, error)
       balance = parts%state%energies%error()
    end subroutine run_model

@@ -2,12 +2,13 @@
 module wrong_plates
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_group, only : element_group_type
    use plydyn_element_interface_group, only : interface_group_type
    use plydyn_element_plate_group, only : plate_group_type
    implicit none
    private
 
-   public :: spoil_interfaces, spoil_plates
+   public :: spoil
 
    !> Plates whose forces are those of other displacements
    type, extends(plate_group_type) :: wrong_plate_group_type
@@ -26,49 +27,32 @@ module wrong_plates
 
 contains
 
-   !> Let all plates of a domain be too stiff by a share
-   subroutine spoil_plates(domain, stiffer)
+   !> Let all plates of a domain, or all its interfaces, be too stiff by a share
+   subroutine spoil(domain, interfaces, stiffer)
       !> The domain
       type(domain_type), intent(inout) :: domain
+      !> Interfaces in place of plates
+      logical, intent(in) :: interfaces
       !> The share
       real(wp), intent(in) :: stiffer
 
-      type(wrong_plate_group_type) :: wrong
+      class(element_group_type), allocatable :: wrong
       integer :: g
 
       do g = 1, size(domain%groups)
          select type (group => domain%groups(g)%item)
          type is (plate_group_type)
-            wrong%plate_group_type = group
-         class default
-            cycle
-         end select
-         wrong%stiffer = stiffer
-         deallocate (domain%groups(g)%item)
-         allocate (domain%groups(g)%item, source=wrong)
-      end do
-   end subroutine spoil_plates
-
-   !> The same of all interfaces
-   subroutine spoil_interfaces(domain, stiffer)
-      type(domain_type), intent(inout) :: domain
-      real(wp), intent(in) :: stiffer
-
-      type(wrong_interface_group_type) :: wrong
-      integer :: g
-
-      do g = 1, size(domain%groups)
-         select type (group => domain%groups(g)%item)
+            if (interfaces) cycle
+            wrong = wrong_plate_group_type(plate_group_type=group, stiffer=stiffer)
          type is (interface_group_type)
-            wrong%interface_group_type = group
+            if (.not. interfaces) cycle
+            wrong = wrong_interface_group_type(interface_group_type=group, stiffer=stiffer)
          class default
             cycle
          end select
-         wrong%stiffer = stiffer
-         deallocate (domain%groups(g)%item)
-         allocate (domain%groups(g)%item, source=wrong)
+         call move_alloc(wrong, domain%groups(g)%item)
       end do
-   end subroutine spoil_interfaces
+   end subroutine spoil
 
    pure subroutine add_wrong_plate_forces(self, elements, step, displacement, velocity, history, &
       & force)
