@@ -16,6 +16,7 @@ from decks import Deck, Ply
 from elasticity import STEEL, Array
 from meshes import regular
 from runs import Results, run, run_stage
+from swings import add_first_mode, deflection
 
 SIDE, THICKNESS = 50.0, 2.0
 YOUNG, POISSON = STEEL.young[0], STEEL.poisson[0]
@@ -27,32 +28,13 @@ SHARES, TIME = (0.02, 0.2, 0.0), 8.0 * np.pi / RATE
 
 
 def first_stage(folder: Path) -> Results:
-    """A quarter of the plate, with the velocity of its first mode."""
-    half = 0.5 * SIDE
-    mesh = regular(half, half, 4, 4, 9)
+    """The plate in its first mode, with the damping of the first stage."""
     deck = Deck("damped plate", TIME)
     deck.control(linear=True, damping=SHARES[0] * RATE)
-    deck.mesh(mesh)
-    deck.laminate([Ply(STEEL, THICKNESS)], 2)
-    deck.hold(mesh.where(x=0.0), "yz")
-    deck.hold(mesh.where(y=0.0), "xz")
-    deck.hold(mesh.where(x=half), "x")
-    deck.hold(mesh.where(y=half), "y")
-    shape = np.prod(np.sin(np.pi * mesh.points / SIDE), axis=1)
-    deck.velocities(np.stack([0.0 * shape, 0.0 * shape, shape], axis=1))
-    deck.histories([mesh.at(half, half)], TIME / 1000.0)
+    mesh = regular(0.5 * SIDE, 0.5 * SIDE, 4, 4, 9)
+    add_first_mode(deck, mesh, [Ply(STEEL, THICKNESS)], 2, TIME / 1000.0)
     deck.add("DATABASE_BINARY_D3DUMP", (999999999,))
     return run(deck, folder, "stage_0")
-
-
-def deflection(results: Results) -> tuple[Array, Array]:
-    """Time from the start of a stage, and deflection of the middle."""
-    table = results.table("nodes")
-    bottom, top = (
-        next(table[name] for name in table.names if name.endswith(f"{face} uz"))
-        for face in ("bottom", "top")
-    )
-    return table["time"] - table["time"][0], 0.5 * (bottom + top)
 
 
 def decaying(time: Array, damping: float, rate: float, cosine: float, sine: float) -> Array:
@@ -72,6 +54,7 @@ def test_stages_change_the_damping(compare: Comparison, tmp_path: Path) -> None:
     drawn, exact, start = {}, {}, 0.0
     for number, (stage, share) in enumerate(zip(results, SHARES, strict=True), start=1):
         time, values = deflection(stage)
+        time = time - time[0]
         guess = (0.1, 1.0, values[0], np.ptp(values) / 2.0)
         found, _ = curve_fit(decaying, time, values, guess)
         name = f"damping over frequency, stage {number}"
