@@ -26,6 +26,7 @@ from plydyn_pre.mesh import (
     OgridSquare,
     Quality,
     Rectangle,
+    Zone,
     make_mesh,
     quality,
 )
@@ -127,6 +128,7 @@ __all__ = [
     "Study",
     "Support",
     "Units",
+    "Zone",
     "clusters",
     "count",
     "deck_text",

@@ -9,6 +9,7 @@ from plydyn_pre.mesh.limits import refuse_slivers
 from plydyn_pre.mesh.ogrid import OgridDisc, OgridSquare, mesh_ogrid_disc, mesh_ogrid_square
 from plydyn_pre.mesh.quality import Quality, quality
 from plydyn_pre.mesh.rectangle import Rectangle, mesh_rectangle
+from plydyn_pre.mesh.zones import Zone
 
 #: What a study can say about its mesh
 Shape = Rectangle | OgridSquare | OgridDisc | Coupon | GmshFile
@@ -30,6 +31,7 @@ __all__ = [
     "Quality",
     "Rectangle",
     "Shape",
+    "Zone",
     "make_mesh",
     "node_near",
     "quality",

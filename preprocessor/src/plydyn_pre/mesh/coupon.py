@@ -16,15 +16,15 @@ import numpy as np
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.mesh.blocks import place_on, to_halves
 from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
-from plydyn_pre.mesh.limits import require_few
+from plydyn_pre.mesh.limits import LARGEST_GROWTH, require_few
+from plydyn_pre.mesh.lines import Span, zoned_line
 from plydyn_pre.mesh.ogrid import mesh_board, to_circle, to_steps
 from plydyn_pre.mesh.quarter import quarter_of
 from plydyn_pre.mesh.rectangle import mesh_board_of_rectangle
-from plydyn_pre.mesh.sizes import growing_line, last_size
+from plydyn_pre.mesh.zones import Zone, check_zones, spans_of
 
 #: How fine a mesh is by the process zone of its interfaces
 Level = Literal["look", "standard", "fine"]
-_LARGEST_GROWTH = 2.0
 # share of a size by which a node may lie off a line
 _NEAR = 1e-6
 
@@ -48,6 +48,7 @@ class Coupon:
     order: Literal[1, 2] = 2  # quads of four or of nine nodes
     centre: tuple[float, float] = (0.0, 0.0)  # place of the middle
     quarter: bool = False  # only what lies at larger x and y than the middle
+    zones: tuple[Zone, ...] = ()  # other places of finer quads than the core
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
@@ -56,7 +57,7 @@ class Coupon:
             require(min(sides) > 0.0, name, f"{getattr(self, name)} must be above zero")
         require_positive(self, "core", "largest")
         require_not_negative(self, "quad")
-        require_between(self, 1.0, _LARGEST_GROWTH, "growth")
+        require_between(self, 1.0, LARGEST_GROWTH, "growth")
         round_plate, round_window = is_round(self.plate), is_round(self.window)
         rule = "a round plate needs a round window: a diameter"
         require(round_window or not round_plate, "window", rule)
@@ -65,8 +66,19 @@ class Coupon:
         limit = min(window) / (sqrt(2.0) if round_window else 1.0)
         rule = f"{self.core:g} must be less than {limit:g} to lie in the window"
         require(self.core < limit, "core", rule)
+        self._check_zones(plate)
         if self.quad > 0.0:
+            require_few(core_quads(self.core, self.quad), "quad")
             require_few(_quads(self), "quad")
+
+    def _check_zones(self, plate: tuple[float, float]) -> None:
+        """Refuse zones where mesh lines do not run along x and y, and beyond the plate."""
+        rule = "a round window takes none beside the core; give a window of two lengths"
+        require(not self.zones or not is_round(self.window), "zones", rule)
+        low, high = zip(
+            *((c - s / 2, c + s / 2) for c, s in zip(self.centre, plate, strict=True)), strict=True
+        )
+        check_zones(self.zones, self.centre if self.quarter else low, high, (self.largest,) * 2)
 
 
 def is_round(size: float | tuple[float, float]) -> bool:
@@ -100,18 +112,17 @@ def _quads(shape: Coupon) -> int:
 
 
 def _line(shape: Coupon, axis: int) -> Reals:
-    """Ends of the quads along an axis, around the middle."""
-    n, half = core_quads(shape.core, shape.quad), shape.core / 2
+    """Ends of the quads along an axis, around the middle.
+
+    The core is a zone whose ends are mesh lines, as is the middle where there are other zones.
+    """
+    half = shape.core / 2
     window, plate = sides_of(shape.window)[axis] / 2, sides_of(shape.plate)[axis] / 2
-    inner = half + growing_line(window - half, _next(shape), shape.growth, shape.largest)
-    outer = window + growing_line(plate - window, last_size(inner), shape.growth, shape.largest)
-    arm = np.concatenate([inner, outer[1:]])
-    return np.concatenate([-arm[:0:-1], np.linspace(-half, half, n + 1), arm[1:]])
-
-
-def _next(shape: Coupon) -> float:
-    """Size of the first quad outside of the core."""
-    return shape.growth * shape.core / core_quads(shape.core, shape.quad)
+    core = Span(-half, half, shape.core / core_quads(shape.core, shape.quad))
+    middle = (0.0,) if shape.zones else ()
+    marks = (-plate, -window, -half, *middle, half, window, plate)
+    spans = [core, *spans_of(shape.zones, axis, shape.largest, shape.centre[axis])]
+    return zoned_line(marks, spans, shape.growth, shape.largest)
 
 
 def _mesh_rectangle(shape: Coupon) -> Mesh:
@@ -126,11 +137,10 @@ def _mesh_rectangle(shape: Coupon) -> Mesh:
 
 def _rings(shape: Coupon) -> Reals:
     """Radii of the rings of quads, halfway along the sides of the core: (rings + 1,)."""
-    half = shape.core / 2
+    half, n = shape.core / 2, core_quads(shape.core, shape.quad)
     window, plate = sides_of(shape.window)[0] / 2, min(sides_of(shape.plate)) / 2
-    inner = half + growing_line(window - half, _next(shape), shape.growth, shape.largest)
-    outer = window + growing_line(plate - window, last_size(inner), shape.growth, shape.largest)
-    return np.concatenate([inner, outer[1:]])
+    core = Span(0.0, half, shape.core / n)
+    return zoned_line((0.0, half, window, plate), [core], shape.growth, shape.largest)[n // 2 :]
 
 
 def _mesh_round(shape: Coupon) -> Mesh:

@@ -11,6 +11,8 @@ from plydyn_pre.mesh.grid import SIDES, Mesh
 MOST_QUADS = 500_000
 #: Ratio of the lengths of two neighbouring sizes beyond which quads are slivers
 MOST_GRADING = 1000.0
+#: Largest size of a quad over that of the one before on a line of growing quads
+LARGEST_GROWTH = 2.0
 # shortest side of a quad over the largest coordinate: a deck has ten digits of a coordinate
 _FINEST = 1e-6
 
