@@ -105,7 +105,10 @@ def study() -> pre.Study:
             refine=(pre.PlyRange((3, 4), 3, 2),),
         ),
         mesh=pre.OgridSquare(side=30.0, core=10.0, n=2, rings=1),
-        sets={"line": pre.NodeSet(box=(0.0, 30.0, 15.0, 15.0)), "gauge": pre.NodeSet(at=(20, 15))},
+        sets={
+            "line": pre.PlaceSet(box=(0.0, 30.0, 15.0, 15.0)),
+            "gauge": pre.PlaceSet(at=(20, 15)),
+        },
         supports=(
             pre.Support("left"),
             pre.Support("right", hold="z", face="bottom"),

@@ -18,6 +18,8 @@ from plydyn_pre.recipe import templates
 FRAME = pre.Coupon(plate=(150.0, 100.0), window=(125.0, 75.0), core=45.0, quad=3.0)
 DISC = pre.Coupon(plate=100.0, window=75.0, core=24.0, quad=3.0, centre=(3.0, -2.0))
 SQUARE = replace(DISC, plate=(110.0, 100.0))
+#: Templates whose meshes have no level
+NO_COUPONS = ("dcb", "impact")
 COUPONS = pytest.mark.parametrize("shape", [FRAME, DISC, SQUARE])
 
 
@@ -228,14 +230,22 @@ def test_fixtures_that_cannot_be_are_refused() -> None:
         study_of(fixtures=(), outputs=pre.Outputs(fixture_interval=1.0e-6))
 
 
-@pytest.mark.parametrize("template", [name for name in templates() if name != "impact"])
-@pytest.mark.parametrize("level", ["look", "standard"])
+@pytest.mark.parametrize(
+    ("template", "level"),
+    [
+        (name, level)
+        for name in templates()
+        for level in ("look", "standard")
+        if name not in NO_COUPONS
+    ]
+    + [("dcb", "")],
+)
 def test_templates_pass_without_a_warning(
     template: str, level: str, solver: str, tmp_path: Path
 ) -> None:
     recipe = tmp_path / "mine.toml"
     recipe.write_text(pre.example_recipe(template))
-    study = pre.load_recipe(recipe, [f"mesh.level={level}"])
+    study = pre.load_recipe(recipe, [f"mesh.level={level}"] if level else [])
     assert not pre.unused(study)
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), tmp_path / "job.k")
     result = subprocess.run(

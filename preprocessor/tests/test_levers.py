@@ -22,8 +22,8 @@ def beam(study: pre.Study) -> pre.Study:
         study,
         mesh=pre.Rectangle((2.0 * HALF_SPAN, 2.0), (8, 1)),
         sets={
-            "middle": pre.NodeSet(line=(HALF_SPAN, 0.0, HALF_SPAN, 2.0)),
-            "one": pre.NodeSet(at=(15.0, 1.0)),
+            "middle": pre.PlaceSet(line=(HALF_SPAN, 0.0, HALF_SPAN, 2.0)),
+            "one": pre.PlaceSet(at=(15.0, 1.0)),
         },
         supports=(
             pre.Support("left", hold="z", face="bottom"),

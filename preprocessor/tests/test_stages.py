@@ -163,7 +163,7 @@ def test_places_of_a_stage_are_told_by_their_keys(
 
 def test_sets_are_told_by_their_own_keys(study: pre.Study) -> None:
     """A stage uses them, and the recipe has them."""
-    sets = study.sets | {"upper_end": pre.NodeSet(box=(500.0, 600.0, 0.0, 1.0))}
+    sets = study.sets | {"upper_end": pre.PlaceSet(box=(500.0, 600.0, 0.0, 1.0))}
     with pytest.raises(pre.RecipeError, match=r"^sets\.upper_end\.box: no node lies in it"):
         decks(replace(study, sets=sets))
 

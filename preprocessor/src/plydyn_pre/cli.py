@@ -28,6 +28,7 @@ from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
+from plydyn_pre.set_text import set_lines
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, doubts, strengths_of, unused
 from plydyn_pre.study_text import told
@@ -128,7 +129,7 @@ def ensemble(
 
 @app.command()
 def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
-    """Make the mesh of a recipe, and print its size, quality and node sets."""
+    """Make the mesh of a recipe, and print its size, quality and sets."""
     study, grid = _study_and_mesh(recipe, overrides)
     with blaming(recipe):
         _tell_counts(study, grid)
@@ -140,6 +141,9 @@ def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
     _note_folded(recipe, measures)
     for kind, sets in (("parts", grid.parts), ("node sets", grid.node_sets)):
         _tell(kind, ", ".join(f"{name} ({len(members)})" for name, members in sets.items()))
+    with blaming(recipe):
+        for line in set_lines(study, grid):
+            _tell("set", line)
 
 
 @app.command()

@@ -73,8 +73,13 @@ def _convert_union(choices: tuple[Any, ...], value: object, path: str) -> object
         return build(_kind_of(choices, value, path), value, path)
     tables = [choice for choice in choices if get_origin(choice) is dict]
     others = [choice for choice in choices if choice not in tables]
-    # a list where one can be, or a number
-    others.sort(key=lambda choice: (get_origin(choice) is tuple) != isinstance(value, list))
+    # a list where one can be, a word where one can be, or a number
+    others.sort(
+        key=lambda choice: (
+            (get_origin(choice) is tuple) != isinstance(value, list)
+            or (get_origin(choice) is Literal) != isinstance(value, str)
+        )
+    )
     return convert((tables if isinstance(value, dict) and tables else others)[0], value, path)
 
 

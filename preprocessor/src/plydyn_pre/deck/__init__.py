@@ -7,6 +7,7 @@ from itertools import chain
 from pathlib import Path
 
 from plydyn_pre.deck import bricks, conditions, control, grid, materials, plates
+from plydyn_pre.deck.delaminations import delamination_keywords
 from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
@@ -34,6 +35,7 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
         control.output_keywords(names),
         end_keyword(names.study),
         plates.part_keywords(names),
+        delamination_keywords(names),
         materials.material_keywords(names),
         conditions.impactor_keywords(names),
         conditions.support_keywords(names),

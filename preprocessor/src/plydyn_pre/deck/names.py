@@ -5,13 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from plydyn_pre.errors import RecipeError, require
-from plydyn_pre.mesh.grid import Integers, Mesh, node_near
-from plydyn_pre.study import NodeSet, Study
+from plydyn_pre.mesh.grid import Integers, Mesh, Reals, node_near
+from plydyn_pre.mesh.region import in_box, in_ring
+from plydyn_pre.study import REGIONS, PlaceSet, Study
 from plydyn_pre.suggest import suggestion
 
 ALL = "all"
+# share of the size of the mesh by which a place may lie beside a region
+_NEAR = 1e-6
 
 
 @dataclass
@@ -26,11 +30,13 @@ class Names:
     curves: dict[str, int] = field(default_factory=dict)
     materials: dict[str, int] = field(default_factory=dict)
     parts: dict[str, int] = field(default_factory=dict)
+    regions: dict[str, Integers] = field(default_factory=dict)  # quads of sets without a name
 
     def __post_init__(self) -> None:
         """Number the parts of the mesh; refuse laminates of others and sets that are there."""
+        known = {ALL, *self.mesh.node_sets, *self.mesh.quad_sets, *self.mesh.parts}
         for name in self.study.sets:
-            taken = name == ALL or name in self.mesh.node_sets
+            taken = name in known
             require(not taken, f"sets.{name}", "the mesh has a set of this name; take another one")
         for name in self.study.laminates:
             hint = suggestion(name, self.mesh.parts)
@@ -72,6 +78,12 @@ class Names:
         self.quads_of(name, path)
         return _number(self.quad_sets, name, self.first)
 
+    def region(self, rule: PlaceSet, path: str) -> int:
+        """Number of the quads of a region that has no name; its keys stand for one."""
+        found = _quads_at(self.mesh, rule, path)
+        self.regions[path] = found
+        return _number(self.quad_sets, path, self.first)
+
     def nodes_of(self, name: str, path: str) -> Integers:
         """Nodes of a set, as indices."""
         if name == ALL:
@@ -82,8 +94,12 @@ class Names:
 
     def quads_of(self, name: str, path: str) -> Integers:
         """Quads of a set or a part, as indices."""
+        if name in self.regions:
+            return self.regions[name]
+        if name in self.study.sets:
+            return _quads_at(self.mesh, self.study.sets[name], f"sets.{name}")
         known = {**self.mesh.parts, **self.mesh.quad_sets}
-        return _member(known, name, path, "a part or another set of quads", ())
+        return _member(known, name, path, "a part or a set of quads", self.study.sets)
 
 
 def _number(numbers: dict[str, int], name: str, first: int = 1) -> int:
@@ -101,9 +117,9 @@ def _member(
     return known[name]
 
 
-def _nodes_at(mesh: Mesh, rule: NodeSet, path: str) -> Integers:
+def _nodes_at(mesh: Mesh, rule: PlaceSet, path: str) -> Integers:
     """Nodes of a set by their place."""
-    slack = 1e-6 * mesh.size
+    slack = _NEAR * mesh.size
     if rule.at is not None:
         node, distance = node_near(mesh, rule.at)
         x, y = mesh.nodes[node]
@@ -112,16 +128,33 @@ def _nodes_at(mesh: Mesh, rule: NodeSet, path: str) -> Integers:
         return np.array([node])
     if rule.line is not None:
         return _mesh_line(mesh, rule.line, path)
-    low_x, high_x, low_y, high_y = rule.box or (0.0, 0.0, 0.0, 0.0)
-    low, high = np.array([low_x, low_y]) - slack, np.array([high_x, high_y]) + slack
-    found = np.flatnonzero(np.all((mesh.nodes >= low) & (mesh.nodes <= high), axis=1))
-    require(len(found) > 0, f"{path}.box", "no node lies in it")
+    found = np.flatnonzero(_inside(mesh, rule, mesh.nodes))
+    require(len(found) > 0, f"{path}.{rule.key}", "no node lies in it")
     return found
+
+
+def _quads_at(mesh: Mesh, rule: PlaceSet, path: str) -> Integers:
+    """Quads of a set, by the place of their middle."""
+    nodes_only = f"a set by {rule.key!r} has nodes only; quads need box, circle or ring"
+    require(rule.key in REGIONS, f"{path}.{rule.key}", nodes_only)
+    middles = mesh.nodes[mesh.quads[:, :4]].mean(axis=1)
+    found = np.flatnonzero(_inside(mesh, rule, middles))
+    require(len(found) > 0, f"{path}.{rule.key}", "no quad has its middle in it")
+    return found
+
+
+def _inside(mesh: Mesh, rule: PlaceSet, places: Reals) -> NDArray[np.bool_]:
+    """Which of some places, (places, 2), lie in a box, a circle or a ring."""
+    slack = _NEAR * mesh.size
+    if rule.box is not None:
+        return in_box(places, rule.box, slack)
+    x, y, radius = rule.circle or (0.0, 0.0, 0.0)
+    return in_ring(places, rule.ring or (x, y, 0.0, radius), slack)
 
 
 def _mesh_line(mesh: Mesh, ends: tuple[float, float, float, float], path: str) -> Integers:
     """Nodes of the mesh line next to a line along x or y, between its ends."""
-    slack = 1e-6 * mesh.size
+    slack = _NEAR * mesh.size
     x1, y1, x2, y2 = ends
     along, across = (0, 1) if y1 == y2 else (1, 0)
     place, (low, high) = (y1, sorted((x1, x2))) if along == 0 else (x1, sorted((y1, y2)))

@@ -7,7 +7,7 @@ from itertools import groupby
 
 from plydyn_pre.deck.cards import Card, keyword, title_line
 from plydyn_pre.deck.names import Names
-from plydyn_pre.study import Cohesive, Laminate
+from plydyn_pre.study import Cohesive, Laminate, runs
 
 _REFERENCES = {"bottom": -1, "middle": 0, "top": 1}
 _BASES = {"equispaced": 0, "gauss_lobatto": 1}
@@ -76,9 +76,8 @@ def _ranges(laminate: Laminate) -> Iterator[Card]:
     if len(opened) == len(laminate.stack) - 1:
         yield {"ifac1": 0, "ifac2": 0}
         return
-    for _, group in groupby(enumerate(opened), lambda item: item[1] - item[0]):
-        places = [place for _, place in group]
-        yield {"ifac1": places[0], "ifac2": places[-1]}
+    for group in runs(opened):
+        yield {"ifac1": group[0], "ifac2": group[-1]}
 
 
 def _joint(names: Names, laminate: Laminate, pid: int) -> Card:

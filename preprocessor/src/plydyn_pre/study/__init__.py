@@ -13,17 +13,17 @@ from plydyn_pre.study.conditions import (
     LineForce,
     Load,
     Motion,
-    NodeSet,
     Pressure,
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.doubts import doubts
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ
 from plydyn_pre.study.joints import Cohesive, Joint, Springs
-from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly
+from plydyn_pre.study.laminate import Laminate, PlyRange, StackPly, runs
 from plydyn_pre.study.levels import ProcessZone, process_zone
 from plydyn_pre.study.materials import (
     Elastic,
@@ -34,11 +34,13 @@ from plydyn_pre.study.materials import (
     PlyFracture3d,
 )
 from plydyn_pre.study.resolved import fitted_joints, resolved, strengths_of
+from plydyn_pre.study.sets import REGIONS, PlaceSet
 from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import unused
 
 __all__ = [
+    "REGIONS",
     "Bar",
     "Bricks",
     "Clamp",
@@ -53,6 +55,7 @@ __all__ = [
     "Force",
     "FrameAcceleration",
     "Impactor",
+    "InitialDelamination",
     "InitialVelocity",
     "Joint",
     "Laminate",
@@ -61,8 +64,8 @@ __all__ = [
     "Load",
     "Material",
     "Motion",
-    "NodeSet",
     "Outputs",
+    "PlaceSet",
     "Plane",
     "PlasticKinematic",
     "PlyCodam2",
@@ -87,6 +90,7 @@ __all__ = [
     "in_situ",
     "process_zone",
     "resolved",
+    "runs",
     "strengths_of",
     "unused",
 ]

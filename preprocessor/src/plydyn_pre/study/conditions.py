@@ -1,4 +1,4 @@
-"""Supports, loads, the contact of the impactor, and the sets and curves they use."""
+"""Supports, loads, the contact of the impactor, and the curves they use."""
 
 from __future__ import annotations
 
@@ -11,24 +11,6 @@ from plydyn_pre.errors import require, require_not_negative
 Direction = Literal["x", "y", "z"]
 Face = Literal["bottom", "top"]
 FaceOrAll = Literal["bottom", "top", "all"]
-
-
-@dataclass(frozen=True)
-class NodeSet:
-    """Nodes by their place: those in a box, the one at a place, or the mesh line next to a line."""
-
-    box: tuple[float, float, float, float] | None = None  # smallest x, largest x, the same of y
-    at: tuple[float, float] | None = None  # x, y of a node
-    line: tuple[float, float, float, float] | None = None  # along x or y: its ends, x1, y1, x2, y2
-
-    def __post_init__(self) -> None:
-        """Refuse two rules, and none."""
-        one = [self.box, self.at, self.line].count(None) == 2
-        rule = "a set needs one of box = [x1, x2, y1, y2], at = [x, y], line = [x1, y1, x2, y2]"
-        require(one, "", rule)
-        if self.line is not None:
-            x1, y1, x2, y2 = self.line
-            require((x1 == x2) != (y1 == y2), "line", "a line must lie along x or along y")
 
 
 @dataclass(frozen=True)
@@ -89,7 +71,7 @@ class Pressure:
     kind: ClassVar[str] = "pressure"
 
     value: float  # force per area, times the curve
-    set: str = "all"  # name of a part or of another set of quads
+    set: str = "all"  # name of a part or of a set of quads
     face: Face = "top"
     curve: str = ""  # name of a curve; constant without one
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import groupby, pairwise
 from typing import Literal
 
 from plydyn_pre.errors import LayupError, RecipeError, require
@@ -93,6 +94,12 @@ class Laminate:
     def levels(self) -> int:
         """Thickness points above a node of the plane."""
         return sum(ply.layers * ply.order for ply in self.stack) + 1 + len(self.opened)
+
+
+def runs(numbers: Iterable[int]) -> list[list[int]]:
+    """Rising numbers in runs without a gap."""
+    groups = groupby(enumerate(numbers), lambda item: item[1] - item[0])
+    return [[number for _, number in group] for _, group in groups]
 
 
 def is_alike(one: StackPly, other: StackPly) -> bool:

@@ -22,10 +22,10 @@ from plydyn_pre.study.conditions import (
     Curve,
     FrameAcceleration,
     Load,
-    NodeSet,
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.in_situ import check_in_situ
@@ -34,6 +34,7 @@ from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2
 from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
+from plydyn_pre.study.sets import PlaceSet
 from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
 
@@ -52,7 +53,8 @@ class Study:
     laminate: Laminate | None = None  # of every part that `laminates` does not name
     laminates: dict[str, Laminate] = field(default_factory=dict)  # by the names of parts
     bricks: Bricks | None = None  # in place of layers
-    sets: dict[str, NodeSet] = field(default_factory=dict)
+    initial_delamination: tuple[InitialDelamination, ...] = ()
+    sets: dict[str, PlaceSet] = field(default_factory=dict)
     supports: tuple[Support, ...] = ()
     fixtures: tuple[Fixture, ...] = ()
     impactor: Impactor | None = None
@@ -104,6 +106,8 @@ class Study:
         check_stages(
             self.stages, has_impactor=self.impactor is not None, has_fixtures=bool(self.fixtures)
         )
+        rule = "plies of bricks are tied and cannot delaminate; leave bricks out"
+        require(not self.initial_delamination or self.bricks is None, "initial_delamination", rule)
         rule = "a chain of stages takes plates; leave bricks out"
         require(not self.stages or self.bricks is None, "stages", rule)
         if isinstance(self.mesh, Coupon):

@@ -55,5 +55,6 @@ def _sets(study: Study) -> set[str]:
     """Names of the sets of supports, loads and outputs."""
     parts = (study, *study.stages)
     uses = [user for part in parts for user in (*part.supports, *part.loads)]
+    uses += study.initial_delamination
     users = {getattr(user, key, "") for user in uses for key in ("set", "hinge", "fulcrum")}
     return users.union(*(part.outputs.nodes for part in parts))
