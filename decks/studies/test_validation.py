@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from pathlib import Path
 
+import numpy as np
 import pytest
+from plydyn_post.interfaces import Interface
+from plydyn_pre.layup import parse
+from plydyn_pre.library import find_card
+from plydyn_pre.mesh import make_mesh
 
 from runner.cases import StudyError
+from studies import cross_ply, open_hole
 from studies.mechanisms import mechanisms
 from studies.validation import AT_25, BANDS, BLIND, TESTS, beams_text
 
@@ -67,3 +74,49 @@ def test_mechanisms_vary_the_impact_of_25_joule_alone() -> None:
         assert case.path == known.path
         assert case.model.control == known.model.control
     assert len({case.varied for case in study.cases}) == len(study.cases)
+
+
+def test_cross_ply_plates_have_measured_stiffnesses_and_borrowed_strengths() -> None:
+    """The page says whose they are; plates differ by layup, energy, quads and toughness alone."""
+    own, lent = find_card("HS160/REM").values, find_card("IM7/8552").values
+    ply = cross_ply.CASES[0].model.materials["ply"]
+    for each in fields(ply):
+        source = own.get(each.name, lent.get(each.name))
+        if source is not None and each.name not in ("ST", "GIC", "GIIC", "cubic"):
+            assert getattr(ply, each.name) == source.value, each.name
+    first = cross_ply.CASES[0].model
+    for case in cross_ply.CASES:
+        model = case.model
+        assert (model.contact, model.fixtures) == (first.contact, first.fixtures)
+        assert model.materials["ply"] == ply
+        assert f"{model.impactor.energy / 1e3:g} J" in case.label
+    thick = [(ply.angle, 0.25) for ply in parse("[0_2/90_2]s")]
+    assert [(ply.angle, first.laminate.thickness) for ply in parse(first.laminate.layup)] == thick
+
+
+@pytest.mark.parametrize("below", [0.0, 90.0])
+def test_the_shape_of_a_peanut_is_measured_along_the_fibres_below(below: float) -> None:
+    """Two lobes of 6 x 4 mm that touch below the impactor over 2 mm."""
+    line = np.arange(-5.0, 6.0)
+    x, y = (axis.ravel() for axis in np.meshgrid(line, line, indexing="ij"))
+    spent = (np.abs(x) <= 3.0) & (np.abs(y) <= np.where(np.abs(x) < 1.0, 1.0, 2.0))
+    along, across = (x, y) if below == 0.0 else (y, x)
+    places = np.stack([along, across], axis=-1)[:, None, None, :]
+    found = {"energy_share": spent.astype(float)[:, None, None], "damage": np.zeros((121, 1, 1))}
+    interface = Interface(1, (below, 90.0 - below), 0.0, places, np.arange(121), found)
+    assert cross_ply.shape_of(interface) == cross_ply.Shape(6.0, 4.0, 2.0)
+    found["energy_share"] = np.zeros((121, 1, 1))
+    assert cross_ply.shape_of(interface) == cross_ply.Shape(0.0, 0.0, 0.0)
+
+
+def test_the_coupon_with_a_hole_is_that_of_the_page() -> None:
+    """Half of [45/0/-45/90]2s; the strip and its hole, whose circle the mesh follows."""
+    for case in open_hole.CASES:
+        model = case.model
+        half = [ply.angle for ply in parse(model.laminate.layup)]
+        assert [*half[::-1], *half] == [ply.angle for ply in parse("[45/0/-45/90]2s")]
+        mesh = make_mesh(model.mesh)
+        radius = np.hypot(*mesh.nodes[mesh.node_sets["hole"]].T)
+        np.testing.assert_allclose(radius, 3.175, rtol=1e-9)
+        low, high = mesh.nodes.min(axis=0), mesh.nodes.max(axis=0)
+        np.testing.assert_allclose(high - low, [100.0, 38.1])

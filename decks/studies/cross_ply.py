@@ -1,0 +1,143 @@
+"""Impacts on cross-ply plates of HS160/REM: what delaminates, in which shape, from when."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from plydyn_post.cscan import draw_delamination
+from plydyn_post.interfaces import DELAMINATED, Interface, read_interfaces
+
+from readings import damage
+from readings.damage import Impact
+from runner.cases import Case, Run, made_by
+from runner.commands import Study, command
+from runner.pages import Page, Quantity, Section, clock, tabulate
+
+#: Distance of a node from the axis through the impact on which it lies, mm
+NEAR = 1e-6
+#: Energy of the recipes, J
+OWN = 3.0
+#: The finer mesh
+FINE = ("mesh.quad=1.0",)
+#: Toughnesses of the interfaces that are half of those of the recipe
+HALF = ("materials.bond.GIC=0.1385", "materials.bond.GIIC=0.394")
+#: Runs up to the end of the contact; the others end after the largest force, when areas are final
+WHOLE = ("hs160_1J", "hs160_3J", "hs160_90_3J")
+SHORT = "control.end_time=4.0e-3"
+#: What varies: the end of the name, and words
+ENDINGS = {
+    (): ("", "quads of 1.5 mm"),
+    FINE: ("_fine", "quads of 1 mm"),
+    HALF: ("_half", "half of the toughnesses"),
+}
+
+
+def _case(layup: str, energy: float, *varied: str) -> Case:
+    """An impact on [0_3/90_3]s or on [90_3/0_3]s, J."""
+    recipe = "hs160" if layup.startswith("[0") else "hs160_90"
+    ending, what = ENDINGS[varied]
+    name = f"{recipe}_{energy:g}J".replace(".", "_") + ending
+    other = () if energy == OWN else (f"impactor.energy={1e3 * energy:.1f}",)
+    end = () if name in WHOLE else (SHORT,)
+    label = f"{layup}, {energy:g} J, {what}"
+    return Case(name, f"validation/{recipe}", label, (*other, *varied, *end))
+
+
+#: The plate whose outer plies lie along x, the longer side, and the other one
+ALONG, ACROSS = "[0_3/90_3]s", "[90_3/0_3]s"
+CASES = (
+    *(_case(ALONG, energy) for energy in (1.0, 3.0, 5.0, 7.0)),
+    _case(ALONG, 3.0, *FINE),
+    _case(ALONG, 3.0, *HALF),
+    *(_case(ACROSS, energy) for energy in (0.5, 3.0)),
+    _case(ACROSS, 3.0, *FINE),
+)
+#: Pictures of the interfaces after the impact, by the names of their cases
+DRAWN = {
+    "hs160_3J": "validation_cross_ply.png",
+    "hs160_90_3J": "validation_cross_ply_90.png",
+}
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What delaminated between the two lowest groups of plies, mm."""
+
+    length: float  # along the fibres of the lowest plies
+    width: float  # the largest across them
+    waist: float  # across them, below the impactor
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A run, and the shape of its lower interface."""
+
+    impact: Impact
+    shape: Shape
+
+    @property
+    def areas(self) -> list[float]:
+        """Areas of the lower and of the upper interface, mm2."""
+        return list(self.impact.interfaces.values())
+
+
+def _of_impact(quantity: Quantity) -> Quantity:
+    return replace(quantity, value=lambda plate: quantity.value(plate.impact))
+
+
+COLUMNS = (
+    _of_impact(damage.LABEL),
+    Quantity("peak force [kN]", lambda plate: plate.impact.peak, ".2f", 1e-3),
+    Quantity("lower interface [mm2]", lambda plate: plate.areas[0], ".0f"),
+    Quantity("length [mm]", lambda plate: plate.shape.length, ".1f"),
+    Quantity("width [mm]", lambda plate: plate.shape.width, ".1f"),
+    Quantity("below the impactor [mm]", lambda plate: plate.shape.waist, ".1f"),
+    Quantity("upper interface [mm2]", lambda plate: plate.areas[1], ".0f"),
+    Quantity("absorbed [J]", lambda plate: plate.impact.absorbed, ".2f", 1e-3),
+    *(_of_impact(one) for one in damage.DISSIPATED if one.heading != "shear [J]"),
+    Quantity("processor time", lambda plate: clock(plate.impact.run.effort.processor)),
+)
+
+
+@command()
+def cross_ply() -> Study:
+    """Delaminations of cross-ply plates, for manual/validation.md."""
+    return Study(CASES, lambda runs, folder: [page_of(runs, folder)])
+
+
+def page_of(runs: Sequence[Run], folder: Path) -> Page:
+    """The table and the pictures of those cases that have run."""
+    found = {run.case.name: run for run in runs}
+    ran = [found[case.name] for case in CASES if case.name in found]
+    if not ran:
+        return Page("cross_ply")
+    plates = [
+        Plate(damage.read_impact(run), shape_of(read_interfaces(run.results).each[0]))
+        for run in ran
+    ]
+    missing = [case.label for case in CASES if case.name not in found]
+    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
+    text = f"{tabulate(COLUMNS, plates)}{words}\n{made_by(ran)}"
+    drawn = {
+        picture: draw_delamination(found[name].results, folder / picture)
+        for name, picture in DRAWN.items()
+        if name in found
+    }
+    section = Section("Cross-ply plates", text, "cross-ply")
+    return Page("cross_ply", [section], list(drawn.values()), drawn)
+
+
+def read_plate(run: Run) -> Plate:
+    """The numbers of a run."""
+    return Plate(damage.read_impact(run), shape_of(read_interfaces(run.results).each[0]))
+
+
+def shape_of(interface: Interface) -> Shape:
+    """Lengths of what delaminated around the origin, to the next node; 0 where nothing has."""
+    spent = np.abs(interface.places[interface.spent >= DELAMINATED])
+    along, across = (spent if interface.angles[0] == 0.0 else spent[:, ::-1]).T
+    below = across[along < NEAR]
+    return Shape(*(2.0 * float(one.max(initial=0.0)) for one in (along, across, below)))

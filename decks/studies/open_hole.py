@@ -1,0 +1,103 @@
+"""Tension of a coupon with a hole, beside the strength of a data sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+import numpy as np
+from plydyn_post.compression import Compression, read_compression
+from plydyn_post.cscan import draw_delamination
+from plydyn_post.dissipation import mechanisms
+
+from readings.damage import ENERGIES
+from runner.cases import Case, Run, made_by
+from runner.commands import Study, command
+from runner.pages import Page, Quantity, Section, change, clock, tabulate
+
+#: HexPly 8552 with IM7, quasi-isotropic, dry, room temperature, MPa: 62 ksi of the data sheet
+MEASURED = 428.0
+#: Strain over which the modulus is taken
+ELASTIC = 0.002
+#: The end time of the run at half of the rate
+LATER = "control.end_time=2.1e-3"
+
+
+def _case(name: str, label: str, *varied: str) -> Case:
+    recipe = name.removesuffix("_slow")
+    return Case(name, f"validation/{recipe}", label, varied)
+
+
+CASES = (
+    _case("open_hole_coarse", "quads of 0.83 mm at the hole"),
+    _case("open_hole", "0.62 mm"),
+    _case("open_hole_fine", "0.42 mm"),
+    _case("open_hole_slow", "0.62 mm, half of the rate", "loads[1].value=500.0", LATER),
+)
+
+
+@dataclass(frozen=True)
+class Coupon:
+    """A run, and its stress over elongation."""
+
+    run: Run
+
+    @cached_property
+    def test(self) -> Compression:
+        """Force and elongation."""
+        return read_compression(self.run.results)
+
+    @property
+    def modulus(self) -> float:
+        """Stress over strain at small strain, MPa."""
+        strain = self.test.shortening / self.test.length
+        return float(np.interp(ELASTIC, strain, self.test.stress)) / ELASTIC
+
+    def spent(self, mechanism: str) -> float:
+        """Energy of a mechanism up to the largest force, J."""
+        energy = self.run.results.energy()
+        taken = mechanisms(energy)[mechanism]
+        return float(np.interp(self.test.time[self.test.peak], energy["time"], taken)) / 1e3
+
+
+COLUMNS = (
+    Quantity("model", lambda coupon: coupon.run.case.label),
+    Quantity("modulus [GPa]", lambda coupon: coupon.modulus / 1e3, ".1f"),
+    Quantity("strength [MPa]", lambda coupon: coupon.test.strength, ".0f"),
+    Quantity("to test", lambda coupon: change(coupon.test.strength, MEASURED)),
+    Quantity("at a strain of [%]", lambda coupon: 100.0 * coupon.test.strain, ".2f"),
+    *(
+        Quantity(heading, lambda coupon, of=mechanism: coupon.spent(of), ".2f")
+        for heading, mechanism in ENERGIES.items()
+    ),
+    Quantity("kinetic energy [%]", lambda coupon: 100.0 * coupon.test.kinetic_share(), ".1f"),
+    Quantity("processor time", lambda coupon: clock(coupon.run.effort.processor)),
+)
+#: Pictures of the interfaces at the largest force, by the names of their cases
+DRAWN = {"open_hole_fine": "validation_open_hole.png"}
+
+
+@command()
+def open_hole() -> Study:
+    """Tension of a coupon with a hole, for manual/validation.md."""
+    return Study(CASES, lambda runs, folder: [page_of(runs, folder)])
+
+
+def page_of(runs: Sequence[Run], folder: Path) -> Page:
+    """The table and the pictures of those cases that have run."""
+    found = {run.case.name: run for run in runs}
+    coupons = [Coupon(found[case.name]) for case in CASES if case.name in found]
+    if not coupons:
+        return Page("open_hole")
+    missing = [case.label for case in CASES if case.name not in found]
+    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
+    text = f"{tabulate(COLUMNS, coupons)}{words}\n{made_by([one.run for one in coupons])}"
+    drawn = {}
+    for coupon in coupons:
+        if (picture := DRAWN.get(coupon.run.case.name)) is not None:
+            peak = float(coupon.test.time[coupon.test.peak])
+            drawn[picture] = draw_delamination(coupon.run.results, folder / picture, peak)
+    section = Section("Open-hole tension", text, "open hole")
+    return Page("open_hole", [section], list(drawn.values()), drawn)
