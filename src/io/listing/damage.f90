@@ -42,11 +42,13 @@ contains
             class is (ply_constants_type)
                call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
                   & band, units)
+               call write_remainder(unit, law%residual, law%weakens_across)
                call write_modes(unit, law, band, units)
                call write_snap_back(unit, law, band)
             class is (fracture_constants_type)
                call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
                   & band, units)
+               call write_remainder(unit, law%residual)
                call write_fracture(unit, law, band, units)
             class is (strain_constants_type)
                call write_strains(unit, law, band, units)
@@ -80,9 +82,25 @@ contains
       write (unit, "(2a)") "width of the crack band       ", rule
       write (unit, "(a,2(es12.5,a))") "  across broken fibres       ", band%narrowest(1), " to", &
          & band%widest(1), " "//trim(units%length)
-      write (unit, "(a,2(es12.5,a),/)") "  across matrix cracks       ", band%narrowest(2), " to", &
+      write (unit, "(a,2(es12.5,a))") "  across matrix cracks       ", band%narrowest(2), " to", &
          & band%widest(2), " "//trim(units%length)
    end subroutine write_bands
+
+   !> What damage leaves of the stiffness
+   subroutine write_remainder(unit, residual, weakens_across)
+      integer, intent(in) :: unit
+      !> Least integrity
+      real(wp), intent(in) :: residual
+      !> Whether damage weakens the shear across the thickness, where the law has both
+      logical, intent(in), optional :: weakens_across
+
+      write (unit, "(a)") "largest damage                "//text(1.0_wp - residual)
+      if (present(weakens_across)) then
+         write (unit, "(2a)") "shear across the thickness    ", &
+            & trim(merge("weakened by damage (GZ 0)", "not weakened (GZ 1)      ", weakens_across))
+      end if
+      write (unit, "()")
+   end subroutine write_remainder
 
    !> The rule in words
    function rule_words(averages, rule, width) result(words)
