@@ -23,7 +23,8 @@ contains
       keyword%remark = "1 along the fibres, 2 across in the plane, 3 normal. Damage starts at " &
          & //"a strength. The stress then falls linearly with strain, until the fracture energy " &
          & //"is dissipated over the width of the crack band, which depends on the size of the " &
-         & //"quad. The listing prints these strains and widths."
+         & //"quad. The listing prints these strains and widths. Empty fields have the " &
+         & //"defaults of recipes. In GZ a zero is a value of its own, not the default."
       call add_ply_elastic_cards(keyword)
       call add_strength_cards(keyword)
       call add_shear_card(keyword)
@@ -47,7 +48,7 @@ contains
       call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
-         & //"remains", default=0.999999_wp, above=0.0_wp, most=0.999999_wp)
+         & //"remains", default=0.99_wp, above=0.0_wp, most=0.999999_wp)
       call keyword%zero_is_default()
       call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
          & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
@@ -130,8 +131,8 @@ contains
          & //"has damage of its own", default=0, allowed=[0, 1])
       call keyword%add_real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to " &
          & //"below 1", default=0.0_wp, least=0.0_wp, most=0.99_wp)
-      call keyword%add_integer("GZ", "shear across the thickness: 0 weakened by damage; 1 not", &
-         & default=0, allowed=[0, 1])
+      call keyword%add_integer("GZ", "shear across the thickness: 0 weakened by damage, with " &
+         & //"which layers below an impactor may fold; 1 not weakened", default=1, allowed=[0, 1])
       call keyword%add_card(optional=.true.)
       call keyword%add_real("BRITTLE", "-", "share of XC from which the stress of crushed fibres " &
          & //"drops to nothing, from 0 (never) to below 1; 0 with PLATEAU", default=0.0_wp, &

@@ -107,7 +107,7 @@ contains
             & //" keeps stress in crushed fibres, and BRITTLE drops it at once", "0 for PLATEAU " &
             & //"or for BRITTLE")
       end if
-      ply%weakens_across = choice(cards, "GZ") == 0
+      if (cards%is_fine("GZ")) ply%weakens_across = cards%integer("GZ") == 0
       if (ply%onset == onset_hashin .and. cards%is_fine("ST") &
          & .and. ply%cross_strength <= 0.0_wp) then
          call catalogue%refuse(cards, "ST", "ST is missing", "a strength above 0, which Hashin's " &

@@ -238,7 +238,8 @@ def test_ellipse_without_neighbours_is_refused_on_ranks(tmp_path: Path) -> None:
 def test_wide_bands_are_refused_on_ranks(tmp_path: Path) -> None:
     """All ranks name the quad with the widest band of all, as one rank does."""
     text = impact(1, "springs", failing=True).text()
-    brittle = text.replace("80.0,80.0,1.0,2.0\n0,\n0,\n", "80.0,80.0,0.05,0.1\n0,\n0,1\n")
+    tough, choices = "80.0,80.0,1.0,2.0,0.0,0.999999\n0,\n", "0,0,0.0,0,0,0,0.0,0\n"
+    brittle = text.replace(tough + choices, "80.0,80.0,0.05,0.1\n0,\n0,1\n")
     assert brittle != text
     (tmp_path / "job.k").write_text(brittle)
     alone, several = (launch(ranks, "run", tmp_path / "job.k") for ranks in (1, 3))

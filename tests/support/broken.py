@@ -120,9 +120,10 @@ def weak_ply(deck: Deck, radii: tuple[float, float] = (0.0, 0.0), *, closing: bo
     Where cracks close, shear follows a curve and crushed fibres keep a share of their strength.
     """
     head = (1, CARBON.density, *CARBON.young, *CARBON.poisson)
-    strength, toughness = (600.0, 500.0, 20.0, 80.0, 30.0), (80.0, 80.0, 1.0, 2.0)
+    strength = (600.0, 500.0, 20.0, 80.0, 30.0)
+    toughness = (80.0, 80.0, 1.0, 2.0, 0.0, 0.999999)
     shear = (1, 0, 0.05) if closing else (0,)
-    choices = (0, 0, 0.0, 0, 0, 1, 0.2) if closing else (0,)
+    choices = (0, 0, 0.0, 0, 0, 1, 0.2, 0) if closing else (0, 0, 0.0, 0, 0, 0, 0.0, 0)
     average = (0.0, *radii)
     deck.add("MAT_PLY_CODAM2", head, CARBON.shear, strength, toughness, shear, choices, average)
 

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from elasticity import Material
 
+# Fields of the card of the switches; the last, GZ, is not zero where it is empty
+SWITCHES = 8
+
 
 @dataclass(frozen=True)
 class DamagedPly(Material):
@@ -19,9 +22,9 @@ class DamagedPly(Material):
     cross_strength: float = 0.0
     shear_toughness: float = 0.0
     band: float = 0.0  # width of the crack band; 0 by the rule
-    largest: float = 0.0  # damage; 0 for the default of the keyword
+    largest: float = 0.999999  # damage, so that closed forms need no term for what remains
     curve: tuple[float, ...] = (0,)  # card of the shear curve
-    switches: tuple[float, ...] = (0,)  # card of the switches
+    switches: tuple[float, ...] = (0,)  # card of the switches; what lacks is zero
     radii: tuple[float, float] = (0.0, 0.0)  # of the average, along and across the fibres
     brittle: float = 0.0  # share of the strength from which crushed fibres lose the rest
 
@@ -35,7 +38,7 @@ class DamagedPly(Material):
             (*strengths, self.shear_strength, self.cross_strength),
             (*toughnesses, self.band, self.largest, self.shear_toughness),
             self.curve,
-            self.switches,
+            (*self.switches, *(0,) * (SWITCHES - len(self.switches))),
             (self.brittle, *self.radii),
         ]
 

@@ -120,7 +120,7 @@ class PlyPoint:
 
     def _least(self) -> float:
         """Least part of a stiffness that remains."""
-        return 1.0 - (self.ply.largest or 0.999999)
+        return 1.0 - self.ply.largest
 
     def _normal(self, elastic: Array, remains: Array) -> Array:
         """Stresses 11 and 22 from the compliance of what remains."""

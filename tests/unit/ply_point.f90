@@ -49,6 +49,9 @@ contains
       ply%cross_strength = 40.0_wp
       ply%fibre_toughness = [91.6_wp, 79.9_wp]
       ply%matrix_toughness = [0.22_wp, 1.1_wp]
+      ! all that damage can take, as far as it can
+      ply%weakens_across = .true.
+      ply%residual = 1.0e-6_wp
       if (.not. present(curved)) return
       if (curved) ply%curve = new_exponential_curve(ply%shear(1), ply%shear_strength, 0.05_wp)
    end function paper_ply

@@ -47,9 +47,9 @@ module plydyn_law_ply_constants
       !> Share of the strength from which their stress drops to zero; one of the two is 0
       real(wp) :: brittle = 0.0_wp
       !> Damage also weakens the shear across the thickness
-      logical :: weakens_across = .true.
+      logical :: weakens_across = .false.
       !> Least integrity
-      real(wp) :: residual = 1.0e-6_wp
+      real(wp) :: residual = 0.01_wp
       !> What to do about snap-back
       integer :: snap_back = snap_reduce
       !> Least ratio of the strain at the end of softening to that at onset, where damage starts
