@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from deck_cards import text_of
 
 import plydyn_pre as pre
 from plydyn_pre.mesh.lines import Span, zoned_line
+from plydyn_pre.typed import build
 
 PLATE = pre.Rectangle((150.0, 100.0), (25, 20), corner=(-70.0, 5.0))
 TWO = (
@@ -206,6 +208,17 @@ size = [1, 2]
         with pytest.raises(pre.RecipeError) as caught:
             pre.load_recipe(recipe)
         assert place in str(caught.value)
+
+
+def test_the_recipe_of_the_manual_has_the_quads_that_it_tells() -> None:
+    """The first block of the section, and the count in its text."""
+    page = Path(__file__).resolve().parents[2] / "manual" / "recipes.md"
+    section = page.read_text(encoding="utf-8").split("## Zones of finer quads")[1]
+    shape = build(
+        pre.Rectangle, tomllib.loads(section.split("```")[1].removeprefix("toml"))["mesh"]
+    )
+    count = len(pre.make_mesh(shape).quads)
+    assert f"{count:,} quads" in " ".join(section.split())
 
 
 def test_the_solver_takes_zones(study: pre.Study, solver: str, tmp_path: Path) -> None:
