@@ -1,4 +1,4 @@
-"""Sketches of the manual: layer-wise plate, crack band, cohesive law, contact, fixture, coupon.
+"""Sketches of the manual: layered plate, crack band, cohesive law, contact, fixture, coupon, zones.
 
 .venv/bin/python decks/sketches.py
 """
@@ -233,6 +233,36 @@ def coupon() -> Path:
         return save(made, PICTURES / "sketch_coupon.png")
 
 
+def zones() -> Path:
+    """A plate with two zones of finer quads, an insert and a set, as in the page of recipes."""
+    fine = pre.Zone(1.0, box=(40.0, 60.0, 40.0, 60.0)), pre.Zone(1.5, circle=(100.0, 50.0, 12.0))
+    mesh = pre.make_mesh(pre.Rectangle((150.0, 100.0), (25, 17), zones=fine))
+    corners, middles = mesh.nodes[mesh.quads[:, :4]], mesh.nodes[mesh.quads[:, 8]]
+    low, high = np.array([10.0, 70.0]), np.array([33.0, 93.0])
+    chosen = np.all((middles > low) & (middles < high), axis=1)
+    # 3 x 3 Gauss points of each quad
+    steps = 0.5 * np.sqrt(0.6) * np.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)])
+    points = (middles[:, None] + steps * np.ptp(corners, axis=1)[:, None]).reshape(-1, 2)
+    insert = points[np.hypot(*(points - (100.0, 50.0)).T) <= 10.0]
+    with figure(1, 1, size=(WIDE, 4.6)) as (made, axes):
+        bare(axes, (-2.0, 152.0), (-2.0, 102.0))
+        axes.add_collection(PolyCollection(corners[chosen], facecolors=GREEN, alpha=0.45, lw=0))
+        lines = PolyCollection(corners, facecolors="none", edgecolors=BLUE, linewidths=0.3)
+        axes.add_collection(lines)
+        axes.plot(*insert.T, ".", color=ORANGE, markersize=0.7)
+        axes.add_patch(Circle((100.0, 50.0), 10.0, fill=False, ec=ORANGE, lw=1.4))
+        axes.add_patch(Rectangle(tuple(low), *(high - low), fill=False, ec=GREEN, lw=1.4))
+        for zone in fine:
+            (x1, x2), (y1, y2) = (zone.reach(axis) for axis in (0, 1))
+            axes.add_patch(Rectangle((x1, y1), x2 - x1, y2 - y1, fill=False, ec=INK, lw=1.4))
+        white = {"bbox": {"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.9}}
+        note(axes, "zone: box, size 1", (50.0, 66.0), **white)
+        note(axes, "zone: circle, size 1.5", (100.0, 68.0), **white)
+        note(axes, "insert: points in a circle", (100.0, 32.0), color=ORANGE, **white)
+        note(axes, "set: quads with their middle in a box", (38.0, 97.0), color=GREEN, **white)
+        return save(made, PICTURES / "sketch_zones.png")
+
+
 def measure(
     axes: Axes, text: str, start: tuple[float, float], end: tuple[float, float], rotation: float = 0
 ) -> None:
@@ -249,6 +279,7 @@ SKETCHES: tuple[Callable[[], Path], ...] = (
     contact_row,
     fixture,
     coupon,
+    zones,
 )
 
 if __name__ == "__main__":
