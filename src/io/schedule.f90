@@ -16,7 +16,7 @@ module plydyn_io_schedule
       !> Multiple of the interval that comes next; negative before the first instant
       integer(int64), private :: next = -1_int64
    contains
-      procedure :: due
+      procedure :: next_time
       procedure :: advance
       procedure :: mark
       procedure :: resume
@@ -24,15 +24,15 @@ module plydyn_io_schedule
 
 contains
 
-   !> Whether an instant has come
-   elemental logical function due(self, time)
+   !> Time from which on the next instant has come
+   elemental real(wp) function next_time(self)
       class(schedule_type), intent(in) :: self
-      !> Time now
-      real(wp), intent(in) :: time
 
-      due = self%interval <= 0.0_wp .or. self%next < 0 &
-         & .or. time >= (self%next - slack)*self%interval
-   end function due
+      next_time = -huge(1.0_wp)
+      if (self%interval > 0.0_wp .and. self%next >= 0) then
+         next_time = (self%next - slack)*self%interval
+      end if
+   end function next_time
 
    !> The instant was used: the next one is later than this time
    elemental subroutine advance(self, time)

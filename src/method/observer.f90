@@ -1,7 +1,8 @@
 !> Observers of a run: histories, fields, listing, progress line, checkpoints, run control.
 !>
 !> The method uses this abstract type alone. The observers of a run are made in one place,
-!> `plydyn_run_observers`; each of them is notified of every step, in the order of the list.
+!> `plydyn_run_observers`. Each of them sets when it is due next; the list notifies it at the end of
+!> that step, and of each step in which an observer makes a request, in the order of the list.
 module plydyn_method_observer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -12,15 +13,28 @@ module plydyn_method_observer
    implicit none
    private
 
-   public :: instant_of
+   public :: next_multiple
+
+   !> Number of the step at which an observer is due that is never due
+   integer, parameter, public :: never = huge(1)
 
    !> The end of a step
-   type, public :: instant_type
+   type :: instant_type
       !> Time, number of the step, and whether the run ends with it
       real(wp) :: time = 0.0_wp
       integer :: cycle = 0
       logical :: is_last = .false.
    end type instant_type
+
+   !> When an observer is due next: at the end of the first step that reaches the time or the
+   !> number, and of the last step at the latest
+   type, public :: next_look_type
+      !> Time, and number of the step; neither of them is set where it is never due
+      real(wp) :: time = huge(1.0_wp)
+      integer :: cycle = never
+   contains
+      procedure, private :: has_come
+   end type next_look_type
 
    !> Requests of one observer to the others, in the step of a notification
    type, public :: requests_type
@@ -32,16 +46,20 @@ module plydyn_method_observer
       type(element_balance_type), allocatable :: balance
       !> Source of a request to stop with a restart file; not allocated without one
       character(:), allocatable :: stopped_by
+   contains
+      procedure :: are_made
    end type requests_type
 
    !> Something that observes a run, and does nothing of its own accord: an extension overrides
    !> what it needs. All ranks call all procedures together, and get the same error
    type, abstract, public :: observer_type
+      !> When it is due next; the same on all ranks
+      type(next_look_type) :: next
       !> Whether it reads displacements or velocities of points: then the method completes the
       !> motion at the end of each step at which the observer is due
       logical :: reads_motion = .true.
    contains
-      procedure :: due
+      procedure, non_overridable :: is_due
       procedure :: begin
       procedure :: look_for_requests
       procedure :: notify
@@ -73,22 +91,45 @@ module plydyn_method_observer
 
 contains
 
-   !> The end of the last step
-   pure type(instant_type) function instant_of(state)
-      !> A state
-      type(state_type), intent(in) :: state
-
-      instant_of = instant_type(state%time, state%cycle, state%is_finished())
-   end function instant_of
-
-   !> Whether it will observe the end of a step; the same on all ranks
-   pure logical function due(self, instant)
-      class(observer_type), intent(in) :: self
+   !> Whether the end of a step is one at which an observer is due
+   pure logical function has_come(self, instant)
+      !> When it is due next
+      class(next_look_type), intent(in) :: self
       !> The end of the step
       type(instant_type), intent(in) :: instant
 
-      due = .false.
-   end function due
+      has_come = instant%time >= self%time .or. instant%cycle >= self%cycle
+      if (instant%is_last) has_come = self%time < huge(1.0_wp) .or. self%cycle < never
+   end function has_come
+
+   !> The first step after another one whose number is a multiple; never, if that of 0
+   elemental integer function next_multiple(cycle, steps)
+      !> Number of a step
+      integer, intent(in) :: cycle
+      !> Steps between two multiples
+      integer, intent(in) :: steps
+
+      next_multiple = never
+      if (steps > 0) next_multiple = steps*(cycle/steps + 1)
+   end function next_multiple
+
+   !> Whether an observer has requested anything in this step
+   pure logical function are_made(self)
+      !> The requests
+      class(requests_type), intent(in) :: self
+
+      are_made = self%attention .or. self%fields .or. self%progress .or. self%checkpoint &
+         & .or. self%flush .or. allocated(self%balance)
+   end function are_made
+
+   !> Whether it is due at the end of the step that was made; the same on all ranks
+   pure logical function is_due(self, state)
+      class(observer_type), intent(in) :: self
+      !> The state at the end of the step
+      type(state_type), intent(in) :: state
+
+      is_due = self%next%has_come(instant_type(state%time, state%cycle, state%is_finished()))
+   end function is_due
 
    !> Observe the state that a run begins with
    subroutine begin(self, simulation, error)
@@ -108,7 +149,8 @@ contains
       logical, intent(inout) :: found
    end subroutine look_for_requests
 
-   !> A step is made
+   !> A step is made at which it is due, or in which an observer has made a request. One that is due
+   !> sets when it is due next
    subroutine notify(self, simulation, requests, error)
       class(observer_type), intent(inout) :: self
       !> The simulation at the end of the step. Of it the state may change: run control moves the
@@ -210,7 +252,7 @@ contains
       do i = 1, size(self%items)
          associate (observer => self%items(i)%observer)
             if (.not. observer%reads_motion) cycle
-            if (observer%due(next)) return
+            if (observer%next%has_come(next)) return
          end associate
       end do
       read_motion = .false.
@@ -234,7 +276,8 @@ contains
       if (found) requests = requests + 1
    end subroutine look_for_all_requests
 
-   !> Notify all of a step, then flush all files to the disk where this is requested
+   !> Notify those that are due of a step, all of them of a request, then flush all files to the
+   !> disk where this is requested
    subroutine notify_all(self, simulation, attention, error)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`
@@ -249,7 +292,10 @@ contains
 
       requests%attention = attention
       do i = 1, size(self%items)
-         call self%items(i)%observer%notify(simulation, requests, error)
+         associate (observer => self%items(i)%observer)
+            if (.not. (requests%are_made() .or. observer%is_due(simulation%state))) cycle
+            call observer%notify(simulation, requests, error)
+         end associate
          if (allocated(error)) return
       end do
       if (requests%checkpoint) call simulation%contacts%save(simulation%state)

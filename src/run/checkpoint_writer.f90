@@ -6,10 +6,11 @@ module plydyn_run_checkpoint_writer
    use plydyn_io_checkpoint_dump, only : write_dump
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
+   use plydyn_method_observer, only : next_multiple, observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : request_type
    use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -28,7 +29,6 @@ module plydyn_run_checkpoint_writer
       !> Whether another observer asks for a restart file of this step
       logical :: is_requested = .false.
    contains
-      procedure :: due
       procedure :: notify
       procedure :: save
    end type checkpoint_writer_type
@@ -36,13 +36,15 @@ module plydyn_run_checkpoint_writer
 contains
 
    !> Restart files of a job
-   function new_checkpoint_writer(job, layout, request) result(self)
+   function new_checkpoint_writer(job, layout, request, cycle) result(self)
       !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> Layout of the arrays of the whole model
       type(state_layout_type), intent(in) :: layout
       !> Output that the deck asks for
       type(request_type), intent(in) :: request
+      !> Step that the run begins with
+      integer, intent(in) :: cycle
       type(checkpoint_writer_type) :: self
 
       self%job = job
@@ -50,15 +52,16 @@ contains
       self%kept_cycles = request%kept_cycles
       self%running_cycles = request%running_cycles
       self%running_files = request%running_files
+      self%next%cycle = next_file(self, cycle)
    end function new_checkpoint_writer
 
-   !> Whether a restart file is due at the end of a step
-   pure logical function due(self, instant)
-      class(checkpoint_writer_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
+   !> The first step after another one that has a restart file
+   pure integer function next_file(self, cycle)
+      type(checkpoint_writer_type), intent(in) :: self
+      integer, intent(in) :: cycle
 
-      due = is_due(self%kept_cycles, instant) .or. is_due(self%running_cycles, instant)
-   end function due
+      next_file = minval(next_multiple(cycle, [self%kept_cycles, self%running_cycles]))
+   end function next_file
 
    !> Ask for the positions of all files when a restart file is due
    subroutine notify(self, simulation, requests, error)
@@ -68,7 +71,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       self%is_requested = requests%checkpoint
-      if (self%due(instant_of(simulation%state))) requests%checkpoint = .true.
+      if (.not. self%is_due(simulation%state)) return
+      requests%checkpoint = .true.
+      self%next%cycle = next_file(self, simulation%state%cycle)
    end subroutine notify
 
    !> Write the restart file, and end the run if that is requested
@@ -83,7 +88,7 @@ contains
       logical :: is_kept
 
       if (.not. requests%checkpoint) return
-      is_kept = self%is_requested .or. is_due(self%kept_cycles, instant_of(simulation%state))
+      is_kept = self%is_requested .or. is_kept_at(self%kept_cycles, simulation%state)
       if (is_kept) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
@@ -100,16 +105,16 @@ contains
          & //"; continue with: plydyn restart "//path)
    end subroutine save
 
-   !> Whether a restart file is due: at every so many steps, and at the end
-   pure logical function is_due(cycles, instant)
+   !> Whether a restart file is one of those that are kept: at every so many steps, and at the end
+   pure logical function is_kept_at(cycles, state)
       !> Steps between two files, 0 for none
       integer, intent(in) :: cycles
-      !> The end of a step
-      type(instant_type), intent(in) :: instant
+      !> The state at the end of a step
+      type(state_type), intent(in) :: state
 
-      is_due = .false.
-      if (cycles > 0) is_due = mod(instant%cycle, cycles) == 0 .or. instant%is_last
-   end function is_due
+      is_kept_at = .false.
+      if (cycles > 0) is_kept_at = mod(state%cycle, cycles) == 0 .or. state%is_finished()
+   end function is_kept_at
 
    !> Path of a restart file that is kept
    pure function kept_path(job) result(path)

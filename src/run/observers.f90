@@ -17,12 +17,13 @@ module plydyn_run_observers
    use plydyn_io_output, only : output_type
    use plydyn_io_vtkhdf_field_output, only : field_output_type
    use plydyn_method_observer, only : observer_type, observers_type
+   use plydyn_run_balance_monitor, only : new_balance_monitor
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
-   use plydyn_run_stability_monitor, only : new_finite_monitor, stability_monitor_type
+   use plydyn_run_stability_monitor, only : new_finite_monitor, new_stability_monitor
    use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private
@@ -49,15 +50,32 @@ contains
       call add_output(new_end_of_run(), job, run, observers, error)
       call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
       call add_other(new_finite_monitor(), observers)
-      call add_other(new_relaxation_monitor(job, trim(run%model%control%units%time)), observers)
-      call add_other(new_quasi_static_monitor(job, trim(run%model%control%units%time)), observers)
-      call add_other(new_volume_monitor(job, run%model), observers)
+      call add_quasi_static(job, run, observers)
+      call add_other(new_volume_monitor(job, run%model, run%state%cycle), observers)
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(new_progress_monitor(), job, run, observers, error)
-      call add_other(stability_monitor_type(), observers)
-      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
+      call add_other(new_stability_monitor(), observers)
+      call add_other(new_balance_monitor(run%state%cycle), observers)
+      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request, &
+         & run%state%cycle), observers)
    end subroutine make_observers
+
+   !> Add the monitors of quasi-static runs, if the deck asks for them
+   subroutine add_quasi_static(job, run, observers)
+      type(job_type), intent(in) :: job
+      type(run_type), intent(in) :: run
+      type(observers_type), intent(inout) :: observers
+
+      associate (control => run%domain%control, unit => run%model%control%units%time)
+         if (control%rest_share > 0.0_wp) then
+            call add_other(new_relaxation_monitor(job, trim(unit)), observers)
+         end if
+         if (control%load_share > 0.0_wp .or. control%kinetic_limit > 0.0_wp) then
+            call add_other(new_quasi_static_monitor(job, trim(unit)), observers)
+         end if
+      end associate
+   end subroutine add_quasi_static
 
    !> Add the histories, each with a file of its own
    subroutine add_histories(job, run, observers, error)

@@ -45,6 +45,7 @@ contains
 
       self%job = job
       self%unit = unit
+      self%next%cycle = 0
       self%reads_motion = .false.
    end function new_quasi_static_monitor
 

@@ -24,7 +24,7 @@ module plydyn_run_relaxation_monitor
    !> Steps from a decision to the step that it bears on: the next one may be computed in advance
    integer, parameter :: steps_ahead = 2
 
-   !> Ends a run that is at rest
+   !> Looks at the energies of every step, and ends a run that is at rest
    type, public, extends(observer_type) :: relaxation_monitor_type
       private
       !> Where the note of the end goes
@@ -46,6 +46,7 @@ contains
 
       self%job = job
       self%unit = unit
+      self%next%cycle = 0
       self%reads_motion = .false.
    end function new_relaxation_monitor
 
@@ -60,7 +61,7 @@ contains
 
       associate (control => simulation%domain%control, state => simulation%state, &
          & largest => simulation%state%relaxation%largest_kinetic)
-         if (control%rest_share <= 0.0_wp .or. state%is_finished()) return
+         if (state%is_finished()) return
          kinetic = 0.5_wp*twice_half_step_kinetic(state)
          call add_integrals(kinetic, state)
          if (mod(state%cycle, steps_per_change) /= 0) return

@@ -6,7 +6,7 @@ module plydyn_run_run_control
    use plydyn_base_signals, only : caught_signal, has_caught_signal
    use plydyn_base_text, only : text
    use plydyn_io_job, only : job_type
-   use plydyn_method_observer, only : instant_type, observer_type, requests_type
+   use plydyn_method_observer, only : never, observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_control_file, only : control_requests_type, take_requests
@@ -34,7 +34,6 @@ module plydyn_run_run_control
       !> Whether requests are to be met at the end of the next step; the same on all ranks
       logical :: is_pending = .false.
    contains
-      procedure :: due
       procedure :: look_for_requests
       procedure :: notify
       procedure :: save
@@ -63,16 +62,7 @@ contains
       self%looked = self%started
    end function new_run_control
 
-   !> A request that was found in the step before is met at the end of this step, when the motion is
-   !> complete
-   pure logical function due(self, instant)
-      class(run_control_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
-
-      due = self%is_pending
-   end function due
-
-   !> Meet requests, or note them for the next step
+   !> Meet requests, or note them for the end of the next step, when the motion is complete
    subroutine notify(self, simulation, requests, error)
       class(run_control_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation
@@ -82,9 +72,9 @@ contains
       character(:), allocatable :: asked_by
       type(control_requests_type) :: asked
 
-      if (.not. (requests%attention .or. self%is_pending)) return
       ! the motion is complete at the end of a run, and where this was due
       self%is_pending = .not. (self%is_pending .or. simulation%state%is_finished())
+      self%next%cycle = merge(simulation%state%cycle + 1, never, self%is_pending)
       if (self%is_pending) return
       call share_requests(self, simulation%domain%comm, asked_by, asked)
       if (asked%end_time > 0.0_wp) simulation%state%end%time = asked%end_time

@@ -1,31 +1,27 @@
-!> Stop a run whose motion is no longer finite, before anything of it is written, that has become
-!> unstable, or whose elements have not stored or dissipated the work of their forces. All ranks
-!> come to the same verdict, since energies are those of the whole model.
+!> Stop a run whose motion is no longer finite, before anything of it is written, or that has become
+!> unstable. All ranks come to the same verdict, since energies are those of the whole model.
 module plydyn_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_is_finite
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_delamination, only : can_fail
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_element_balance, only : balance_of, element_balance_type
-   use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
+   use plydyn_method_observer, only : next_look_type, observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_model_control, only : all_explicit
    use plydyn_model_model, only : model_type
    use plydyn_run_worst_point, only : moment, name_of, worst_point, worst_point_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: check_balance, check_finite, check_stability, new_finite_monitor
+   public :: check_finite, check_stability, new_finite_monitor, new_stability_monitor
 
    !> Half-step correction of an unstable motion, as a multiple of the energy that went in. With a
    !> share s of the stable step it is at most s**2/(1 - s**2) times the energy of a mode: 4 times
    !> at 0.9
    real(wp), parameter :: unstable_correction = 100.0_wp
-   !> Most steps between two looks at the stored energy, which takes a sum over all Gauss points
-   integer, parameter :: steps_per_look = 1000
+   !> Monitors are due at every step
+   type(next_look_type), parameter :: every_step = next_look_type(cycle=0)
 
    !> Looks at every step before others are notified of it: whether the motion is finite
    type, public, extends(observer_type) :: finite_monitor_type
@@ -33,20 +29,27 @@ module plydyn_run_stability_monitor
       procedure :: notify => notify_first
    end type finite_monitor_type
 
-   !> Looks at every step when others have been notified of it: whether the motion is stable. Looks
-   !> at the stored energy with every line of the history of energies, and now and then
+   !> Looks at every step when others have been notified of it: whether the motion is stable
    type, public, extends(observer_type) :: stability_monitor_type
    contains
-      procedure :: due
-      procedure :: notify
+      procedure :: notify => notify_last
    end type stability_monitor_type
 
 contains
 
    !> A monitor; the motion is of interest only when the run fails
    pure type(finite_monitor_type) function new_finite_monitor() result(self)
+
+      self%next = every_step
       self%reads_motion = .false.
    end function new_finite_monitor
+
+   !> A monitor; the motion is of interest only when the run fails
+   pure type(stability_monitor_type) function new_stability_monitor() result(self)
+
+      self%next = every_step
+      self%reads_motion = .false.
+   end function new_stability_monitor
 
    !> Stop a motion that is not finite
    subroutine notify_first(self, simulation, requests, error)
@@ -116,31 +119,15 @@ contains
 
    end function cause
 
-   !> Every so many steps, and at the end
-   pure logical function due(self, instant)
-      class(stability_monitor_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
-
-      due = instant%is_last .or. mod(instant%cycle, steps_per_look) == 0
-   end function due
-
-   !> Stop a motion that is not stable, or elements that make or lose energy
-   subroutine notify(self, simulation, requests, error)
+   !> Stop a motion that is not stable
+   subroutine notify_last(self, simulation, requests, error)
       class(stability_monitor_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      associate (domain => simulation%domain, state => simulation%state)
-         call check_stability(domain, simulation%model, state, error)
-         if (allocated(error)) return
-         if (allocated(requests%balance)) then
-            call check_balance(domain, state, requests%balance, error)
-         else if (self%due(instant_of(state))) then
-            call check_balance(domain, state, balance_of(domain, state), error)
-         end if
-      end associate
-   end subroutine notify
+      call check_stability(simulation%domain, simulation%model, simulation%state, error)
+   end subroutine notify_last
 
    !> An unstable motion, and an energy balance past its limit; all ranks must come here
    subroutine check_stability(domain, model, state, error)
@@ -174,68 +161,6 @@ contains
             & //"DTMIN of *CONTROL_TERMINATION)"//moment(state))
       end if
    end subroutine check_stability
-
-   !> The work of the internal forces is what elements have stored and dissipated. Faces that close
-   !> again within few steps may give back more than they took; forces that do not belong to the
-   !> stored energy, and steps that are too long for a law, leave the one or the other
-   subroutine check_balance(domain, state, balance, error)
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      !> Energies of the elements at the time of the state
-      type(element_balance_type), intent(in) :: balance
-      !> Kind, amount and time; the same on all ranks
-      type(error_type), allocatable, intent(out) :: error
-
-      character(:), allocatable :: amounts
-
-      if (.not. ieee_is_finite(balance%error())) then
-         call fail(error, exit_run, "what plies and interfaces have stored or dissipated is no " &
-            & //"longer finite"//moment(state)//": look for toughnesses and strengths far from " &
-            & //"those of any material")
-         return
-      end if
-      if (abs(balance%error())*balance%reference <= domain%control%energy_limit*balance%reference &
-         & + balance%viscous) return
-      amounts = moment(state)//": by their strains and stresses they have stored " &
-         & //text(balance%stored)//", the work of their forces less what they have dissipated is " &
-         & //text(balance%internal - balance%hourglass - sum(balance%dissipated)) &
-         & //" (ENGLIM of *CONTROL_LAYERWISE)"
-      if (balance%error() < 0.0_wp) then
-         call fail(error, exit_run, "plies and interfaces have given back more energy than they " &
-            & //"took"//amounts//remedy(domain))
-      else
-         call fail(error, exit_run, "plies and interfaces have lost energy"//amounts &
-            & //smaller_step(domain))
-      end if
-   end subroutine check_balance
-
-   !> Remedy against energy from interfaces
-   function remedy(domain) result(words)
-      type(domain_type), intent(in) :: domain
-      character(:), allocatable :: words
-
-      if (.not. can_fail(domain)) then
-         words = smaller_step(domain)
-      else if (domain%control%scheme == all_explicit) then
-         words = "; interfaces that close again do so near the stable step: CLOSE 0 of " &
-            & //"*INTERFACE_COHESIVE, a smaller TSSFAC (it is "//text(domain%control%step_factor) &
-            & //") or IMPL 1 of *CONTROL_LAYERWISE helps"
-      else
-         words = "; interfaces that close again do so near the stable step: a smaller step " &
-            & //"(TSSFAC, at most 0.8 with KINEM 1, or DTMAX of *CONTROL_LAYERWISE) or central " &
-            & //"differences (IMPL 0) help, and so may CLOSE 0 of *INTERFACE_COHESIVE"
-      end if
-   end function remedy
-
-   !> Remedy where no cause is known
-   function smaller_step(domain) result(words)
-      type(domain_type), intent(in) :: domain
-      character(:), allocatable :: words
-
-      words = "; a smaller TSSFAC (it is "//text(domain%control%step_factor)//") shows whether " &
-         & //"the step is too long for the materials; if not, it is an error of the program: " &
-         & //"please report it with the deck"
-   end function smaller_step
 
    !> The point that moves fastest
    function fastest(domain, model, state) result(words)

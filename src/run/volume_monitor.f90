@@ -8,7 +8,8 @@ module plydyn_run_volume_monitor
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_io_job, only : job_type
    use plydyn_io_schedule, only : schedule_type
-   use plydyn_method_observer, only : instant_of, instant_type, observer_type, requests_type
+   use plydyn_method_observer, only : next_look_type, next_multiple, observer_type, &
+      & requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
@@ -36,17 +37,18 @@ module plydyn_run_volume_monitor
       !> Whether there was a warning, and one of a corner that is inside out
       logical :: has_warned = .false., has_warned_of_corner = .false.
    contains
-      procedure :: due
       procedure :: notify
    end type volume_monitor_type
 
 contains
 
    !> A monitor
-   function new_volume_monitor(job, model) result(self)
+   function new_volume_monitor(job, model, cycle) result(self)
       type(job_type), intent(in) :: job
       !> Has the mesh and the intervals of outputs
       type(model_type), intent(in) :: model
+      !> Step that the run begins with
+      integer, intent(in) :: cycle
       type(volume_monitor_type) :: self
 
       real(wp) :: interval(2)
@@ -57,16 +59,16 @@ contains
       interval(:) = [model%request%energy_interval, model%request%field_interval]
       self%outputs = [(schedule_type(interval(i)), i=1, size(interval))]
       self%outputs = pack(self%outputs, interval > 0.0_wp)
+      self%next = next_look_of(self, cycle)
    end function new_volume_monitor
 
-   !> Every so many steps, with outputs and at the end
-   pure logical function due(self, instant)
-      class(volume_monitor_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
+   !> The next look after a step: after some steps, and with outputs
+   pure type(next_look_type) function next_look_of(self, cycle) result(next)
+      type(volume_monitor_type), intent(in) :: self
+      integer, intent(in) :: cycle
 
-      due = instant%is_last .or. mod(instant%cycle, steps_per_look) == 0 &
-         & .or. any(self%outputs%due(instant%time))
-   end function due
+      next = next_look_type(minval(self%outputs%next_time()), next_multiple(cycle, steps_per_look))
+   end function next_look_of
 
    !> Look at a step
    subroutine notify(self, simulation, requests, error)
@@ -77,10 +79,11 @@ contains
 
       type(least_volume_type) :: least
 
-      if (.not. self%due(instant_of(simulation%state))) return
+      if (.not. self%is_due(simulation%state)) return
       associate (domain => simulation%domain, state => simulation%state)
          least = find_least_volume(domain, state%displacement)
          call self%outputs%advance(state%time)
+         self%next = next_look_of(self, state%cycle)
          simulation%least_volume = least%ratio
          ! outputs do not change the step
          if (state%is_finished() .or. mod(state%cycle, steps_per_look) == 0) then

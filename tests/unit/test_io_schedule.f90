@@ -21,23 +21,23 @@ contains
 
       call begin("schedule")
       schedule = schedule_type(0.1_wp)
-      call check(schedule%due(0.0_wp), "the first call is due")
+      call check(0.0_wp >= schedule%next_time(), "the first call is due")
       call schedule%advance(0.0_wp)
-      call check(.not. schedule%due(0.05_wp), "nothing between two instants")
-      call check(schedule%due(0.1_wp*(1.0_wp - 1.0e-12_wp)), "round-off does not delay")
+      call check(0.05_wp < schedule%next_time(), "nothing between two instants")
+      call check(0.1_wp*(1.0_wp - 1.0e-12_wp) >= schedule%next_time(), "round-off does not delay")
       call schedule%advance(0.1_wp*(1.0_wp - 1.0e-12_wp))
-      call check(.not. schedule%due(0.1_wp), "round-off does not repeat")
-      call check(schedule%due(0.57_wp), "a long step is due once")
+      call check(0.1_wp < schedule%next_time(), "round-off does not repeat")
+      call check(0.57_wp >= schedule%next_time(), "a long step is due once")
       call schedule%advance(0.57_wp)
-      call check(.not. schedule%due(0.58_wp), "instants passed over are not caught up")
-      call check(schedule%due(0.6_wp), "the next multiple is due")
+      call check(0.58_wp < schedule%next_time(), "instants passed over are not caught up")
+      call check(0.6_wp >= schedule%next_time(), "the next multiple is due")
 
       ! a thousand steps, summed, are ten intervals
       schedule = schedule_type(1.0_wp)
       time = 0.0_wp
       used = 0
       do k = 0, 1000
-         if (schedule%due(time)) then
+         if (time >= schedule%next_time()) then
             used = used + 1
             call schedule%advance(time)
          end if
@@ -46,7 +46,7 @@ contains
       call check(used, 11, "first and last instants are met")
       schedule = schedule_type(0.0_wp)
       call schedule%advance(1.0_wp)
-      call check(schedule%due(1.0_wp), "an interval of 0 is every call")
+      call check(1.0_wp >= schedule%next_time(), "an interval of 0 is every call")
    end subroutine instants
 
    !> The instants of an earlier run
@@ -61,14 +61,14 @@ contains
       call check(int(position%amount), 13, "the amount is kept")
       other = schedule_type(2.0_wp)
       call other%resume(position)
-      call check(.not. other%due(3.5_wp) .and. other%due(4.0_wp), "the instants go on")
+      call check(3.5_wp < other%next_time() .and. 4.0_wp >= other%next_time(), "the instants go on")
       other = schedule_type(0.5_wp)
       call other%resume(position)
-      call check(.not. other%due(2.0_wp) .and. other%due(3.0_wp), &
+      call check(2.0_wp < other%next_time() .and. 3.0_wp >= other%next_time(), &
          & "another interval counts from the last instant on")
       other = schedule_type(2.0_wp)
       call other%resume(file_position_type())
-      call check(other%due(0.0_wp), "without an earlier run the first step is due")
+      call check(0.0_wp >= other%next_time(), "without an earlier run the first step is due")
    end subroutine goes_on
 
 end program test_io_schedule

@@ -14,7 +14,7 @@ program test_run_wrong_kernel
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_loop, only : run
    use plydyn_run_setup, only : run_type, set_up
-   use plydyn_run_stability_monitor, only : stability_monitor_type
+   use plydyn_run_balance_monitor, only : new_balance_monitor
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
    use wrong_plates, only : spoil
@@ -102,7 +102,7 @@ contains
       parts%model = model
       call set_up(alone, parts, error)
       call observers%start("test_run_wrong_kernel")
-      allocate (monitor, source=stability_monitor_type())
+      allocate (monitor, source=new_balance_monitor(0))
       call observers%add(monitor)
       call spoil(parts%domain, interfaces=springs, stiffer=share)
       call run(parts, observers, error)

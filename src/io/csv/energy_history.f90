@@ -5,7 +5,7 @@ module plydyn_io_csv_energy_history
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
    use plydyn_method_element_balance, only : balance_of, element_balance_type
-   use plydyn_method_observer, only : instant_of, requests_type
+   use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_law_law, only : mechanism_names
    implicit none
@@ -51,14 +51,14 @@ contains
          & simulation%model%request%energy_interval, error)
    end subroutine open_energies
 
-   !> Add a line if it is due, and hand the energies of the elements to the stability monitor
+   !> Add a line if it is due, and hand the energies of the elements to their monitor
    subroutine notify_energies(self, simulation, requests, error)
       class(energy_history_type), intent(inout) :: self
       class(simulation_type), intent(inout) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%due(instant_of(simulation%state))) return
+      if (.not. self%is_due(simulation%state)) return
       call self%record_due(simulation, error)
       requests%balance = self%balance
    end subroutine notify_energies

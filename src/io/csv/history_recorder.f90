@@ -6,7 +6,7 @@ module plydyn_io_csv_history_recorder
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
    use plydyn_io_schedule, only : schedule_type
-   use plydyn_method_observer, only : instant_of, instant_type, requests_type
+   use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_file_positions, only : file_positions_type
@@ -24,7 +24,6 @@ module plydyn_io_csv_history_recorder
       type(history_file_type), private :: file
    contains
       procedure(record_lines), deferred :: record
-      procedure :: due
       procedure :: begin => record_due
       procedure :: record_due
       procedure :: notify
@@ -50,24 +49,16 @@ module plydyn_io_csv_history_recorder
 
 contains
 
-   !> Whether a line is due at the end of a step
-   pure logical function due(self, instant)
-      class(history_recorder_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
-
-      due = self%is_active
-      if (due) due = instant%is_last .or. self%schedule%due(instant%time)
-   end function due
-
    !> Write the lines, if they are due
    subroutine record_due(self, simulation, error)
       class(history_recorder_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%due(instant_of(simulation%state))) return
+      if (.not. self%is_due(simulation%state)) return
       call self%record(simulation, error)
       call self%schedule%advance(simulation%state%time)
+      self%next%time = self%schedule%next_time()
    end subroutine record_due
 
    !> The lines of a step
@@ -128,6 +119,7 @@ contains
          associate (position => job%places%at(path))
             if (position%amount >= 0) call self%schedule%resume(position)
          end associate
+         self%next%time = self%schedule%next_time()
          if (self%comm%is_root()) call self%file%open(path, names, units, job%places, error)
       end associate
       call self%comm%broadcast(error)

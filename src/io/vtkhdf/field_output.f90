@@ -8,7 +8,7 @@ module plydyn_io_vtkhdf_field_output
    use plydyn_io_schedule, only : schedule_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
-   use plydyn_method_observer, only : instant_of, instant_type, requests_type
+   use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type
    implicit none
@@ -27,7 +27,6 @@ module plydyn_io_vtkhdf_field_output
       character(:), allocatable :: instants
    contains
       procedure :: open => open_files
-      procedure :: due
       procedure :: begin
       procedure :: notify
       procedure :: mark
@@ -50,6 +49,7 @@ contains
       self%instants = job%path//schedule_ending
       self%schedule%interval = simulation%model%request%field_interval
       call self%schedule%resume(job%places%at(self%instants))
+      self%next%time = self%schedule%next_time()
       call self%fields%open(job%path//fields_ending, job%deck, job%version, &
          & simulation%model, simulation%domain, job%places, error)
       if (allocated(error)) return
@@ -57,22 +57,15 @@ contains
          & simulation%model, simulation%domain, job%places, error)
    end subroutine open_files
 
-   !> Whether a state is due at the end of a step
-   pure logical function due(self, instant)
-      class(field_output_type), intent(in) :: self
-      type(instant_type), intent(in) :: instant
-
-      due = instant%is_last .or. self%schedule%due(instant%time)
-   end function due
-
    !> Add the state to the files, if it is due
    subroutine begin(self, simulation, error)
       class(field_output_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%due(instant_of(simulation%state))) return
+      if (.not. self%is_due(simulation%state)) return
       call self%schedule%advance(simulation%state%time)
+      self%next%time = self%schedule%next_time()
       call write_state(self, simulation, error)
    end subroutine begin
 

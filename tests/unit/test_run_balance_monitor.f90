@@ -1,0 +1,58 @@
+!> The energy of the elements: what is stored and dissipated is the work of their forces.
+program test_run_balance_monitor
+   use, intrinsic :: ieee_arithmetic, only : ieee_quiet_nan, ieee_value
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_method_element_balance, only : element_balance_type
+   use plydyn_model_model, only : model_type
+   use plydyn_run_balance_monitor, only : check_balance
+   use plydyn_run_initial_state, only : new_state
+   use plydyn_state_state, only : state_type
+   use sample, only : rectangle_mesh, rectangle_model
+   use testing, only : begin, check, check_error, finish
+   implicit none
+
+   type(domain_type) :: domain
+   type(element_balance_type) :: balance
+   type(error_type), allocatable :: error
+   type(model_type) :: model
+   type(state_type) :: state
+
+   model = rectangle_model(rectangle_mesh(3, 2, 2, 10.0_wp, 10.0_wp, 0.0_wp), &
+      & [0.0_wp, 90.0_wp], 0.25_wp, [1, 1])
+   model%control%end_time = 1.0_wp
+   call build_domain(model, domain, error)
+   state = new_state(model, domain)
+   state%cycle = 3
+
+   call begin("check_balance")
+   balance = element_balance_type(internal=1.0_wp, stored=0.6_wp, reference=2.0_wp)
+   balance%dissipated(1) = 0.4_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "work is stored and dissipated")
+   balance%stored = 0.75_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "given back more energy than they took at cycle 3, time 0: by " &
+      & //"their strains and stresses they have stored 0.75, the work of their forces less " &
+      & //"what they have dissipated is 0.6", "more is stored than there is")
+   balance%stored = 0.45_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "have lost energy", "work is lost")
+   balance%hourglass = 0.15_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "unless hourglass control has it")
+   balance%dissipated(1) = 1.2_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "have given back more energy than they took", &
+      & "more is dissipated than there is")
+   balance%dissipated(2) = ieee_value(1.0_wp, ieee_quiet_nan)
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "no longer finite", "what is no number is reported")
+   balance%reference = 0.0_wp
+   balance%dissipated(:) = 0.0_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "nothing is wrong where no energy goes in")
+   call finish()
+end program test_run_balance_monitor
