@@ -156,8 +156,10 @@ class Deck:
         self.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, shear, normal))
         self.add("INTERFACE_COHESIVE", (1, 0, 0, 100))
 
-    def cohesive(self, bond: Bond, *, interface: int = 0, nodal: bool = False) -> None:
-        """A bond that fails between all plies of part 1, or at one interface only."""
+    def cohesive(
+        self, bond: Bond, *, interface: int = 0, nodal: bool = False, parts: Sequence[int] = (1,)
+    ) -> None:
+        """A bond that fails between all plies of some parts, or at one interface only."""
         self._bonds += 1
         stiffness, toughness = bond.stiffness, bond.toughness
         head = (200 + self._bonds, 0.0, 0, 0, *stiffness, *toughness)
@@ -167,7 +169,8 @@ class Deck:
         if bond.scatter:
             self.add("INTERFACE_SCATTER", (head[0], *bond.scatter))
         options = (int(nodal), int(bond.whole_penalty), bond.friction, bond.fit)
-        self.add("INTERFACE_COHESIVE", (1, interface, interface, head[0], *options))
+        cards = [(part, interface, interface, head[0], *options) for part in parts]
+        self.add("INTERFACE_COHESIVE", *cards)
 
     def node_set(self, nodes: Iterable[int]) -> int:
         """A new set of nodes, and its number."""

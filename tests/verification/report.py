@@ -117,9 +117,9 @@ def _draw(drawn: Sequence[Curves], path: Path) -> Path:
 
 
 def studies(folder: Path) -> dict[str, str]:
-    """The expensive tables by their marks: beams, faces that close again, cracks of plies."""
+    """The expensive tables by their marks: beams, closing faces, cracks of plies and of a beam."""
     tables = {}
-    for name in ("delamination", "reclosing", "ply_damage"):
+    for name in ("delamination", "reclosing", "ply_damage", "bending_crack"):
         sys.path.insert(0, str(HERE / name))
         module = __import__("study")
         tables[f"{name} study"] = "\n".join(module.rows(folder / name))
