@@ -5,7 +5,7 @@
 module plydyn_domain_loading_rate
    use plydyn_base_matrix, only : invert
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_domain_sheet, only : sheet_of, sheet_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : motion_type, prescribes_acceleration, prescribes_velocity
@@ -33,14 +33,6 @@ module plydyn_domain_loading_rate
       !> First period of a plate in bending, simply supported on all edges; 0 for bricks
       real(wp) :: period = 0.0_wp
    end type loading_rate_type
-
-   !> Stiffness and mass of a part over its area, or of a unit of thickness of bricks
-   type :: sheet_type
-      !> Stiffness in the plane, and in bending without strain of the mid-plane
-      real(wp) :: a(3, 3) = 0.0_wp, d(3, 3) = 0.0_wp
-      !> Thickness, and mass per area
-      real(wp) :: thickness = 0.0_wp, mass = 0.0_wp
-   end type sheet_type
 
 contains
 
@@ -166,45 +158,6 @@ contains
          moves = abs(curve%y(i) - curve%y(i - 1)) > 0.0_wp
       end if
    end function moves
-
-   !> Stiffness and mass of a part
-   pure function sheet_of(model, p) result(sheet)
-      type(model_type), intent(in) :: model
-      !> Index of the part
-      integer, intent(in) :: p
-      type(sheet_type) :: sheet
-
-      real(wp) :: b(3, 3), flexibility(3, 3), unused, z
-      integer :: i, k
-
-      b(:, :) = 0.0_wp
-      associate (part => model%parts(p))
-         if (part%brick%points > 0) then
-            associate (material => model%materials(part%plies(1)%material))
-               do i = 1, size(model%mesh%brick_part)
-                  if (model%mesh%brick_part(i) /= p) cycle
-                  call add_ply_stiffness(material%law, model%mesh%brick_angle(i), &
-                     & [0.0_wp, 1.0_wp], sheet%a, b, sheet%d)
-                  sheet%thickness = sheet%thickness + 1.0_wp
-               end do
-               sheet%mass = material%density*sheet%thickness
-            end associate
-            return
-         end if
-         z = 0.0_wp
-         do k = 1, size(part%plies)
-            associate (ply => part%plies(k), material => model%materials(part%plies(k)%material))
-               call add_ply_stiffness(material%law, ply%angle, [z, z + ply%thickness], sheet%a, &
-                  & b, sheet%d)
-               sheet%mass = sheet%mass + material%density*ply%thickness
-               z = z + ply%thickness
-            end associate
-         end do
-         sheet%thickness = z
-         call invert(sheet%a, flexibility, unused)
-         sheet%d(:, :) = sheet%d - matmul(b, matmul(flexibility, b))
-      end associate
-   end function sheet_of
 
    !> First period of a rectangle, simply supported on all edges, without its coupling of bending
    !> and twisting

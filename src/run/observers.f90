@@ -69,7 +69,7 @@ contains
 
       associate (control => run%domain%control, unit => run%model%control%units%time)
          if (control%rest_share > 0.0_wp) then
-            call add_other(new_relaxation_monitor(job, trim(unit)), observers)
+            call add_other(new_relaxation_monitor(job, run%model), observers)
          end if
          if (control%load_share > 0.0_wp .or. control%kinetic_limit > 0.0_wp) then
             call add_other(new_quasi_static_monitor(job, trim(unit)), observers)

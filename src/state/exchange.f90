@@ -131,10 +131,11 @@ contains
       real(wp), allocatable :: numbers(:)
 
       numbers = [relaxation%damping, relaxation%next_damping, real(relaxation%change_cycle, wp), &
-         & relaxation%largest_kinetic, relaxation%twice_kinetic, relaxation%stiffness_square]
+         & relaxation%largest_kinetic, relaxation%damped_time, relaxation%twice_kinetic, &
+         & relaxation%stiffness_square]
       call exchange%reals("relaxation", numbers)
       relaxation = relaxation_state_type(numbers(1), numbers(2), nint(numbers(3)), numbers(4), &
-         & numbers(5), numbers(6))
+         & numbers(5), numbers(6), numbers(7))
    end subroutine exchange_relaxation
 
    !> Sums and energies: all components are reals

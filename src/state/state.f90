@@ -107,6 +107,8 @@ module plydyn_state_state
       integer :: change_cycle = 0
       !> Largest kinetic energy so far
       real(wp) :: largest_kinetic = 0.0_wp
+      !> Time for which the damping has been about critical for the motion
+      real(wp) :: damped_time = 0.0_wp
       !> Integrals over time since the last change: v M v and v K v
       real(wp) :: twice_kinetic = 0.0_wp, stiffness_square = 0.0_wp
       !> Change of the internal forces over the last step times the velocity over it; every step
