@@ -7,11 +7,12 @@
 !> section 6.4). M is the stiffness C33 of the intact material: crushed material still fills space.
 !> In uniaxial strain the slope of stress over stretch is 0.46 C33 at J0, and larger below it.
 module plydyn_law_compression_barrier
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   public :: add_barrier_stress, barrier_energy, barrier_stiffness, barrier_stress, volume_ratio
+   public :: add_barrier_stress, barrier_energy, barrier_stiffness, barrier_stress, volume_ratio, &
+      & volume_ratios
 
    !> Ratio of volumes below which the barrier acts
    real(wp), parameter, public :: barrier_ratio = 0.8_wp
@@ -29,6 +30,18 @@ contains
          & - h(1, 2)*(h(2, 1)*(1.0_wp + h(3, 3)) - h(2, 3)*h(3, 1)) &
          & + h(1, 3)*(h(2, 1)*h(3, 2) - (1.0_wp + h(2, 2))*h(3, 1))
    end function volume_ratio
+
+   !> The same of each lane
+   pure function volume_ratios(h) result(ratio)
+      !> Displacement gradients, (lanes, component, direction)
+      real(wp), intent(in) :: h(lanes, 3, 3)
+      real(wp) :: ratio(lanes)
+
+      ratio(:) = (1.0_wp + h(:, 1, 1)) &
+         & *((1.0_wp + h(:, 2, 2))*(1.0_wp + h(:, 3, 3)) - h(:, 2, 3)*h(:, 3, 2)) &
+         & - h(:, 1, 2)*(h(:, 2, 1)*(1.0_wp + h(:, 3, 3)) - h(:, 2, 3)*h(:, 3, 1)) &
+         & + h(:, 1, 3)*(h(:, 2, 1)*h(:, 3, 2) - (1.0_wp + h(:, 2, 2))*h(:, 3, 1))
+   end function volume_ratios
 
    !> Cauchy stress of the barrier on each direction: M b'(J), not above 0
    elemental real(wp) function barrier_stress(modulus, ratio) result(stress)
@@ -48,7 +61,9 @@ contains
 
       real(wp) :: beyond, least
 
-      least = min(max(ratio, least_ratio), barrier_ratio)
+      energy = 0.0_wp
+      if (ratio >= barrier_ratio) return
+      least = max(ratio, least_ratio)
       ! and on, where the denominator falls no more
       beyond = max(least_ratio - ratio, 0.0_wp)
       energy = barrier_ratio**2*log(barrier_ratio/least) - 2.0_wp*barrier_ratio &

@@ -6,7 +6,7 @@ module plydyn_element_brick_energies
    use plydyn_element_brick_kernel, only : gather, hourglass_energy, mean_volume_strain
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, rotate_strain, strain_of
    use plydyn_element_plate_layers, only : c33
-   use plydyn_law_compression_barrier, only : barrier_energy, barrier_ratio, volume_ratio
+   use plydyn_law_compression_barrier, only : barrier_energy, volume_ratios
    use plydyn_law_law, only : mechanisms
    implicit none
    private
@@ -93,8 +93,7 @@ contains
       real(wp), intent(in) :: history(lanes, bricks%histories)
       real(wp) :: energy(lanes)
 
-      real(wp) :: along(lanes, 6), ratio, stress(lanes, 6)
-      integer :: l
+      real(wp) :: along(lanes, 6), stress(lanes, 6)
 
       if (size(bricks%laws) == 0) then
          call elastic_stress(bricks%stiffness, strain, stress)
@@ -104,12 +103,7 @@ contains
          call rotate_strain(bricks%cosine_sine, along)
          energy(:) = bricks%laws(1)%law%stored_energy(along, history)
       end if
-      if (.not. large) return
-      do l = 1, lanes
-         ratio = volume_ratio(gradient(l, :, :))
-         if (ratio < barrier_ratio) energy(l) = energy(l) &
-            & + bricks%stiffness(c33)*barrier_energy(ratio)
-      end do
+      if (large) energy(:) = energy + bricks%stiffness(c33)*barrier_energy(volume_ratios(gradient))
    end function point_energy
 
 end module plydyn_element_brick_energies

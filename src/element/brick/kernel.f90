@@ -7,7 +7,8 @@ module plydyn_element_brick_kernel
    use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
       & rotate_strain, rotate_stress
    use plydyn_element_plate_layers, only : c33
-   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, volume_ratio
+   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, volume_ratio, &
+      & volume_ratios
    implicit none
    private
 
@@ -63,15 +64,13 @@ contains
       real(wp) :: ratio(lanes)
 
       real(wp) :: h(lanes, 3, 3), u(lanes, corners, 3)
-      integer :: l, m
+      integer :: m
 
       ratio(:) = huge(1.0_wp)
       call gather(bricks%place(:, :, batch), displacement, u)
       do m = 1, bricks%points
          call gradient_of(u, bricks%shapes(bricks%shape(batch))%gradient(:, :, :, m), h)
-         do l = 1, lanes
-            ratio(l) = min(ratio(l), volume_ratio(h(l, :, :)))
-         end do
+         ratio(:) = min(ratio, volume_ratios(h))
       end do
    end function brick_volume_ratios
 

@@ -6,7 +6,7 @@ module plydyn_element_plate_corner_volume
    use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_node_metric, tensor_order
    use plydyn_fem_expansion, only : lagrange
-   use plydyn_law_compression_barrier, only : volume_ratio
+   use plydyn_law_compression_barrier, only : volume_ratios
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
@@ -86,7 +86,7 @@ contains
       real(wp) :: ratio(lanes)
 
       real(wp) :: h(lanes, 3, 3)
-      integer :: face, i, j, l, side
+      integer :: face, i, j, side
 
       side = size(u, 2)
       ratio(:) = huge(1.0_wp)
@@ -95,9 +95,7 @@ contains
             do i = 1, side, side - 1
                h(:, :, :) = corner_gradient(u, [i, j, merge(1, size(slope, 1), face == 1)], &
                   & metric(:, i + side*(j - 1)), slope(:, face), batch%two_over_h(:, block))
-               do l = 1, lanes
-                  ratio(l) = min(ratio(l), volume_ratio(h(l, :, :)))
-               end do
+               ratio(:) = min(ratio, volume_ratios(h))
             end do
          end do
       end do

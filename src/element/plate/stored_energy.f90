@@ -9,7 +9,7 @@ module plydyn_element_plate_stored_energy
    use plydyn_element_layer_scalars, only : point_history
    use plydyn_element_plate_layers, only : c33, first_degree, layer_batch_type, plate_type
    use plydyn_element_recover, only : gauss_metric
-   use plydyn_law_compression_barrier, only : barrier_energy, barrier_ratio, volume_ratio
+   use plydyn_law_compression_barrier, only : barrier_energy, volume_ratios
    implicit none
    private
 
@@ -55,14 +55,16 @@ contains
       real(wp) :: energy
 
       real(wp) :: gradient(lanes, 3, 3), strain(lanes, 6), stored(lanes)
-      real(wp) :: value(lanes, size(plate%node, 1), size(batch%expansion%weight), 3)
+      real(wp) :: value(lanes, size(batch%expansion%weight), 3, size(plate%node, 1))
+      real(wp) :: above(lanes, size(batch%expansion%weight), 3, 3)
       integer :: m, q
 
       energy = 0.0_wp
       value(:, :, :, :) = values_at_levels(batch, block, plate%node(:, quad), displacement)
-      do q = 1, size(value, 2)
-         do m = 1, size(value, 3)
-            gradient(:, :, :) = displacement_gradient(plate, batch, block, quad, q, m, value)
+      do q = 1, size(value, 4)
+         call differentiate_plane(plate, quad, q, value, above)
+         do m = 1, size(value, 2)
+            gradient(:, :, :) = gradient_at(batch, block, m, above)
             strain(:, :) = strain_of(gradient, large)
             if (size(batch%laws) > 0) then
                stored(:) = law_energy(batch, block, in_ply_axes(batch%rotation(:, :, block), &
@@ -70,31 +72,32 @@ contains
             else
                stored(:) = elastic_energy(batch%stiffness(:, :, block), strain)
             end if
-            if (large) call add_barrier_energy(batch%stiffness(:, c33, block), gradient, stored)
+            if (large) stored(:) = stored + batch%stiffness(:, c33, block) &
+               & *barrier_energy(volume_ratios(gradient))
             energy = energy + plate%metric(5, q, quad)*batch%expansion%weight(m)*sum(stored)
          end do
       end do
    end function block_energy
 
    !> Displacement at the Gauss points of the thickness above the nodes of a quad,
-   !> (lanes, nodes, points of the thickness, directions)
+   !> (lanes, points of the thickness, directions, nodes)
    pure function values_at_levels(batch, block, node, displacement) result(value)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block
       !> Nodes of the quad
       integer, intent(in) :: node(:)
       real(wp), intent(in) :: displacement(:)
-      real(wp) :: value(lanes, size(node), size(batch%expansion%weight), 3)
+      real(wp) :: value(lanes, size(batch%expansion%weight), 3, size(node))
 
       integer :: c, first, i, m, t
 
       value(:, :, :, :) = 0.0_wp
-      do c = 1, 3
-         do t = 1, size(value, 3)
-            do i = 1, size(node)
+      do i = 1, size(node)
+         do c = 1, 3
+            do t = 1, size(value, 2)
                first = first_degree(batch, block, node(i), t, c)
-               do m = 1, size(value, 3)
-                  value(:, i, m, c) = value(:, i, m, c) + batch%expansion%to_gauss(m, t) &
+               do m = 1, size(value, 2)
+                  value(:, m, c, i) = value(:, m, c, i) + batch%expansion%to_gauss(m, t) &
                      & *displacement(first:first + lanes - 1)
                end do
             end do
@@ -102,34 +105,50 @@ contains
       end do
    end function values_at_levels
 
-   !> Displacement gradient at a Gauss point, (lanes, components, directions)
-   pure function displacement_gradient(plate, batch, block, quad, q, m, value) result(gradient)
+   !> Derivatives along x and y, and values, above a Gauss point of the plane
+   pure subroutine differentiate_plane(plate, quad, q, value, above)
       type(plate_type), intent(in) :: plate
-      type(layer_batch_type), intent(in) :: batch
-      !> Block of layers, quad, Gauss point of the plane and of the thickness
-      integer, intent(in) :: block, quad, q, m
+      !> Quad, Gauss point of the plane
+      integer, intent(in) :: quad, q
       !> From `values_at_levels`
-      real(wp), intent(in) :: value(:, :, :, :)
-      real(wp) :: gradient(lanes, 3, 3)
+      real(wp), intent(in), contiguous :: value(:, :, :, :)
+      !> The last index is 1 and 2 for the derivatives, 3 for the values
+      real(wp), intent(out), contiguous :: above(:, :, :, :)
 
-      real(wp) :: rise(lanes), slope(2, size(value, 2))
-      integer :: c, i, t
+      real(wp) :: slope(2, size(value, 4))
+      integer :: i
 
       slope(:, :) = matmul(gauss_metric(plate, quad, q), plate%slope(:, :, q))
-      gradient(:, :, :) = 0.0_wp
+      above(:, :, :, :) = 0.0_wp
+      do i = 1, size(value, 4)
+         above(:, :, :, 1) = above(:, :, :, 1) + slope(1, i)*value(:, :, :, i)
+         above(:, :, :, 2) = above(:, :, :, 2) + slope(2, i)*value(:, :, :, i)
+         above(:, :, :, 3) = above(:, :, :, 3) + plate%shape(q, i)*value(:, :, :, i)
+      end do
+   end subroutine differentiate_plane
+
+   !> Displacement gradient at a Gauss point, (lanes, components, directions)
+   pure function gradient_at(batch, block, m, above) result(gradient)
+      type(layer_batch_type), intent(in) :: batch
+      !> Block of layers, and Gauss point of the thickness
+      integer, intent(in) :: block, m
+      !> From `differentiate_plane`
+      real(wp), intent(in), contiguous :: above(:, :, :, :)
+      real(wp) :: gradient(lanes, 3, 3)
+
+      integer :: c, t
+
       do c = 1, 3
-         do i = 1, size(value, 2)
-            gradient(:, c, 1) = gradient(:, c, 1) + slope(1, i)*value(:, i, m, c)
-            gradient(:, c, 2) = gradient(:, c, 2) + slope(2, i)*value(:, i, m, c)
-            rise(:) = 0.0_wp
-            do t = 1, size(value, 3)
-               rise(:) = rise + batch%expansion%gauss_slope(m, t)*value(:, i, t, c)
-            end do
-            gradient(:, c, 3) = gradient(:, c, 3) + plate%shape(q, i)*rise
+         gradient(:, c, 1) = above(:, m, c, 1)
+         gradient(:, c, 2) = above(:, m, c, 2)
+         gradient(:, c, 3) = 0.0_wp
+         do t = 1, size(above, 2)
+            gradient(:, c, 3) = gradient(:, c, 3) + batch%expansion%gauss_slope(m, t) &
+               & *above(:, t, c, 3)
          end do
          gradient(:, c, 3) = gradient(:, c, 3)*batch%two_over_h(:, block)
       end do
-   end function displacement_gradient
+   end function gradient_at
 
    !> Strain of a displacement gradient, linear or of Green and Lagrange
    pure function strain_of(gradient, large) result(strain)
@@ -137,15 +156,23 @@ contains
       logical, intent(in) :: large
       real(wp) :: strain(lanes, 6)
 
-      integer, parameter :: first(6) = [1, 2, 3, 1, 1, 2], second(6) = [1, 2, 3, 2, 3, 3]
-      integer :: k
+      integer :: c
 
-      do k = 1, 6
-         strain(:, k) = gradient(:, first(k), second(k)) + gradient(:, second(k), first(k))
-         if (large) strain(:, k) = strain(:, k) &
-            & + sum(gradient(:, :, first(k))*gradient(:, :, second(k)), 2)
-      end do
-      strain(:, :3) = 0.5_wp*strain(:, :3)
+      associate (h => gradient, e => strain)
+         e(:, 1) = h(:, 1, 1)
+         e(:, 2) = h(:, 2, 2)
+         e(:, 3) = h(:, 3, 3)
+         e(:, 4) = h(:, 1, 2) + h(:, 2, 1)
+         e(:, 5) = h(:, 1, 3) + h(:, 3, 1)
+         e(:, 6) = h(:, 2, 3) + h(:, 3, 2)
+         if (.not. large) return
+         do c = 1, 3
+            e(:, :3) = e(:, :3) + 0.5_wp*h(:, c, :)**2
+            e(:, 4) = e(:, 4) + h(:, c, 1)*h(:, c, 2)
+            e(:, 5) = e(:, 5) + h(:, c, 1)*h(:, c, 3)
+            e(:, 6) = e(:, 6) + h(:, c, 2)*h(:, c, 3)
+         end do
+      end associate
    end function strain_of
 
    !> Strain along and across the fibres of each layer
@@ -199,21 +226,5 @@ contains
          & + e(:, 2)*(k(:, 6)*e(:, 3) + k(:, 7)*e(:, 4)) + k(:, 9)*e(:, 3)*e(:, 4) &
          & + k(:, 12)*e(:, 5)*e(:, 6)
    end function elastic_energy
-
-   !> Add the energy of the barrier against compression
-   pure subroutine add_barrier_energy(modulus, gradient, energy)
-      !> Stiffness C33 times half the thickness
-      real(wp), intent(in) :: modulus(lanes)
-      real(wp), intent(in) :: gradient(lanes, 3, 3)
-      real(wp), intent(inout) :: energy(lanes)
-
-      real(wp) :: ratio
-      integer :: l
-
-      do l = 1, lanes
-         ratio = volume_ratio(gradient(l, :, :))
-         if (ratio < barrier_ratio) energy(l) = energy(l) + modulus(l)*barrier_energy(ratio)
-      end do
-   end subroutine add_barrier_energy
 
 end module plydyn_element_plate_stored_energy
