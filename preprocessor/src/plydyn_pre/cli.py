@@ -25,6 +25,7 @@ from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
+from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
@@ -128,8 +129,16 @@ def ensemble(
 
 
 @app.command()
-def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
+def mesh(
+    recipe: Recipe,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="A picture of the mesh, FILE.svg.")
+    ] = None,
+    overrides: Overrides = None,
+) -> None:
     """Make the mesh of a recipe, and print its size, quality and sets."""
+    if output is not None and output.suffix != ".svg":
+        raise PreError(f"{output} is no name of a picture; {output.stem}.svg would be")
     study, grid = _study_and_mesh(recipe, overrides)
     with blaming(recipe):
         _tell_counts(study, grid)
@@ -144,6 +153,9 @@ def mesh(recipe: Recipe, overrides: Overrides = None) -> None:
     with blaming(recipe):
         for line in set_lines(study, grid):
             _tell("set", line)
+        if output is not None:
+            write_deck(picture_lines(study, grid), output)
+            _tell("picture", output)
 
 
 @app.command()

@@ -17,5 +17,5 @@ def set_lines(study: Study, mesh: Mesh) -> Iterator[str]:
         line = f"{name}: {len(names.nodes_of(name, ''))} nodes"
         if rule.key in REGIONS:
             quads = names.quads_of(name, "")
-            line += f", {len(quads)} quads of {areas[quads].sum():.6g} {study.units.length}2"
+            line += f", {len(quads)} quads, {areas[quads].sum():.6g} {study.units.length}2"
         yield line
