@@ -52,6 +52,7 @@ module plydyn_law_law
       procedure :: update_points
       procedure :: stress_at
       procedure :: start_history
+      procedure :: set_factors
       procedure :: output_variables
       procedure :: dissipated_energy
       procedure :: stored_energy
@@ -138,6 +139,15 @@ contains
       !> (lanes, histories), zero in
       real(wp), intent(inout) :: history(lanes, *)
    end subroutine start_history
+
+   !> Let the strengths of a point at time zero scatter; a law that supports this overrides it
+   pure subroutine set_factors(self, factor, history)
+      class(law_type), intent(in) :: self
+      !> Factors of the strengths of fibres and of matrix; 1 in lanes without scatter
+      real(wp), intent(in) :: factor(lanes, 2)
+      !> (lanes, histories), as `start_history` leaves it in
+      real(wp), intent(inout) :: history(lanes, *)
+   end subroutine set_factors
 
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
    pure function output_variables(self, lane, history) result(values)

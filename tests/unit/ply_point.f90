@@ -4,7 +4,7 @@ module ply_point
    use plydyn_law_law, only : by_ply_plasticity, scalars, shows_dissipated
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_ply_history, only : fibre_damage, fibre_onset, histories_closing, &
+   use plydyn_law_ply_history, only : fibre_damage, fibre_onset, histories_most, &
       & matrix_damage, matrix_onset, shear_peak, shear_set, to_compression
    use plydyn_law_ply_shear_curve, only : new_exponential_curve, shape_exponential
    implicit none
@@ -19,7 +19,7 @@ module ply_point
       !> The law, with the ply in every lane
       type(ply_damage_type) :: law
       !> History, stress and strain now, of one lane: all are alike
-      real(wp) :: history(histories_closing) = 0.0_wp, stress(6) = 0.0_wp, strain(6) = 0.0_wp
+      real(wp) :: history(histories_most) = 0.0_wp, stress(6) = 0.0_wp, strain(6) = 0.0_wp
       !> Work done per volume
       real(wp) :: work = 0.0_wp
    contains
@@ -57,14 +57,16 @@ contains
    end function paper_ply
 
    !> A point at rest
-   pure function new_point(ply, length) result(self)
+   pure function new_point(ply, length, factor) result(self)
       !> Its ply
       type(ply_constants_type), intent(in) :: ply
       !> Widths of the crack band for fibres and for matrix
       real(wp), intent(in) :: length(2)
+      !> Factors of the strengths of fibres and of matrix of a ply whose strengths scatter
+      real(wp), intent(in), optional :: factor(2)
       type(point_type) :: self
 
-      real(wp) :: history(lanes, histories_closing)
+      real(wp) :: history(lanes, histories_most)
       integer :: l
 
       self%ply = ply
@@ -74,6 +76,7 @@ contains
       history(:, :) = 0.0_wp
       call self%law%start_history(spread(length, 1, lanes), spread(maxval(length), 1, lanes), &
          & history)
+      if (present(factor)) call self%law%set_factors(spread(factor, 1, lanes), history)
       self%history = history(1, :)
    end function new_point
 
@@ -83,7 +86,7 @@ contains
       !> Total strain
       real(wp), intent(in) :: strain(6)
 
-      real(wp) :: history(lanes, histories_closing), stress(lanes, 6)
+      real(wp) :: history(lanes, histories_most), stress(lanes, 6)
 
       history(:, :) = spread(self%history, 1, lanes)
       stress(:, :) = 0.0_wp

@@ -289,7 +289,7 @@ contains
          point = new_point(ply, narrow)
          call draw(path, amplitude)
          do i = 1, steps
-            before(:) = point%history
+            before(:) = point%history(:histories_closing)
             spent = point%plastic()
             call point%move(strain_at(amplitude, real(i, wp)/real(steps, wp)))
             associate (now => point%history)

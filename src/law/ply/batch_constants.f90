@@ -29,6 +29,11 @@ module plydyn_law_ply_batch_constants
       !> 1 in lanes where onset is by the stress of an intact ply; whether in any
       real(wp) :: intact(lanes) = 0.0_wp
       logical :: any_intact = .false.
+      !> Whether the strengths of any lane scatter
+      logical :: any_scatters = .false.
+      !> History variables before the factors of the strengths of fibres and of matrix; 0 where no
+      !> strength scatters
+      integer :: factors = 0
    contains
       procedure :: set_lane
    end type ply_batch_constants_type
@@ -56,6 +61,7 @@ contains
       self%any_closes = any(self%closes > 0.0_wp)
       self%intact(lane) = merge(1.0_wp, 0.0_wp, constants%intact_onset)
       self%any_intact = any(self%intact > 0.0_wp)
+      self%any_scatters = self%any_scatters .or. constants%scatter%scatters()
    end subroutine set_lane
 
 end module plydyn_law_ply_batch_constants

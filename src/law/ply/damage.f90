@@ -6,22 +6,23 @@
 !> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_damage_begin, only : begin_damage
    use plydyn_law_ply_damage_growth, only : add_energies, can_grow, find_growth_strains, grow, &
       & min_path_ratio, ply_step_type
    use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_history, only : band_width, begun_shear, begun_threshold, driving_strains, &
-      & fibre_damage, fibre_energy, fibre_finish, fibre_onset, fibre_threshold, find_integrity, &
-      & find_share, growth_threshold, has_begun, histories_average, histories_closing, &
-      & histories_most, histories_open, largest_band, largest_shear, load_lanes, &
-      & load_mean_strains, matrix_damage, matrix_energy, matrix_finish, matrix_onset, &
-      & matrix_threshold, mean_strain, own_strain, shear_peak, shear_set, spared_work, &
-      & store_driving_strains, store_lanes, swap_closed, to_compression, with_largest_shear
+   use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, &
+      & fibre_threshold, find_integrity, find_share, growth_threshold, has_begun, &
+      & histories_average, histories_closing, histories_most, histories_open, histories_scatter, &
+      & largest_band, largest_shear, load_lanes, load_mean_strains, matrix_damage, &
+      & matrix_energy, matrix_finish, matrix_threshold, mean_strain, own_strain, shear_peak, &
+      & shear_set, spared_work, store_driving_strains, store_lanes, swap_closed, to_compression
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_no_growth_path, only : update_undamaged, use_intact_stress
-   use plydyn_law_ply_shear_path, only : elastic_shear
+   use plydyn_law_ply_no_growth_path, only : update_undamaged
+   use plydyn_law_ply_scattered, only : plastic_work_at
+   use plydyn_law_ply_shear_path, only : advance_shear
    implicit none
    private
 
@@ -39,6 +40,8 @@ module plydyn_law_ply_damage
       procedure :: set_lane
       procedure :: set_average
       procedure :: start_history
+      procedure :: set_factors
+      procedure, private :: set_layout
       procedure :: output_variables
       procedure :: dissipated_energy
    end type ply_damage_type
@@ -55,13 +58,24 @@ contains
 
       self%owns(lane) = .true.
       call self%ply%set_lane(lane, constants)
-      self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
+      call self%set_layout()
       self%energy_variable(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
          & spared_work]
       self%permanent_shear = shear_set
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane
+
+   !> Count the history variables: of cracks that close or of averages, and factors behind them
+   pure subroutine set_layout(self)
+      class(ply_damage_type), intent(inout) :: self
+
+      self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
+      if (self%averages) self%histories = histories_average
+      if (.not. self%ply%any_scatters) return
+      self%ply%factors = self%histories
+      self%histories = self%histories + histories_scatter
+   end subroutine set_layout
 
    !> Let averages over neighbours drive the damage of a lane that has its ply; cracks do not close
    pure subroutine set_average(self, lane, radius)
@@ -73,7 +87,7 @@ contains
 
       self%averages = .true.
       self%radius(lane, :) = radius
-      self%histories = histories_average
+      call self%set_layout()
       self%driving = driving_strains
       self%behind_own = own_strain - 1
       self%behind_mean = mean_strain - 1
@@ -98,6 +112,26 @@ contains
          history(:, matrix_threshold) = length(:, 2)
       end where
    end subroutine start_history
+
+   !> Let the strengths of a point at time zero scatter: its crack bands count as wider
+   pure subroutine set_factors(self, factor, history)
+      class(ply_damage_type), intent(in) :: self
+      !> Of fibres and of matrix
+      real(wp), intent(in) :: factor(lanes, 2)
+      !> (lanes, histories)
+      real(wp), intent(inout) :: history(lanes, *)
+
+      integer, parameter :: threshold(2) = [fibre_threshold, matrix_threshold]
+      integer :: k
+
+      if (self%ply%factors == 0) return
+      do k = 1, size(threshold)
+         where (self%owns)
+            history(:, self%ply%factors + k) = factor(:, k)
+            history(:, threshold(k)) = factor(:, k)**2*history(:, threshold(k))
+         end where
+      end do
+   end subroutine set_factors
 
    !> Damage and energy of a lane that its fields show; where cracks close, the larger damage
    pure function output_variables(self, lane, history) result(values)
@@ -130,7 +164,8 @@ contains
       energy(:) = history(:, self%energy_variable(mechanism))
       if (mechanism /= by_ply_plasticity) return
       associate (own => self%ply%own, peak => largest_shear(history(:, shear_peak)))
-         energy(:) = self%ply%curve%plastic_work(own*peak, own*history(:, shear_set)) - energy
+         energy(:) = plastic_work_at(self%ply, 1, history, own*peak, own*history(:, shear_set)) &
+            & - energy
       end associate
    end function dissipated_energy
 
@@ -184,7 +219,7 @@ contains
       type(ply_step_type) :: now
       real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
 
-      call update_shear(self, e(:, 4), h, shear, now)
+      call advance_shear(self%ply, e(:, 4), h, shear, now%work, now%grows)
       if (self%averages) then
          call load_mean_strains(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), &
             & drive, drive_shear)
@@ -217,7 +252,7 @@ contains
       call find_integrity(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
       now%after(:, :) = now%before
       call soften(self, e, shear(:, 2), h, now, now%share, s)
-      call begin_damage(self, e, shear, s, h, now, begins)
+      call begin_damage(self%ply, e, shear, s, h, now, begins)
       if (begins) then
          call soften(self, e, shear(:, 2), h, now, share, s)
          ! beyond that the step has not led here, and all of it falls at the strain of now
@@ -244,34 +279,6 @@ contains
             & has_begun(threshold(:, k)) .and. ply%closes <= 0.0_wp)
       end do
    end subroutine set_thresholds
-
-   !> Shear along its curve until the matrix cracks, and elastic from there
-   pure subroutine update_shear(self, strain, h, shear, now)
-      class(ply_damage_type), intent(in) :: self
-      !> Shear strain 12
-      real(wp), intent(in) :: strain(lanes)
-      real(wp), intent(inout) :: h(lanes, self%histories)
-      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
-      real(wp), intent(out) :: shear(lanes, 2)
-      type(ply_step_type), intent(inout) :: now
-
-      real(wp) :: peak(lanes), set(lanes), size(lanes)
-      integer :: l
-
-      size(:) = merge(0.0_wp, abs(strain), has_begun(h(:, matrix_threshold)))
-      set(:) = h(:, shear_set)
-      peak(:) = largest_shear(h(:, shear_peak))
-      call self%ply%curve%advance(size, peak, set, now%work, now%grows)
-      h(:, shear_peak) = with_largest_shear(peak, h(:, shear_peak))
-      h(:, shear_set) = set
-      associate (modulus => self%ply%secant%shear)
-         !$omp simd
-         do l = 1, lanes
-            shear(l, 2) = elastic_shear(strain(l), set(l))
-            shear(l, 1) = modulus(l, 1)*shear(l, 2)
-         end do
-      end associate
-   end subroutine update_shear
 
    !> Find the signs of the normal stresses, and put the damage that is active with them first. The
    !> sign of a stress depends only on the integrity in the other direction, by Poisson's effect:
@@ -332,56 +339,5 @@ contains
       end associate
       call self%ply%secant%damaged_stress(e, now%after, stress)
    end subroutine soften
-
-   !> Freeze the strains of the modes that begin in this step
-   pure subroutine begin_damage(self, e, shear, stress, h, now, begins)
-      class(ply_damage_type), intent(in) :: self
-      !> Strains 11, 22, 33; sizes of shear stress and elastic shear strain; effective normal
-      !> stresses
-      real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2), stress(lanes, 3)
-      real(wp), intent(inout) :: h(lanes, self%histories)
-      type(ply_step_type), intent(inout) :: now
-      !> A mode begins in some lane
-      logical, intent(out) :: begins
-
-      real(wp) :: in_plane(2), length, most, trial(lanes, 3)
-      integer :: l
-
-      trial(:, :) = stress
-      if (self%ply%any_intact) call use_intact_stress(self%ply, e, trial)
-      call self%ply%onset%find_onset(trial, e, shear, band_width(h(:, fibre_threshold)), &
-         & band_width(h(:, matrix_threshold)), now%excess)
-      most = -1.0_wp
-      associate (excess => now%excess)
-         !$omp simd reduction(max:most)
-         do l = 1, lanes
-            excess(l, 1) = merge(-1.0_wp, excess(l, 1), h(l, fibre_finish) > 0.0_wp)
-            excess(l, 2) = merge(-1.0_wp, excess(l, 2), h(l, matrix_finish) > 0.0_wp)
-            most = max(most, excess(l, 1), excess(l, 2))
-         end do
-      end associate
-      begins = most >= 0.0_wp
-      if (.not. begins) return
-
-      ! once in the life of a mode at a point
-      do l = 1, lanes
-         if (any(now%excess(l, :) >= 0.0_wp)) then
-            h(l, shear_peak) = begun_shear(h(l, shear_peak))
-         end if
-         if (now%excess(l, 1) >= 0.0_wp) then
-            length = band_width(h(l, fibre_threshold))
-            call self%ply%onset%begin_fibre(l, trial(l, 1), e(l, 1), length, h(l, fibre_onset), &
-               & h(l, fibre_finish))
-            h(l, fibre_threshold) = begun_threshold(length)
-         end if
-         if (now%excess(l, 2) >= 0.0_wp) then
-            length = band_width(h(l, matrix_threshold))
-            in_plane(:) = shear(l, :)
-            call self%ply%onset%begin_matrix(l, trial(l, 2), e(l, 2), in_plane, length, &
-               & h(l, matrix_onset), h(l, matrix_finish))
-            h(l, matrix_threshold) = begun_threshold(length)
-         end if
-      end do
-   end subroutine begin_damage
 
 end module plydyn_law_ply_damage

@@ -17,8 +17,9 @@ module plydyn_law_ply_history
    integer, parameter, public :: shear_peak = 1
    !> Largest width of the crack bands of all points of the element, the same at each of them
    integer, parameter, public :: largest_band = 2
-   !> Growth threshold of a mode: before onset the width of its crack band; then the equivalent
-   !> strain beyond which damage grows or, where cracks close, the width again; see `has_begun`
+   !> Growth threshold of a mode: before onset the width of its crack band, where strengths scatter
+   !> times the square of their factor; then the equivalent strain beyond which damage grows or,
+   !> where cracks close, the width again; see `has_begun`
    integer, parameter, public :: fibre_threshold = 3, matrix_threshold = 4
    !> History of fibres and of matrix: damage; equivalent strain at onset, 0 before, see
    !> `began_in_compression`; equivalent strain at the end of softening
@@ -39,9 +40,10 @@ module plydyn_law_ply_history
    !> their averages; cracks do not close there
    integer, parameter, public :: driving_strains = 4, own_strain = 15, mean_strain = 19
 
-   !> Histories without and with cracks that close, with averages, and the most of all
+   !> Histories without and with cracks that close, and with averages; where strengths scatter, the
+   !> factors of those of fibres and of matrix follow; and the most of all
    integer, parameter, public :: histories_open = 14, histories_closing = 20, &
-      & histories_average = 22, histories_most = 22
+      & histories_average = 22, histories_scatter = 2, histories_most = 24
 
 contains
 

@@ -4,10 +4,12 @@ module plydyn_law_ply_shear_path
    use plydyn_law_ply_history, only : any_begun, has_begun, largest_shear, matrix_threshold, &
       & shear_peak, shear_set, spared_work, store_columns, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_scattered, only : advance_scaled, find_scaled_set, load_column, &
+      & load_factors, of_matrix, plastic_work_at
    implicit none
    private
 
-   public :: elastic_shear, find_spared_work, store_shear, update_shear
+   public :: advance_shear, elastic_shear, find_spared_work, store_shear, update_shear
 
    !> Most points in a call, a line of a quad and the thickness: work space of fixed size can be
    !> aligned
@@ -77,8 +79,52 @@ contains
       call load_set(ply%own, points, pitch, history, shear%set)
       if (.not. shear%grows) return
       call raise_peak(points, size, shear%peak)
-      call ply%curve%find_set(points, shear%peak, shear%set)
+      if (ply%factors > 0) then
+         call load_column(ply%own, points, history(1, 1, ply%factors + of_matrix), size)
+         call find_scaled_set(ply%curve, points, size, shear%peak, shear%set)
+      else
+         call ply%curve%find_set(points, shear%peak, shear%set)
+      end if
    end subroutine update_shear
+
+   !> Shear of a point by the whole law: along its curve until the matrix cracks, and elastic from
+   !> there
+   pure subroutine advance_shear(ply, strain, h, shear, work, grows)
+      !> Constants
+      type(ply_batch_constants_type), intent(in) :: ply
+      !> Shear strain 12
+      real(wp), intent(in) :: strain(lanes)
+      !> History of the point
+      real(wp), intent(inout) :: h(lanes, *)
+      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp), intent(out) :: shear(lanes, 2)
+      !> Plastic work per volume of an intact ply in the step
+      real(wp), intent(out) :: work(lanes)
+      !> Whether the permanent shear strain grows in any lane
+      logical, intent(out) :: grows
+
+      real(wp) :: factor(lanes, 2), peak(lanes), set(lanes), size(lanes)
+      integer :: l
+
+      size(:) = merge(0.0_wp, abs(strain), has_begun(h(:, matrix_threshold)))
+      set(:) = h(:, shear_set)
+      peak(:) = largest_shear(h(:, shear_peak))
+      if (ply%factors > 0) then
+         call load_factors(ply, 1, h, factor)
+         call advance_scaled(ply%curve, factor(:, of_matrix), size, peak, set, work, grows)
+      else
+         call ply%curve%advance(size, peak, set, work, grows)
+      end if
+      h(:, shear_peak) = with_largest_shear(peak, h(:, shear_peak))
+      h(:, shear_set) = set
+      associate (modulus => ply%secant%shear)
+         !$omp simd
+         do l = 1, lanes
+            shear(l, 2) = elastic_shear(strain(l), set(l))
+            shear(l, 1) = modulus(l, 1)*shear(l, 2)
+         end do
+      end associate
+   end subroutine advance_shear
 
    !> Shear is elastic where the matrix has cracked: exclude it from growth
    pure subroutine exclude_cracked(points, pitch, history, peak, size, most)
@@ -163,8 +209,8 @@ contains
          before(:, 1) = ply%own*largest_shear(history(:, m, shear_peak))
          before(:, 2) = ply%own*history(:, m, shear_set)
          shear%spared(:, m) = (1.0_wp - integrity(:, 1, m)*integrity(:, 2, m)) &
-            & *(ply%curve%plastic_work(shear%peak(:, m), shear%set(:, m)) &
-            & - ply%curve%plastic_work(before(:, 1), before(:, 2)))
+            & *(plastic_work_at(ply, pitch, history(1, m, 1), shear%peak(:, m), shear%set(:, m)) &
+            & - plastic_work_at(ply, pitch, history(1, m, 1), before(:, 1), before(:, 2)))
       end do
    end subroutine find_spared_work
 

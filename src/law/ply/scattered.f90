@@ -1,0 +1,175 @@
+!> Strengths that scatter from point to point.
+!>
+!> All criteria are homogeneous: a mode whose strengths are s times those of the card is, in
+!> stresses and strains divided by s, a mode with the strengths of the card and a crack band that is
+!> s**2 times as wide. The same holds for shear, whose curve is s times as large in stress and in
+!> strain. The history of a point has the widened bands before onset, and the factors.
+module plydyn_law_ply_scattered
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_batch_shear, only : batch_shear_type
+   implicit none
+   private
+
+   public :: advance_scaled, divide_by_factors, find_scaled_set, load_column, load_factors, &
+      & plastic_work_at, raise_by_factors
+
+   !> Places of the factors of fibres and of matrix behind `factors` of the constants
+   integer, parameter, public :: of_fibres = 1, of_matrix = 2
+
+contains
+
+   !> Factors of the strengths of fibres and of matrix at a point; 1 in lanes of other laws
+   pure subroutine load_factors(ply, pitch, history, factor)
+      !> Constants of a law whose strengths scatter
+      type(ply_batch_constants_type), intent(in) :: ply
+      !> Rows of the history from one variable to the next
+      integer, intent(in) :: pitch
+      !> History from the point on
+      real(wp), intent(in) :: history(lanes, pitch, *)
+      !> The factors
+      real(wp), intent(out) :: factor(lanes, 2)
+
+      integer :: k
+
+      do k = of_fibres, of_matrix
+         call load_column(ply%own, 1, history(:, 1, ply%factors + k), factor(:, k))
+      end do
+   end subroutine load_factors
+
+   !> Factors of fibres or of matrix at some points; 1 in lanes of other laws
+   pure subroutine load_column(own, points, variable, factor)
+      !> 1 in lanes of the law, else 0
+      real(wp), intent(in) :: own(lanes)
+      !> Number of points
+      integer, intent(in) :: points
+      !> Variable of the history
+      real(wp), intent(in) :: variable(lanes, points)
+      !> The factors
+      real(wp), intent(out) :: factor(lanes, points)
+
+      integer :: l, m
+      real(wp) :: kept
+
+      do m = 1, points
+         !$omp simd private(kept)
+         do l = 1, lanes
+            kept = variable(l, m)
+            factor(l, m) = merge(kept, 1.0_wp, own(l) > 0.0_wp)
+         end do
+      end do
+   end subroutine load_column
+
+   !> Stresses and strains as they would be with the strengths of the card
+   pure subroutine divide_by_factors(factor, stress, strain, shear)
+      !> Factors of fibres and of matrix
+      real(wp), intent(in) :: factor(lanes, 2)
+      !> Stresses and strains 11 and 22
+      real(wp), intent(inout) :: stress(lanes, 2), strain(lanes, 2)
+      !> Shear stress and elastic shear strain 12
+      real(wp), intent(inout) :: shear(lanes, 2)
+
+      integer :: k, l
+
+      do k = of_fibres, of_matrix
+         !$omp simd
+         do l = 1, lanes
+            stress(l, k) = stress(l, k)/factor(l, k)
+            strain(l, k) = strain(l, k)/factor(l, k)
+            shear(l, k) = shear(l, k)/factor(l, of_matrix)
+         end do
+      end do
+   end subroutine divide_by_factors
+
+   !> Raise sums that are below 1 far from onset to what they are at most with the factors
+   pure subroutine raise_by_factors(ply, points, pitch, history, each)
+      !> Constants of a law whose strengths scatter
+      type(ply_batch_constants_type), intent(in) :: ply
+      !> Number of points; rows of the history from one variable to the next
+      integer, intent(in) :: points, pitch
+      !> History from the first of the points on
+      real(wp), intent(in) :: history(lanes, pitch, *)
+      !> Largest sum of the points of each lane with the strengths of the card
+      real(wp), intent(inout) :: each(lanes)
+
+      real(wp) :: factor(lanes, 2), least(lanes)
+      integer :: m
+
+      least(:) = 1.0_wp
+      do m = 1, points
+         call load_factors(ply, pitch, history(1, m, 1), factor)
+         least(:) = min(least, factor(:, of_fibres), factor(:, of_matrix))
+      end do
+      each(:) = each/least**2
+   end subroutine raise_by_factors
+
+   !> Permanent shear strain that belongs to a largest one; never less than before
+   pure subroutine find_scaled_set(curve, points, factor, peak, set)
+      !> Curves of the card
+      type(batch_shear_type), intent(in) :: curve
+      !> Number of points
+      integer, intent(in) :: points
+      !> Factors of the matrix
+      real(wp), intent(in) :: factor(lanes, points)
+      !> Largest size of the shear strain
+      real(wp), intent(in) :: peak(lanes, points)
+      !> Permanent strain
+      real(wp), intent(inout) :: set(lanes, points)
+
+      real(wp) :: scaled(lanes, points), start(lanes, points)
+
+      ! from no permanent strain: the same peak gives the same bits in every step
+      start(:, :) = 0.0_wp
+      scaled(:, :) = peak/factor
+      call curve%find_set(points, scaled, start)
+      set(:, :) = max(set, factor*start)
+   end subroutine find_scaled_set
+
+   !> `advance` of the curves for a point with factors
+   pure subroutine advance_scaled(curve, factor, strain, peak, set, work, grows)
+      !> Curves of the card, factors of the matrix
+      type(batch_shear_type), intent(in) :: curve
+      real(wp), intent(in) :: factor(lanes)
+      !> Size of the shear strain; 0 where nothing is to change
+      real(wp), intent(in) :: strain(lanes)
+      !> Largest size of the shear strain so far, and permanent shear strain
+      real(wp), intent(inout) :: peak(lanes), set(lanes)
+      !> Plastic work per volume of the step
+      real(wp), intent(out) :: work(lanes)
+      !> Whether any strain is larger than it has been
+      logical, intent(out) :: grows
+
+      real(wp) :: before(lanes)
+
+      grows = any(curve%curved*strain > peak)
+      work(:) = 0.0_wp
+      if (.not. grows) return
+      before(:) = factor**2*curve%plastic_work(peak/factor, set/factor)
+      peak(:) = max(peak, curve%curved*strain)
+      call find_scaled_set(curve, 1, factor, peak, set)
+      work(:) = factor**2*curve%plastic_work(peak/factor, set/factor) - before
+   end subroutine advance_scaled
+
+   !> Plastic work per volume of an intact ply since the beginning
+   pure function plastic_work_at(ply, pitch, history, peak, set) result(work)
+      !> Constants
+      type(ply_batch_constants_type), intent(in) :: ply
+      !> As in `load_factors`
+      integer, intent(in) :: pitch
+      real(wp), intent(in) :: history(lanes, pitch, *)
+      !> Largest and permanent shear strain
+      real(wp), intent(in) :: peak(lanes), set(lanes)
+      real(wp) :: work(lanes)
+
+      real(wp) :: factor(lanes, 2)
+
+      if (ply%factors > 0) then
+         call load_factors(ply, pitch, history, factor)
+         work(:) = factor(:, of_matrix)**2*ply%curve%plastic_work(peak/factor(:, of_matrix), &
+            & set/factor(:, of_matrix))
+      else
+         work(:) = ply%curve%plastic_work(peak, set)
+      end if
+   end function plastic_work_at
+
+end module plydyn_law_ply_scattered
