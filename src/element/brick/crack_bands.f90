@@ -52,8 +52,8 @@ contains
                length(:, :) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(i)), law, m)
                do l = 1, min(lanes, size(bricks%brick) - lanes*(i - 1))
                   e = bricks%brick(lanes*(i - 1) + l)
-                  call add_band_points(model%materials(material), [e, 0, group], length(l, :), 1, &
-                     & bands(material))
+                  call add_band_points(model%materials(material), [e, 0, group], length(l, :), &
+                     & [1.0_wp, 1.0_wp], 1, bands(material))
                end do
             end do
          end do

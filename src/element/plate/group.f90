@@ -114,7 +114,7 @@ contains
       type(columns_type), intent(in) :: columns
 
       self%element = elements
-      call set_quads(model%mesh, elements, local_node, self%plate)
+      call set_quads(model, self%part, elements, local_node, self%plate)
    end subroutine take_elements
 
    !> The first quad at a column sets its forces: the layers of a quad fill the columns of its nodes

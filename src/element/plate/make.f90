@@ -5,6 +5,7 @@ module plydyn_element_plate_make
    use plydyn_element_laws, only : new_laws
    use plydyn_element_plate_layers, only : batch_stiffness, history_rows, layer_batch_type, &
       & plate_type
+   use plydyn_element_plate_strength_factors, only : find_factors
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
@@ -12,7 +13,6 @@ module plydyn_element_plate_make
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_material, only : material_type
-   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -46,27 +46,30 @@ contains
    end function new_plate
 
    !> Give a plate its quads
-   pure subroutine set_quads(mesh, quads, local_node, plate)
-      !> The mesh
-      type(mesh_type), intent(in) :: mesh
-      !> The quads, indices into it
+   pure subroutine set_quads(model, part, quads, local_node, plate)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: part
+      !> The quads, indices into the mesh
       integer, intent(in) :: quads(:)
       !> The rank's number of each node of the mesh, 0 where it does not have it
       integer, intent(in) :: local_node(:)
       !> The plate; its targets are the nodes
       type(plate_type), intent(inout) :: plate
 
-      integer :: e, node(plate%side**2)
+      integer :: e, node(plate%side**2, size(quads))
 
       plate%quad = quads
-      allocate (plate%node(size(node), size(quads)), plate%metric(5, size(node), size(quads)))
+      node(:, :) = model%mesh%quad_node(tensor_order(plate%side), quads)
+      allocate (plate%node(size(node, 1), size(quads)), plate%metric(5, size(node, 1), size(quads)))
       do e = 1, size(quads)
-         node(:) = mesh%quad_node(tensor_order(plate%side), quads(e))
-         plate%node(:, e) = local_node(node)
-         plate%metric(:, :, e) = quad_metric(plate%side, mesh%position(1:2, node))
+         plate%node(:, e) = local_node(node(:, e))
+         plate%metric(:, :, e) = quad_metric(plate%side, model%mesh%position(1:2, node(:, e)))
       end do
       plate%target = plate%node
       plate%batches%pitch = history_rows(plate%batches, plate%side)*size(quads)
+      call find_factors(model, part, node, plate)
    end subroutine set_quads
 
    !> Shape functions at the Gauss points
