@@ -6,7 +6,8 @@ module plydyn_input_declare_damage
    implicit none
    private
 
-   public :: add_band_rule, add_fibre_toughnesses, add_normal_strengths, mat_ply_codam2, mat_codam2
+   public :: add_band_rule, add_fibre_toughnesses, add_normal_strengths, mat_codam2, &
+      & mat_ply_codam2, ply_scatter
 
    !> Shear strain at which an exponential curve reaches the strength, unless a card says more
    real(wp), parameter, public :: usual_shear_strain = 0.05_wp
@@ -143,6 +144,31 @@ contains
       call keyword%add_real("R2", "length", "radius of it across the fibres; needed with R1", &
          & default=0.0_wp, least=0.0_wp)
    end subroutine add_switch_card
+
+   !> Scatter of the strengths of a ply material
+   function ply_scatter() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("PLY_SCATTER", extension, &
+         & "Random scatter of the strengths of a ply material.", repeated=.true.)
+      keyword%remark = "The strengths of the matrix YT, YC, SL and ST are multiplied by one " &
+         & //"Weibull-distributed factor of mean 1, those of the fibres XT and XC by another. " &
+         & //"The fracture energies do not change. The shear curve (SHEAR) is stretched by the " &
+         & //"factor of the matrix in stress and in strain. The correlation of two points " &
+         & //"at the distance LENGTH is some 0.6; fibres and matrix, different plies and " &
+         & //"interfaces are not correlated. The factors depend only on the position, the " &
+         & //"ply and SEED, not on the mesh or the number of ranks. The coefficient of " &
+         & //"variation is some 1.2/M. In bands too wide for the fracture energy (SNAP 0) " &
+         & //"damage starts below the strength, and only weaker points scatter."
+      call keyword%add_card()
+      call keyword%add_integer("MID", "material of *MAT_PLY_CODAM2", least=1)
+      call keyword%add_integer("SEED", "number of the realisation", least=0)
+      call keyword%add_real("M", "-", "modulus of Weibull of the strengths of the matrix, 2 or " &
+         & //"more; 0 for no scatter", least=0.0_wp)
+      call keyword%add_real("LENGTH", "length", "length of the correlation", above=0.0_wp)
+      call keyword%add_real("MF", "-", "modulus of Weibull of the strengths of the fibres, 2 or " &
+         & //"more; 0 for no scatter", default=0.0_wp, least=0.0_wp)
+   end function ply_scatter
 
    !> Ply whose damage begins and ends at strains of the deck
    function mat_codam2() result(keyword)

@@ -68,6 +68,7 @@ module plydyn_input_examples
       & "MAT_PLY_FRACTURE_3D|plies-that-crack-on-planes-of-fracture|1, 1.58e-9, 171.42e3, 9.08e3," &
       & //" 9.08e3, 0.32, 0.32, 0.45|5.29e3, 5.29e3, 3.131e3|2326.2, 1200.1, 62.3, 199.8, 92.3|" &
       & //"97.8, 106.3, 0.277, 0.788|4, 0, 0, 66.9, 0.05|0.3|", &
+      & "PLY_SCATTER|plies-that-are-damaged|1, 1, 10.0, 2.0, 30.0|", &
       & "ELEMENT_SOLID|bricks|1, 1, 1, 2, 3, 4, 5, 6, 7, 8|", &
       & "ELEMENT_SOLID_ORTHO|bricks|1, 1, 1, 2, 3, 4, 5, 6, 7, 8|1.0, 0, 0|0, 1.0, 0|", &
       & "PART|bricks|block|1, 1, 1|", &

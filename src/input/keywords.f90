@@ -8,7 +8,7 @@ module plydyn_input_keywords
    use plydyn_input_declare_control, only : control_energy, control_layerwise, control_parallel, &
       & control_quasi_static, control_termination, control_timestep, control_units, &
       & damping_global, damping_relaxation, frame_keywords, title
-   use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2
+   use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2, ply_scatter
    use plydyn_input_declare_fixture, only : fixture_bar, fixture_clamp, fixture_plane, &
       & fixture_punch, fixture_ring
    use plydyn_input_declare_fracture, only : mat_ply_fracture_3d
@@ -41,7 +41,7 @@ module plydyn_input_keywords
    use plydyn_input_read_constraint, only : read_constrained_linear
    use plydyn_input_read_control, only : check_control_timestep, read_control_layerwise, &
       & read_control_termination, read_control_timestep, read_control_units, read_plain_control
-   use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2
+   use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2, read_ply_scatter
    use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
       & read_fixture_plane, read_fixture_punch, read_fixture_ring
    use plydyn_input_read_fracture, only : read_mat_ply_fracture_3d
@@ -171,6 +171,7 @@ contains
       call list%add(mat_ply_codam2(), read_mat_ply_codam2, stage_material)
       call list%add(mat_codam2(), read_mat_codam2, stage_material)
       call list%add(mat_ply_fracture_3d(), read_mat_ply_fracture_3d, stage_material)
+      call list%add(ply_scatter(), read_ply_scatter, stage_part, for_plates)
    end subroutine add_material_rows
 
    !> Bricks

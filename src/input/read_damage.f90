@@ -4,7 +4,7 @@ module plydyn_input_read_damage
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_input_catalogue, only : a_curve, catalogue_type
+   use plydyn_input_catalogue, only : a_curve, a_material, catalogue_type
    use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
    use plydyn_law_constants, only : law_constants_type
@@ -12,6 +12,7 @@ module plydyn_input_read_damage
       & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
+   use plydyn_law_strength_scatter, only : strength_scatter_type
    use plydyn_law_ply_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
       & new_table_curve
    use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
@@ -21,7 +22,7 @@ module plydyn_input_read_damage
    implicit none
    private
 
-   public :: check_strengths, choice, read_mat_codam2, read_mat_ply_codam2
+   public :: check_strengths, choice, read_mat_codam2, read_mat_ply_codam2, read_ply_scatter
 
    !> Numbers of the card to those of the law, which begin where the card says 0
    integer, parameter, public :: rules(0:3) = [rule_band, rule_gauss_point, rule_root_point, &
@@ -30,6 +31,8 @@ module plydyn_input_read_damage
    integer, parameter :: onsets(0:1) = [onset_quadratic, onset_hashin]
    !> Shapes of the shear curve as on the card
    integer, parameter :: exponential = 1, table = 2, power = 3
+   !> Least modulus of Weibull: with less, strengths vary by more than their half
+   real(wp), parameter :: least_modulus = 2.0_wp
 
 contains
 
@@ -236,6 +239,72 @@ contains
       if (.not. allocated(error)) return
       call catalogue%refuse(cards, trim(name), error%message, right)
    end subroutine check_shear
+
+   !> *PLY_SCATTER: strengths of a material from point to point
+   subroutine read_ply_scatter(cards, catalogue, model)
+      type(cards_type), intent(in) :: cards
+      type(catalogue_type), intent(inout) :: catalogue
+      type(model_type), intent(inout) :: model
+
+      integer :: material, nth
+
+      do nth = 1, cards%sets()
+         call check_moduli(cards, nth, catalogue)
+         call catalogue%find(a_material, cards, "MID", material, nth)
+         if (material == 0) cycle
+         if (.not. can_scatter(model%materials(material)%law)) then
+            call catalogue%refuse(cards, "MID", "the strengths of *" &
+               & //model%materials(material)%keyword//" cannot scatter", &
+               & "a material of *MAT_PLY_CODAM2", nth)
+         else if (model%materials(material)%law%scatter%scatters()) then
+            call catalogue%refuse(cards, "MID", "the strengths of material " &
+               & //text(cards%integer("MID", nth))//" scatter already", &
+               & "one row for each material", nth)
+         else
+            model%materials(material)%law%scatter = strength_scatter_type( &
+               & cards%integer("SEED", nth), [cards%real("MF", nth), cards%real("M", nth)], &
+               & cards%real("LENGTH", nth))
+         end if
+      end do
+   end subroutine read_ply_scatter
+
+   !> Whether the strengths of a material may scatter
+   pure logical function can_scatter(law)
+      !> Its constants
+      class(law_constants_type), intent(in) :: law
+
+      select type (law)
+      type is (ply_constants_type)
+         can_scatter = .true.
+      class default
+         can_scatter = .false.
+      end select
+   end function can_scatter
+
+   !> Refuse moduli of Weibull between 0 and the least, and a row without any
+   subroutine check_moduli(cards, nth, catalogue)
+      !> *PLY_SCATTER, and the row
+      type(cards_type), intent(in) :: cards
+      integer, intent(in) :: nth
+      !> Gets the findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(2), parameter :: names(2) = ["M ", "MF"]
+      real(wp) :: modulus(2)
+      integer :: k
+
+      if (.not. (cards%is_fine("M", nth) .and. cards%is_fine("MF", nth))) return
+      do k = 1, size(names)
+         modulus(k) = cards%real(names(k), nth)
+         if (modulus(k) > 0.0_wp .and. modulus(k) < least_modulus) call catalogue%refuse(cards, &
+            & trim(names(k)), trim(names(k))//" = "//text(modulus(k))//" would scatter the " &
+            & //"strengths by more than half", text(least_modulus)//" or more, or 0 for no " &
+            & //"scatter", nth)
+      end do
+      if (all(modulus <= 0.0_wp)) call catalogue%refuse(cards, "M", &
+         & "no strength scatters with M and MF of 0", "a modulus of "//text(least_modulus) &
+         & //" or more in one of them, or no card", nth)
+   end subroutine check_moduli
 
    !> *MAT_CODAM2: damage between strains of the deck, for a ply alike in all directions across
    subroutine read_mat_codam2(cards, catalogue, model)
