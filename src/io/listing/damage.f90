@@ -9,6 +9,7 @@ module plydyn_io_listing_damage
       & rule_root_quad
    use plydyn_io_listing_fracture, only : write_fracture
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_strength_scatter, only : strength_scatter_type
    use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
@@ -45,6 +46,7 @@ contains
                call write_remainder(unit, law%residual, law%weakens_across)
                call write_modes(unit, law, band, units)
                call write_snap_back(unit, law, band)
+               if (law%scatter%scatters()) call write_scatter(unit, law%scatter, band, units)
             class is (fracture_constants_type)
                call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
                   & band, units)
@@ -125,6 +127,27 @@ contains
       case default; words = "share of the length of the quad along the direction"
       end select
    end function rule_words
+
+   !> The scatter of the strengths
+   subroutine write_scatter(unit, scatter, band, units)
+      integer, intent(in) :: unit
+      type(strength_scatter_type), intent(in) :: scatter
+      !> Has the smallest and largest factors
+      type(crack_band_type), intent(in) :: band
+      type(units_type), intent(in) :: units
+
+      character(6), parameter :: names(2) = ["fibres", "matrix"]
+      integer :: k
+
+      write (unit, "(/,4a)") "scatter of the strengths: correlated over ", &
+         & text(scatter%length, 3)//" "//trim(units%length), ", seed "//text(scatter%seed), &
+         & "; the strengths above are means"
+      do k = 1, size(names)
+         if (scatter%modulus(k) > 0.0_wp) write (unit, "(6a)") "  ", names(k), ": modulus of " &
+            & //"Weibull ", text(scatter%modulus(k), 3), ", factors "//text(band%weakest(k), 4), &
+            & " to "//text(band%strongest(k), 4)
+      end do
+   end subroutine write_scatter
 
    !> Strengths and strains of each mode in uniaxial stress, at the narrowest and widest band
    subroutine write_modes(unit, ply, band, units)
