@@ -3,13 +3,13 @@ module plydyn_domain_build_groups
    use plydyn_domain_decomposition, only : decomposition_type, divide_bricks, divide_plane
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_brick_bricks, only : bricks_type
-   use plydyn_element_brick_group, only : brick_group_type, new_brick_group
+   use plydyn_element_brick_group, only : new_brick_group
    use plydyn_element_brick_make, only : new_bricks
    use plydyn_element_group, only : element_group_type, group_item_type
    use plydyn_element_interface_interfaces, only : interface_type
-   use plydyn_element_interface_group, only : interface_group_type, new_interface_group
+   use plydyn_element_interface_group, only : new_interface_group
    use plydyn_element_interface_make, only : new_interfaces
-   use plydyn_element_plate_group, only : new_plate_group, plate_group_type
+   use plydyn_element_plate_group, only : new_plate_group
    use plydyn_fem_columns, only : new_columns, new_solid_columns
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_model_layup, only : faces_tied

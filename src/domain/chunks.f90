@@ -3,7 +3,7 @@ module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_fem_columns, only : columns_type, alignment_offset
-   use plydyn_domain_domain, only : chunk_type, domain_type, surface_type
+   use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private

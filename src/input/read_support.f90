@@ -8,7 +8,7 @@ module plydyn_input_read_support
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
-   use plydyn_model_support, only : all_planes, bottom_face, support_type, initial_velocity_type, &
+   use plydyn_model_support, only : bottom_face, support_type, initial_velocity_type, &
       & motion_type, one_plane, prescribes_displacement, share_points, top_face
    use plydyn_model_model, only : model_type
    implicit none

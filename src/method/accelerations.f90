@@ -1,6 +1,5 @@
 !> Accelerations: forces of plies, interfaces and loads over the masses (the paper's eq. 6).
 module plydyn_method_accelerations
-   use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
    use plydyn_method_constraints, only : constrain_forces

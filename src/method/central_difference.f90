@@ -85,9 +85,7 @@ contains
    end subroutine move_column
 
    !> Take back a motion that was computed in advance, to round-off: for reports of a run that fails
-   pure subroutine undo_prediction(domain, work, state)
-      !> The domain
-      type(domain_type), intent(in) :: domain
+   pure subroutine undo_prediction(work, state)
       !> Whether there is such a motion
       type(workspace_type), intent(inout) :: work
       !> Velocity and displacement

@@ -18,14 +18,6 @@ module plydyn_method_observer
    !> Number of the step at which an observer is due that is never due
    integer, parameter, public :: never = huge(1)
 
-   !> The end of a step
-   type :: instant_type
-      !> Time, number of the step, and whether the run ends with it
-      real(wp) :: time = 0.0_wp
-      integer :: cycle = 0
-      logical :: is_last = .false.
-   end type instant_type
-
    !> When an observer is due next: at the end of the first step that reaches the time or the
    !> number, and of the last step at the latest
    type, public :: next_look_type
@@ -92,14 +84,16 @@ module plydyn_method_observer
 contains
 
    !> Whether the end of a step is one at which an observer is due
-   pure logical function has_come(self, instant)
+   pure logical function has_come(self, time, cycle, is_last)
       !> When it is due next
       class(next_look_type), intent(in) :: self
-      !> The end of the step
-      type(instant_type), intent(in) :: instant
+      !> Time at the end of the step, its number, and whether the run ends with it
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
 
-      has_come = instant%time >= self%time .or. instant%cycle >= self%cycle
-      if (instant%is_last) has_come = self%time < huge(1.0_wp) .or. self%cycle < never
+      has_come = time >= self%time .or. cycle >= self%cycle
+      if (is_last) has_come = self%time < huge(1.0_wp) .or. self%cycle < never
    end function has_come
 
    !> The first step after another one whose number is a multiple; never, if that of 0
@@ -128,7 +122,7 @@ contains
       !> The state at the end of the step
       type(state_type), intent(in) :: state
 
-      is_due = self%next%has_come(instant_type(state%time, state%cycle, state%is_finished()))
+      is_due = self%next%has_come(state%time, state%cycle, state%is_finished())
    end function is_due
 
    !> Observe the state that a run begins with
@@ -245,14 +239,14 @@ contains
       type(state_type), intent(in) :: state
 
       integer :: i
-      type(instant_type) :: next
+      logical :: is_last
 
-      next = instant_type(state%time + state%step, state%cycle + 1, state%ends_after())
+      is_last = state%ends_after()
       read_motion = .true.
       do i = 1, size(self%items)
          associate (observer => self%items(i)%observer)
             if (.not. observer%reads_motion) cycle
-            if (observer%next%has_come(next)) return
+            if (observer%next%has_come(state%time + state%step, state%cycle + 1, is_last)) return
          end associate
       end do
       read_motion = .false.

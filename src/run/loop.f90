@@ -73,7 +73,7 @@ contains
             call observers%notify(simulation, reduction%requests > 0, error)
             if (allocated(error)) exit
          end do
-         if (allocated(error)) call undo_prediction(domain, work, state)
+         if (allocated(error)) call undo_prediction(work, state)
       end associate
    end subroutine run
 

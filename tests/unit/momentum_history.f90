@@ -1,7 +1,6 @@
 !> Momentum of the impactors along z, JOB.momentum.csv.
 module momentum_history
    use plydyn_base_error, only : error_type
-   use plydyn_base_precision, only : wp
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
