@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 import synthetic
 from test_compression import write_test
+from test_dent import MIDDLE, TOP, write_dent
 from typer.testing import CliRunner
 
 from plydyn_post.cli import app
 from plydyn_post.compression import read_compression
 from plydyn_post.errors import ResultsError
 from plydyn_post.motion_figures import draw_motions, moves
+from plydyn_post.numbers import LATER, compare
 from plydyn_post.plan import Plan
 from plydyn_post.results import open_results
 from plydyn_post.stages_report import stage_table, tasks_of_stage
@@ -23,6 +27,21 @@ def call(*words: object) -> tuple[int, str]:
     """Exit code and print of the command."""
     result = CliRunner().invoke(app, ["stages", *map(str, words), "--plain"])
     return result.exit_code, result.output
+
+
+def settle(impact: Path, share: float, late: float = 0.0) -> Path:
+    """A stage without an impactor after an impact, at whose end a share of the motion is left."""
+    later = impact.with_name("settle")
+    shutil.copy(impact.with_name(f"{impact.name}.vtkhdf"), impact.with_name("settle.vtkhdf"))
+    with h5py.File(impact.with_name("settle.vtkhdf"), "r+") as file:
+        del file["plydyn/impactors"]
+        file["VTKHDF/PointData/displacement"][...] *= share
+    head, *rows = impact.with_name(f"{impact.name}.energy.csv").read_text().splitlines()
+    names, values = head.split(","), np.loadtxt(rows, delimiter=",")
+    time = next(k for k, name in enumerate(names) if name.startswith("time"))
+    values[:, time] += values[-1, time] - values[0, time] + late
+    synthetic.write_csv(impact.with_name("settle.energy.csv"), names, values)
+    return later
 
 
 def pull(folder: Path) -> None:
@@ -103,3 +122,25 @@ def test_stages_are_in_their_order(own_job: Path, tmp_path: Path) -> None:
     test = write_test(tmp_path)
     table = stage_table((open_results(own_job), test.job))
     assert [row[0] for row in table.rows] == [own_job.name, "pressed"]
+
+
+def test_the_dent_is_told_after_each_stage(tmp_path: Path) -> None:
+    """Half of the dent is left after a stage without an impactor."""
+    impact = write_dent(tmp_path, MIDDLE)
+    later = settle(impact, 0.5)
+    jobs = [open_results(impact), open_results(later)]
+    table = stage_table(jobs)
+    place = next(k for k, name in enumerate(table.headings) if name.startswith("dent"))
+    assert table.headings[place] == "dent [mm]"
+    assert [float(row[place]) for row in table.rows] == pytest.approx([TOP, 0.5 * TOP], abs=1e-6)
+    rows = {row.name: row for row in compare(jobs).rows}
+    assert rows[LATER].values == pytest.approx([0.5 * TOP], abs=1e-6)
+    assert rows[LATER].unit == rows["dent depth at the end"].unit == "mm"
+    assert LATER not in {row.name for row in compare(jobs[:1]).rows}
+
+
+def test_a_job_that_does_not_go_on_is_no_later_stage(tmp_path: Path) -> None:
+    impact = write_dent(tmp_path, MIDDLE)
+    later = settle(impact, 0.5, late=0.1)
+    jobs = [open_results(impact), open_results(later)]
+    assert LATER not in {row.name for row in compare(jobs).rows}

@@ -83,6 +83,22 @@ def read_dent(results: Results, number: int | None = None) -> Dent | None:
     return Dent(times, struck, opposite, sunk, length, time)
 
 
+def depth_at_end(results: Results, body: Body) -> tuple[float, str] | None:
+    """Depth of the face that a body struck in an earlier stage, at the last state, and its unit."""
+    path = results.fields
+    if not has_point_field(path, "displacement"):
+        return None
+    _, above, faces = _faces(results, body)
+    moved = -above * read_displacement(path, len(read_times(path)) - 1)[:, 2]
+    return faces[0].depth(moved), read_header(path).units.get("length", "")
+
+
+def struck_by(results: Results) -> Body | None:
+    """The first impactor of a job; nothing where its fields tell none."""
+    bodies = read_header(results.fields).impactors
+    return bodies[min(bodies)] if bodies else None
+
+
 def _faces(results: Results, body: Body) -> tuple[np.ndarray, float, list[Face]]:
     """Points, the side from which the impactor comes (1 or -1), the struck and the other face."""
     grid = read_state(results.fields, 0)

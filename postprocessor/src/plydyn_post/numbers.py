@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from plydyn_post.curves import Numbers, read_numbers
+from plydyn_post.dent import depth_at_end
 from plydyn_post.errors import ResultsError
+from plydyn_post.header import read_header
 from plydyn_post.results import Results, labels
 from plydyn_post.units import factor, in_brackets, readable
 
@@ -29,6 +31,8 @@ QUANTITIES = (
     ("largest energy passed on", "largest_absorbed_energy", ("absorbed",)),
     ("energy error", "energy_error", ()),
 )
+# The dent after a stage without an impactor, such as one that brings the plate to rest
+LATER = "dent depth after the next stage"
 # Those that grow until the contact ends
 GROWING = ("contact duration", "impulse")
 
@@ -71,6 +75,9 @@ def compare(jobs: list[Results]) -> Comparison:
         values = [getattr(numbers, attribute) for *_, numbers in impacts]
         growing = [name in GROWING and not numbers.has_ended for *_, numbers in impacts]
         rows.append(_row(name, units, values, growing))
+    if any(later := [_later_dent(jobs, *impact) for impact in impacts]):
+        units = [_unit(job, number, ("displacement",)) for _, job, number, _ in impacts]
+        rows.append(_row(LATER, units, later, [False] * len(impacts)))
     notes = [f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes]
     ended = tuple(numbers.has_ended for *_, numbers in impacts)
     return Comparison(tuple(label for label, *_ in impacts), tuple(rows), ended, tuple(notes))
@@ -82,6 +89,29 @@ def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]
         for number in job.impactors:
             own = label if len(job.impactors) == 1 else f"{label} impactor {number}"
             yield own, job, number, read_numbers(job, number)
+
+
+def _later_dent(
+    jobs: list[Results], _: str, job: Results, number: int, numbers: Numbers
+) -> float | None:
+    """Depth of the dent at the end of the next job, where that goes on without an impactor."""
+    place = jobs.index(job) + 1
+    if numbers.dent_depth is None or place == len(jobs) or jobs[place].impactors:
+        return None
+    if not goes_on(job, jobs[place]):
+        return None
+    found = depth_at_end(jobs[place], read_header(job.fields).impactors[number])
+    if found is None:
+        return None
+    depth, length = found
+    unit = _unit(job, number, ("displacement",))
+    return depth * factor(length or unit, unit)
+
+
+def goes_on(job: Results, later: Results) -> bool:
+    """Whether a job begins at the time at which another one ends."""
+    end, start = float(job.energy()["time"][-1]), float(later.energy()["time"][0])
+    return abs(start - end) <= 1e-6 * abs(end)
 
 
 def _unit(job: Results, number: int, columns: tuple[str, ...]) -> str:

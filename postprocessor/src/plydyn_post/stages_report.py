@@ -8,6 +8,8 @@ from functools import partial
 
 import numpy as np
 
+from plydyn_post.body import Body
+from plydyn_post.dent import depth_at_end, struck_by
 from plydyn_post.motion_figures import draw_motions, moves
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task, file_name
@@ -48,10 +50,14 @@ def _named(task: Task, job: Results) -> Task:
 
 
 def stage_table(jobs: Sequence[Results]) -> PageTable:
-    """Time, energy taken and delaminated area at the end of every stage."""
+    """Time, energy taken, delaminated area and dent at the end of every stage."""
     rows = []
-    time_unit = energy_unit = area_unit = ""
+    time_unit = energy_unit = area_unit = dent_unit = ""
+    body = None
     for job in jobs:
+        body = struck_by(job) or body
+        dent, unit = _dent(job, body)
+        dent_unit = unit or dent_unit
         energy = job.energy()
         time = readable(energy.unit("time"), float(energy["time"][-1]))
         spent = readable(energy.unit("internal"), 1.0e9)
@@ -68,6 +74,7 @@ def stage_table(jobs: Sequence[Results]) -> PageTable:
                 f"{energy['time'][0] * time.factor:.4g} to {energy['time'][-1] * time.factor:.4g}",
                 "–" if dissipated is None else f"{dissipated[-1] * spent.factor:.4g}",
                 area,
+                dent,
                 f"{100.0 * float(np.max(np.abs(energy['error']))):.2g}",
             )
         )
@@ -76,6 +83,15 @@ def stage_table(jobs: Sequence[Results]) -> PageTable:
         in_brackets("time", time_unit),
         in_brackets("dissipated", energy_unit),
         in_brackets("delaminated, seen from above", area_unit),
+        in_brackets("dent", dent_unit),
         "energy error [%]",
     )
     return PageTable("Stages", headings, tuple(rows), "At the end of each stage.")
+
+
+def _dent(job: Results, body: Body | None) -> tuple[str, str]:
+    """Depth of the dent of a body at the end of a stage for print, and its unit."""
+    found = None if body is None else depth_at_end(job, body)
+    if found is None:
+        return "–", ""
+    return f"{found[0]:.3g}", found[1]
