@@ -48,6 +48,43 @@ def test_a_ply_can_average_over_its_neighbours(
     assert cards[7].split() == ["0.0", "3.0", "2.0"]
 
 
+def test_the_strengths_of_a_ply_can_scatter(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    cards = cards_of(text_of(damaged(study, ply, bond)))
+    assert "PLY_SCATTER" not in cards
+    ply = replace(ply, scatter=10.0, fibre_scatter=30.0, scatter_length=2.0, seed=4)
+    cards = cards_of(text_of(damaged(study, ply, bond)))
+    assert cards["PLY_SCATTER"][0].split() == ["1", "4", "10.0", "2.0", "30.0"]
+    fibres = replace(ply, scatter=0.0)
+    cards = cards_of(text_of(damaged(study, fibres, bond)))
+    assert cards["PLY_SCATTER"][0].split() == ["1", "4", "0.0", "2.0", "30.0"]
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "words"),
+    [
+        ("scatter", 1.5, "scatter: 1.5 must be 2 or more, or 0"),
+        ("fibre_scatter", -1.0, "fibre_scatter: -1 must be 2 or more, or 0"),
+        ("scatter_length", 0.0, "scatter_length: 0.0 must be above zero"),
+        ("seed", -1, "seed: -1 must not be negative"),
+    ],
+)
+def test_a_scatter_that_cannot_be_is_refused(
+    ply: pre.PlyCodam2, key: str, value: float, words: str
+) -> None:
+    scattered = replace(ply, scatter=10.0, fibre_scatter=30.0, scatter_length=2.0)
+    with pytest.raises(pre.RecipeError, match=words):
+        replace(scattered, **{key: value})
+
+
+def test_strengths_of_bricks_do_not_scatter(study: pre.Study, ply: pre.PlyCodam2) -> None:
+    ply = replace(ply, scatter=10.0, scatter_length=2.0)
+    laminate = pre.Laminate("[0/90]s", 0.1, "ply")
+    with pytest.raises(pre.RecipeError, match=r"materials\.ply\.scatter: strengths of bricks"):
+        replace(study, materials={"ply": ply}, laminate=laminate, bricks=pre.Bricks())
+
+
 def test_a_ply_can_take_its_shear_from_a_curve(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:

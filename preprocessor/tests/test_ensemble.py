@@ -7,6 +7,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from deck_cards import cards_of
 from test_deck_damage import damaged
 from typer.testing import CliRunner
 
@@ -27,6 +28,26 @@ def test_realisations_differ_in_seed_and_title_alone(
     texts = ["\n".join(deck_text(one, grid)).splitlines() for _, one in found]
     for one, other in pairwise(texts):
         assert len([a for a, b in zip(one, other, strict=True) if a != b]) == 2
+
+
+def test_plies_and_bonds_have_the_seed(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    scattered = damaged(
+        study,
+        replace(ply, fibre_scatter=30.0, scatter_length=1.0, seed=9),
+        replace(bond, scatter=10.0, scatter_length=2.0),
+    )
+    grid = make_mesh(scattered.mesh)
+    for seed, one in realisations(scattered, 2, 5):
+        cards = cards_of("\n".join(deck_text(one, grid)))
+        assert cards["PLY_SCATTER"][0].split() == ["1", str(seed), "0.0", "1.0", "30.0"]
+        assert cards["INTERFACE_SCATTER"][0].split() == ["2", str(seed), "10.0", "2.0"]
+    alone = damaged(study, replace(ply, scatter=10.0, scatter_length=1.0), bond)
+    for seed, one in realisations(alone, 2, 3):
+        cards = cards_of("\n".join(deck_text(one, grid)))
+        assert cards["PLY_SCATTER"][0].split()[1] == str(seed)
+        assert "INTERFACE_SCATTER" not in cards
 
 
 def test_without_scatter_there_is_no_ensemble(

@@ -118,7 +118,7 @@ def ensemble(
     ] = None,
     overrides: Overrides = None,
 ) -> None:
-    """Make several decks of a recipe with different random strengths of the interfaces."""
+    """Make several decks of a recipe with different random strengths of plies and interfaces."""
     study, grid = _study_and_mesh(recipe, overrides)
     first = _deck_path(recipe, output)
     with blaming(recipe):

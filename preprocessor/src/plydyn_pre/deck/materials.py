@@ -16,6 +16,7 @@ from plydyn_pre.study import (
     PlyFracture3d,
     Springs,
 )
+from plydyn_pre.study.scatter import scatters
 
 _SHEARS = {"linear": 0, "exponential": 1, "curve": 2, "ramberg_osgood": 3}
 _WIDTHS = {"band": 0, "gauss_point": 1, "root_point": 2, "root_quad": 3}
@@ -42,7 +43,8 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
         case PlyElastic():
             return titled("MAT_PLY_ELASTIC", title, *_elastic_cards(material, mid))
         case PlyCodam2():
-            return titled("MAT_PLY_CODAM2", title, *_codam2_cards(material, mid, curve))
+            cards = _codam2_cards(material, mid, curve)
+            return "\n".join([titled("MAT_PLY_CODAM2", title, *cards), *_scatter(material, mid)])
         case PlyFracture3d():
             return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid))
         case Elastic():
@@ -58,6 +60,13 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             return "\n".join(
                 [titled("MAT_COHESIVE_MIXED_MODE", title, *cards), *_laws(material, mid)]
             )
+
+
+def _scatter(ply: PlyCodam2, mid: int) -> Iterator[str]:
+    """The scatter of the strengths of a ply."""
+    if scatters(ply):
+        size = {"m": ply.scatter, "length": ply.scatter_length, "mf": ply.fibre_scatter}
+        yield keyword("PLY_SCATTER", {"mid": mid, "seed": ply.seed} | size)
 
 
 def _laws(material: Cohesive, mid: int) -> Iterator[str]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
+from plydyn_pre.study.scatter import check_scatter
 
 #: Exponents of the toughness of mixed modes that the solver takes
 _EXPONENTS = (0.1, 20.0)
@@ -59,10 +60,8 @@ class Cohesive:
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
-        require_not_negative(self, "friction", "pressure_gain", "seed")
-        if self.scatter:
-            require(self.scatter >= 2.0, "scatter", f"{self.scatter:g} must be 2 or more, or 0")
-            require_positive(self, "scatter_length")
+        require_not_negative(self, "friction", "pressure_gain")
+        check_scatter(self, "scatter")
         require_between(self, *_EXPONENTS, "exponent")
         for name, strength, stiffness in (
             ("GIC", self.N, self.normal),

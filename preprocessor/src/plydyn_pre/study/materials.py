@@ -6,13 +6,9 @@ from dataclasses import dataclass, field
 from math import prod, sqrt
 from typing import ClassVar, Literal
 
-from plydyn_pre.errors import (
-    require,
-    require_between,
-    require_not_negative,
-    require_positive,
-)
+from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.joints import Cohesive, Springs
+from plydyn_pre.study.scatter import check_scatter
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
 _POISSON = "must be above -1 and below 0.5"
@@ -90,12 +86,17 @@ class PlyCodam2(_Orthotropic):
     GIC: float = 0.0  # toughnesses of cracks through a ply, for in-situ strengths, in opening
     GIIC: float = 0.0  # and in shear; 0 for G2T and G2S
     cubic: float = 0.0  # coefficient of stress**3 in the shear strain, for in-situ strengths
+    scatter: float = 0.0  # moduli of Weibull of the strengths of matrix
+    fibre_scatter: float = 0.0  # and of fibres; 0 for none
+    scatter_length: float = 0.0  # over which they are correlated
+    seed: int = 0  # number of the realisation
     title: str = ""
 
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "density", *_YOUNG_SHEAR, "XT", "XC", "YT", "YC", "SL")
         require_positive(self, "G1T", "G1C", "G2T", "G2C")
+        check_scatter(self, "scatter", "fibre_scatter")
         require_stable(self)
         require_not_negative(self, "ST", "G2S", "width", "average_along", "average_across")
         require_not_negative(self, "GIC", "GIIC", "cubic")
