@@ -6,12 +6,15 @@ program bench
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_memory, only : keep_arrays_on_pages
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_bench_cases, only : damage_laws, plate_case, yield_laws
-   use plydyn_bench_fracture, only : closed, intact, opened, prepare_fracture, update_fracture
+   use plydyn_bench_cases, only : averaged_case, damage_laws, plate_case, press, yield_laws
+   use plydyn_bench_fracture, only : closed, crushes, hardens, intact, near_onset, on_curve, &
+      & on_debris, opened, prepare_fracture, sheared, smooth, update_fracture
    use plydyn_bench_probe, only : chains, multiply_add, probe_flops
    use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
       & update_by_path, whole_law
    use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_initial_history, only : start_histories
+   use plydyn_element_average, only : average_points
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
    use plydyn_method_forces, only : find_internal_forces
@@ -32,8 +35,12 @@ program bench
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
    !> And the paths of the damage law, behind these
    integer, parameter :: by_path = 5
-   !> And the law with planes of fracture
-   integer, parameter :: by_fracture = 0
+   !> And the law with planes of fracture, and averages over neighbours
+   integer, parameter :: by_fracture = 0, averages = -1
+   !> Ratios of volumes: at which the barrier is looked for, and acts
+   real(wp), parameter :: looked_for = 0.85_wp, acts = 0.75_wp
+   !> Radius of averages, two quads
+   real(wp), parameter :: radius = 2.0_wp
 
    type(domain_type) :: domain
    type(global_reduction_type) :: reduction
@@ -69,6 +76,16 @@ program bench
    call time_fracture("intact fracture law", intact)
    call time_fracture("open fracture law", opened)
    call time_fracture("closed fracture law", closed)
+   call time_fracture("smooth fracture law", smooth)
+   call time_fracture("debris fracture law", on_debris)
+   call time_fracture("sheared fracture law", sheared)
+   call time_fracture("near onset fracture law", near_onset)
+   call time_fracture("hardening fracture law", hardens)
+   call time_fracture("power curve fracture law", on_curve)
+   call time_fracture("crushing fracture law", crushes)
+   call time_barrier("elastic")
+   call time_barrier("plastic")
+   call time_averages()
 
 contains
 
@@ -140,6 +157,46 @@ contains
       write (*, "(2a,f0.3)") name, ",", nano*best_time(by_fracture)/real(line_points, wp)
    end subroutine time_fracture
 
+   !> Print the time of a ply element of order 2 with large displacement at rest, where strains are
+   !> so large that the barrier is looked for, and where it acts
+   subroutine time_barrier(law)
+      character(*), intent(in) :: law
+
+      character(*), parameter :: state(3) = ["rest     ", "strained ", "pressed  "]
+      real(wp), parameter :: ratio(3) = [1.0_wp, looked_for, acts]
+      integer :: k
+
+      if (index("barrier "//law//" law", trim(chosen)) == 0) return
+      call plate_case(3, in_cache, 2, total_lagrangian, .false., domain)
+      if (law == "plastic") call yield_laws(domain)
+      call rest()
+      do k = 1, size(state)
+         call press(domain, 2, ratio(k), displacement)
+         write (*, "(4a,f0.3)") "barrier ", law, " law ", trim(state(k))//",", &
+            & nano*best_time(internal)/real(lanes*size(domain%groups(1)%item%element), wp)
+      end do
+   end subroutine time_barrier
+
+   !> Print the time of the forces of 192 quads without and with averages, in microseconds, and of
+   !> an average of a point of eight plies alone, with the fewest and most neighbours
+   subroutine time_averages()
+      integer :: points
+
+      if (index("averages law", trim(chosen)) == 0) return
+      call averaged_case(of_paper, 2, 0.0_wp, domain)
+      call rest()
+      call start_histories(domain, history)
+      write (*, "(a,f0.2)") "step law without averages,", micro*best_time(internal)
+      call averaged_case(of_paper, 2, radius, domain)
+      call rest()
+      call start_histories(domain, history)
+      write (*, "(a,f0.2)") "step law with averages,", micro*best_time(internal)
+      points = 27*product(of_paper)
+      write (*, "(2(a,i0),a,f0.3)") "averages law of ", minval(domain%averaging%neighbours), &
+         & " to ", maxval(domain%averaging%neighbours), " points,", &
+         & nano*best_time(averages)/real(points, wp)
+   end subroutine time_averages
+
    !> Small random displacements, no history
    subroutine rest()
       if (allocated(displacement)) deallocate (displacement, force, history)
@@ -183,6 +240,13 @@ contains
          call add_chunk_sums(work_space%chunk_sums, reduction)
       case (by_fracture)
          call update_fracture()
+      case (averages)
+         do g = 1, size(domain%averaging%averages)
+            associate (average => domain%averaging%averages(g))
+               call average_points(average, [1, (size(average%first) - 1)/average%plane], &
+                  & history(average%first_history:))
+            end associate
+         end do
       case (by_path + 1:)
          call update_by_path(work - by_path)
       case default

@@ -7,6 +7,7 @@ module plydyn_bench_cases
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_law, only : law_type
+   use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
    use plydyn_model_layup, only : faces_apart
@@ -18,7 +19,7 @@ module plydyn_bench_cases
    implicit none
    private
 
-   public :: damage_laws, plate_case, yield_laws
+   public :: averaged_case, damage_laws, plate_case, press, yield_laws
 
    !> Plies, of a width that fills one batch
    real(wp), parameter :: angles(8) = [0.0_wp, 45.0_wp, 90.0_wp, -45.0_wp, -45.0_wp, 90.0_wp, &
@@ -44,15 +45,69 @@ contains
          & size_of_plate, 0.05_wp), &
          & angles, thickness, spread(order, 1, size(angles)))
       model%parts(1)%joint(:) = faces_apart
-      if (joined) then
-         model%interface_materials = [interface_material_type(id=1)]
-         model%interface_materials(1)%constants%stiffness(:) = [1.0e5_wp, 1.0e5_wp]
-         model%parts(1)%joint(:) = 1
-      end if
+      if (joined) call join(model)
       model%control%kinematics = kinematics
       call build_domain(model, domain, error)
       if (allocated(error)) error stop "the plate of a benchmark cannot be built"
    end subroutine plate_case
+
+   !> A plate whose plies are joined by springs and have the damage law of the paper's ply, with
+   !> averages over neighbours
+   subroutine averaged_case(quads, order, radius, domain)
+      !> Quads of nine nodes along x and y, order of the plies
+      integer, intent(in) :: quads(2), order
+      !> Radii of the ellipse; 0 for no average
+      real(wp), intent(in) :: radius
+      !> The plate
+      type(domain_type), intent(out) :: domain
+
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(ply_constants_type) :: ply
+
+      model = rectangle_model(rectangle_mesh(3, quads(1), quads(2), size_of_plate, size_of_plate, &
+         & 0.05_wp), angles, thickness, spread(order, 1, size(angles)))
+      call join(model)
+      ply = paper_ply()
+      ply%radius(:) = radius
+      deallocate (model%materials(1)%law)
+      allocate (model%materials(1)%law, source=ply)
+      call build_domain(model, domain, error)
+      if (allocated(error)) error stop "the plate of averages cannot be built"
+   end subroutine averaged_case
+
+   !> Let springs join the plies
+   subroutine join(model)
+      type(model_type), intent(inout) :: model
+
+      model%interface_materials = [interface_material_type(id=1)]
+      model%interface_materials(1)%constants%stiffness(:) = [1.0e5_wp, 1.0e5_wp]
+      model%parts(1)%joint(:) = 1
+   end subroutine join
+
+   !> Displacement that presses each ply to a share of its thickness, the ratio of volumes
+   subroutine press(domain, order, ratio, displacement)
+      !> Plies that are apart
+      type(domain_type), intent(in) :: domain
+      !> Order of the plies, at most 2: points are equally spaced
+      integer, intent(in) :: order
+      !> Ratio of volumes
+      real(wp), intent(in) :: ratio
+      !> Displacement of all points
+      real(wp), intent(inout) :: displacement(:)
+
+      integer :: layer, level, node
+      real(wp) :: height
+
+      do level = 1, order + 1
+         height = thickness*real(level - 1, wp)/real(order, wp)
+         do layer = 1, size(angles)
+            do node = 1, domain%columns%nodes
+               displacement(domain%columns%freedom(layer, level, 3, node)) = (ratio - 1.0_wp)*height
+            end do
+         end do
+      end do
+   end subroutine press
 
    !> Give all plies the damage law of the paper's ply
    subroutine damage_laws(domain)

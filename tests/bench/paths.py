@@ -1,11 +1,12 @@
-"""What each fast path of the ply-damage law earns of a whole step of 192 Q9/LE2.
+"""What fast paths of the ply-damage law save of a step of 192 Q9/LE2, and what mechanisms cost.
 
     .venv/bin/python tests/bench/paths.py [--print]
 
-Takes a minute; needs build/release. Puts a table into manual/performance.md between its marks:
+Takes two minutes; needs build/release. Puts tables into manual/performance.md between its marks:
 the time of a point of eight plies by a path and by the one that would take its place, and their
-difference at all points as a share of the step that takes longer; and the time of a point with
-planes of fracture beside one of the other law. No test: nothing is compared.
+difference at all points as a share of the step that takes longer; the time of a point with planes
+of fracture beside one of the other law; and the times with and without single mechanisms. No test:
+nothing is compared.
 """
 
 from __future__ import annotations
@@ -90,6 +91,48 @@ def fracture_rows(times: dict[str, float]) -> list[list[str]]:
     return out
 
 
+# a mechanism, what is timed, its unit, and the names in the bench with and without it
+POINT = "point with planes of fracture"
+MECHANISMS = [
+    ("barrier, looked for", "elastic ply element", "ns", "barrier elastic law {}", "strained"),
+    ("barrier, acts", "elastic ply element", "ns", "barrier elastic law {}", "pressed"),
+    ("barrier, looked for", "ply element with a law", "ns", "barrier plastic law {}", "strained"),
+    ("barrier, acts", "ply element with a law", "ns", "barrier plastic law {}", "pressed"),
+    ("search for the plane near onset", POINT, "ns", "{} fracture law", "near onset"),
+    ("friction of closed cracks", POINT, "ns", "{} fracture law", "closed"),
+    ("debris in closed cracks", POINT, "ns", "{} fracture law", "debris"),
+    ("permanent shear, hardening", POINT, "ns", "{} fracture law", "hardening"),
+    ("permanent shear, power curve", POINT, "ns", "{} fracture law", "power curve"),
+    ("crushing", POINT, "ns", "{} fracture law", "crushing"),
+    ("average over {} neighbours", "forces, 192 Q9/LE2", "us", "step law {} averages", "with"),
+]
+WITHOUT = {
+    "strained": "rest",
+    "pressed": "rest",
+    "closed": "smooth",
+    "debris": "closed",
+    "near onset": "sheared",
+    "hardening": "sheared",
+    "power curve": "sheared",
+    "crushing": "sheared",
+    "with": "without",
+}
+
+
+def mechanism_rows(times: dict[str, float]) -> list[list[str]]:
+    """A row for each mechanism."""
+    counted = next(name for name in times if name.startswith("averages law of "))
+    neighbours = counted.removeprefix("averages law of ").removesuffix(" points")
+    out = []
+    for mechanism, timed, unit, name, state in MECHANISMS:
+        here, beside = times[name.format(state)], times[name.format(WITHOUT[state])]
+        row = [mechanism.format(neighbours), timed, f"{here:.1f} {unit}", f"{beside:.1f} {unit}"]
+        out.append([*row, f"{here / beside:.2f}"])
+    alone = f"{times[counted]:.1f} ns"
+    out.append([f"average over {neighbours} neighbours", "point, alone", alone, "–", "–"])
+    return out
+
+
 def main() -> None:
     """Measure, and print or write."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -103,7 +146,13 @@ def main() -> None:
         "ns per point",
         "ratio",
     ]
-    text = f"{machine()}\n\n{table(heads, rows(times))}\n\n{table(beside, fracture_rows(times))}"
+    costs = ["mechanism", "timed", "with", "without", "ratio"]
+    tables = (
+        table(heads, rows(times)),
+        table(beside, fracture_rows(times)),
+        table(costs, mechanism_rows(times)),
+    )
+    text = "\n\n".join((machine(), *tables))
     publish(text, None if parser.parse_args().print else PAGE, MARKS)
 
 
