@@ -102,6 +102,25 @@ def test_no_sliver_is_left_between_zones_and_at_the_edge() -> None:
         assert np.diff(zoned_line((0.0, end), spans, 1.3, 6.0)).min() > 0.9
 
 
+def test_any_spans_have_their_sizes_and_the_line_its_ends() -> None:
+    """Spans at random, overlapping or not: no quad is larger than its span or folded over."""
+    chance = np.random.default_rng(1)
+    for _ in range(500):
+        sizes = chance.choice([0.5, 1.0, 2.0, 3.0], chance.integers(1, 5))
+        lows = chance.uniform(0.0, 90.0, len(sizes))
+        highs = np.minimum(lows + sizes + chance.uniform(0.0, 40.0, len(sizes)), 100.0)
+        spans = [Span(*span) for span in zip(lows, highs, sizes, strict=True)]
+        line = zoned_line((0.0, 33.0, 100.0), spans, chance.choice([1.1, 1.3, 2.0]), 6.0)
+        middle, steps = (line[1:] + line[:-1]) / 2, np.diff(line)
+        assert steps.min() > 0.0
+        assert (line[0], line[-1]) == (0.0, 100.0)
+        assert 33.0 in line
+        for span in spans:
+            inside = steps[(middle > span.low) & (middle < span.high)]
+            assert inside.max() <= span.size * (1.0 + ROUND_OFF)
+        assert steps.max() <= MOST_SCALE * 6.0 * (1.0 + ROUND_OFF)
+
+
 def test_zones_of_a_coupon_keep_its_core_and_window() -> None:
     """The core is a zone like the others, with a node in the middle of the plate."""
     zone = pre.Zone(1.0, box=(-45.0, -30.0, -12.0, 8.0))

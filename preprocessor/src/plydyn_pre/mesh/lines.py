@@ -147,8 +147,11 @@ def _filled(piece: _Piece, starts: tuple[float, float], growth: float) -> Reals:
         count = max(1, ceil(length / piece.size - _NOISE))
         return np.linspace(piece.low, piece.high, count + 1)
     if starts[0] <= starts[1]:
-        return piece.low + _growing(piece, starts, growth)
-    return (piece.high - _growing(piece, starts[::-1], growth))[::-1]
+        line = piece.low + _growing(piece, starts, growth)
+    else:
+        line = (piece.high - _growing(piece, starts[::-1], growth))[::-1]
+    line[[0, -1]] = piece.low, piece.high
+    return line
 
 
 def _growing(piece: _Piece, starts: tuple[float, float], growth: float) -> Reals:
