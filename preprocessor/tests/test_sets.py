@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from conftest import BOND, CARBON
 from deck_cards import cards_of, split_columns, text_of
+from test_chains import history
 
 import plydyn_pre as pre
 from plydyn_pre.deck.names import Names
@@ -150,6 +151,32 @@ def test_the_solver_takes_delaminations(solver: str, tmp_path: Path) -> None:
         [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_run_has_failed_areas_of_the_inserts(solver: str, tmp_path: Path) -> None:
+    """A circle whose edge is a mesh line and a box of whole quads have their area, others none.
+
+    Sides of quads of nine nodes are parabolas: with 32 around the circle their area is right to
+    1e-5. A damage of a half is no delamination.
+    """
+    radius = 12.0
+    study = plate(
+        mesh=pre.Coupon(plate=(60.0, 40.0), window=2.0 * radius, core=12.0, quad=1.5, largest=4.0),
+        initial_delamination=(
+            pre.InitialDelamination(1, circle=(0.0, 0.0, radius)),
+            pre.InitialDelamination(2, box=(-6.0, 6.0, -6.0, 6.0)),
+            pre.InitialDelamination(3, circle=(0.0, 0.0, radius), damage=0.25),
+        ),
+        outputs=pre.Outputs(delamination_interval=1.0e-7),
+    )
+    (tmp_path / "c.k").write_text(text_of(study))
+    done = subprocess.run(
+        [solver, "run", "c.k"], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    table = history(tmp_path, "c.delamination")
+    areas = [float(table[f"interface {k} failed area"][-1]) for k in (1, 2, 3)]
+    assert areas == pytest.approx([pi * radius**2, 144.0, 0.0], rel=1.0e-4)
 
 
 @pytest.mark.parametrize(
