@@ -17,9 +17,9 @@ from runs import Results, run
 # the opening: under a load from afar it would jump and branch. Damping
 SIDE, FLAW, THICKNESS = 24.0, 5.0, 0.25
 OPENING, RISE, DAMPING = 0.1, 2.4e-4, 1.0e5
-# Along the fibres the moved faces, and the quads around them whose matrix does not crack; across in
-# quads
-MOVED, WHOLE, ROWS = 2.0, 4.0, 3.2
+# Along the fibres the moved faces, and along and across the quads around them whose matrix does not
+# crack
+MOVED, WHOLE, ACROSS = 2.0, 4.0, 3.072
 # A point counts as cracked from here on
 CRACKED = 0.9
 
@@ -35,6 +35,7 @@ class Tear:
     radii: tuple[float, float] = (0.0, 0.0)
     band: float = 0.0  # width of the crack band; 0 by the rule
     line: bool = False  # only the quads on the line of the flaw may crack
+    opening: float = OPENING  # of the flaw at the end
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,7 @@ def flaw(tear: Tear) -> Array:
 def parts(mesh: Mesh, tear: Tear) -> list[int]:
     """Parts of the quads: 2 where the matrix cannot crack, around the moved faces."""
     along, across = middles(mesh, tear)
-    whole = (np.abs(along) < WHOLE) & (np.abs(across) < ROWS * tear.quad)
+    whole = (np.abs(along) < WHOLE) & (np.abs(across) < ACROSS)
     if tear.line:
         reach = 0.5 * tear.quad * np.abs(axes(tear)[0]).sum()
         whole |= np.abs(across - 0.1 * tear.quad) > reach
@@ -105,7 +106,7 @@ def torn(tear: Tear, folder: Path) -> Crack:
     places = mesh.points - 0.5 * SIDE
     near = (np.abs(places @ along) < MOVED) & (np.abs(places @ across) < 1.2 * tear.quad)
     for node in np.intersect1d(np.flatnonzero(near), mesh.quads):
-        way = 0.5 * OPENING * np.sign(places[node] @ across) * across
+        way = 0.5 * tear.opening * np.sign(places[node] @ across) * across
         for k in (0, 1):
             deck.move([int(node)], k + 1, curve, float(way[k]))
     deck.add("DATABASE_FIELD", "displacement damage_matrix")

@@ -15,11 +15,13 @@ ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tests/support"))
 
 from damage import BAND, POINT  # noqa: E402
-from off_axis import Tear, torn  # noqa: E402
+from off_axis import SIDE, Tear, torn  # noqa: E402
 
-# Side of the quads, such that a row of them lies in the middle
-QUAD = 0.96
+# Sides of the quads, such that a row of them lies in the middle
+QUAD, FINE = SIDE / 25.0, SIDE / 41.0
 HEAD = "| fibres [degrees] | quad [mm] | choice | crack [degrees] | width [mm] | energy |"
+# Other openings of the flaw
+OPENINGS = (0.12, 0.14)
 # An ellipse along the fibres, and a width of bands for it
 RADII, WIDTH = (2.9, 0.64), 1.0
 
@@ -32,6 +34,12 @@ def variants() -> Iterator[tuple[str, Tear]]:
         yield "`LRULE` 1, length of the point", Tear(angle, QUAD, POINT)
     name = f"`R1` {RADII[0]}, `R2` {RADII[1]}, `LSTAR` {WIDTH}"
     yield name, Tear(30.0, QUAD, radii=RADII, band=WIDTH)
+    for angle in (30.0, 45.0):
+        yield "`LRULE` 0, smaller quads", Tear(angle, FINE, BAND)
+        for opening in OPENINGS:
+            for quad in (QUAD, FINE):
+                name = f"`LRULE` 0, opening of {opening:g} mm"
+                yield name, Tear(angle, quad, BAND, opening=opening)
 
 
 def rows(folder: Path) -> Iterator[str]:
