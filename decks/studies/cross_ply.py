@@ -20,8 +20,8 @@ from runner.pages import Page, Quantity, Section, clock, tabulate
 NEAR = 1e-6
 #: Energy of the recipes, J
 OWN = 3.0
-#: The finer mesh
-FINE = ("mesh.quad=1.0",)
+#: A finer and a coarser mesh
+FINE, COARSE = ("mesh.quad=1.0",), ("mesh.quad=2.0",)
 #: Toughnesses of the interfaces that are half of those of the recipe
 HALF = ("materials.bond.GIC=0.1385", "materials.bond.GIIC=0.394")
 #: Runs up to the end of the contact; the others end after the largest force, when areas are final
@@ -31,6 +31,7 @@ SHORT = "control.end_time=4.0e-3"
 ENDINGS = {
     (): ("", "quads of 1.5 mm"),
     FINE: ("_fine", "quads of 1 mm"),
+    COARSE: ("_coarse", "quads of 2 mm"),
     HALF: ("_half", "half of the toughnesses"),
 }
 
@@ -50,14 +51,15 @@ def _case(layup: str, energy: float, *varied: str) -> Case:
 ALONG, ACROSS = "[0_3/90_3]s", "[90_3/0_3]s"
 CASES = (
     *(_case(ALONG, energy) for energy in (1.0, 3.0, 5.0, 7.0)),
-    _case(ALONG, 3.0, *FINE),
+    *(_case(ALONG, 3.0, *quads) for quads in (COARSE, FINE)),
     _case(ALONG, 3.0, *HALF),
-    *(_case(ACROSS, energy) for energy in (0.5, 3.0)),
-    _case(ACROSS, 3.0, *FINE),
+    *(_case(ACROSS, energy) for energy in (0.25, 0.5, 3.0)),
+    *(_case(ACROSS, 3.0, *quads) for quads in (COARSE, FINE)),
 )
 #: Pictures of the interfaces after the impact, by the names of their cases
 DRAWN = {
     "hs160_3J": "validation_cross_ply.png",
+    "hs160_7J": "validation_cross_ply_7J.png",
     "hs160_90_3J": "validation_cross_ply_90.png",
 }
 

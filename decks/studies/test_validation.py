@@ -120,3 +120,9 @@ def test_the_coupon_with_a_hole_is_that_of_the_page() -> None:
         np.testing.assert_allclose(radius, 3.175, rtol=1e-9)
         low, high = mesh.nodes.min(axis=0), mesh.nodes.max(axis=0)
         np.testing.assert_allclose(high - low, [100.0, 38.1])
+
+
+def test_one_line_of_softening_is_as_steep_as_two_at_the_beginning() -> None:
+    """Stress over opening: X^2/2G of one line, and the sum of two shares of strength and energy."""
+    strength, energy = np.array([0.75, 0.25]), 133.3 * np.array([0.375, 0.625])
+    assert np.sum(strength**2 / (2.0 * energy)) == pytest.approx(1.0 / (2.0 * open_hole.STEEP))
