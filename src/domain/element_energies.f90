@@ -4,7 +4,7 @@ module plydyn_domain_element_energies
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : delamination_type, interface_losses
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_law_law, only : by_delamination, by_friction, mechanisms
    implicit none
    private
@@ -45,15 +45,38 @@ contains
       real(wp), intent(in) :: displacement(:), history(:)
       real(wp) :: energy(3)
 
-      type(exact_sums_type) :: sums
-      integer :: g
+      type(exact_sums_type) :: own, sums
+      integer :: c, i
 
       sums = new_exact_sums(3)
-      do g = 1, size(domain%groups)
-         call domain%groups(g)%item%add_stored_energy(displacement, history, sums)
+      !$omp parallel default(shared) private(own)
+      own = new_exact_sums(3)
+      !$omp do schedule(dynamic)
+      do c = 1, size(domain%chunks%list)
+         call add_chunk_energies(domain, domain%chunks%list(c), displacement, history, own)
       end do
+      !$omp end do
+      !$omp critical
+      sums%limb(:, :) = sums%limb + own%limb
+      !$omp end critical
+      !$omp end parallel
       call domain%comm%sum(sums%limb)
-      energy(:) = [(sums%value(g), g=1, size(energy))]
+      energy(:) = [(sums%value(i), i=1, size(energy))]
    end function stored_energies
+
+   !> Add the same of the elements of a chunk
+   pure subroutine add_chunk_energies(domain, chunk, displacement, history, sums)
+      type(domain_type), intent(in) :: domain
+      type(chunk_type), intent(in) :: chunk
+      real(wp), intent(in) :: displacement(:), history(:)
+      type(exact_sums_type), intent(inout) :: sums
+
+      integer :: g
+
+      do g = 1, size(chunk%groups)
+         call domain%groups(chunk%groups(g))%item%add_stored_energy(chunk%elements, displacement, &
+            & history, sums)
+      end do
+   end subroutine add_chunk_energies
 
 end module plydyn_domain_element_energies

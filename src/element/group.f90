@@ -319,10 +319,13 @@ contains
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_dissipation
 
-   !> Add the energy that unloading gives back, from strains and stresses, that which hourglass
-   !> control has stored or taken, and that which it has taken by viscous forces alone
-   pure subroutine add_stored_energy(self, displacement, history, sums)
+   !> Add the energy that unloading of the elements of a chunk gives back, from strains and
+   !> stresses, that which hourglass control has stored or taken, and that which it has taken by
+   !> viscous forces alone
+   pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(element_group_type), intent(in) :: self
+      !> First and last element
+      integer, intent(in) :: elements(2)
       !> Displacement of all points, history of all Gauss points
       real(wp), intent(in) :: displacement(:), history(:)
       !> Three sums, in this order

@@ -153,13 +153,14 @@ contains
       end do
    end subroutine add_dissipation
 
-   pure subroutine add_stored_energy(self, displacement, history, sums)
+   pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(bar_group_type), intent(in) :: self
+      integer, intent(in) :: elements(2)
       real(wp), intent(in) :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
       integer :: e
 
-      do e = 1, size(self%element)
+      do e = elements(1), elements(2)
          call sums%add(1, 0.5_wp*self%young*self%area/self%length(e) &
             & *(displacement(self%place(2, e)) - displacement(self%place(1, e)))**2)
       end do

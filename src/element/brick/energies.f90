@@ -44,9 +44,11 @@ contains
 
    !> Add the energy that bricks have stored, and that which hourglass control has stored or taken,
    !> batch by batch
-   pure subroutine add_brick_energy(bricks, large, displacement, history, sums)
+   pure subroutine add_brick_energy(bricks, elements, large, displacement, history, sums)
       !> The bricks of a part
       type(bricks_type), intent(in) :: bricks
+      !> First and last batch
+      integer, intent(in) :: elements(2)
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
@@ -58,7 +60,7 @@ contains
       real(wp) :: e(lanes, 6, bricks%points), h(lanes, 3, 3, bricks%points)
       integer :: b, first, m
 
-      do b = 1, size(bricks%shape)
+      do b = elements(1), elements(2)
          call gather(bricks%place(:, :, b), displacement, u)
          associate (shape => bricks%shapes(bricks%shape(b)))
             do m = 1, bricks%points

@@ -204,12 +204,13 @@ contains
       call add_brick_dissipation(self%bricks, history, sums)
    end subroutine add_dissipation
 
-   pure subroutine add_stored_energy(self, displacement, history, sums)
+   pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(brick_group_type), intent(in) :: self
+      integer, intent(in) :: elements(2)
       real(wp), intent(in) :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
-      call add_brick_energy(self%bricks, self%large, displacement, history, sums)
+      call add_brick_energy(self%bricks, elements, self%large, displacement, history, sums)
    end subroutine add_stored_energy
 
    subroutine add_crack_bands(self, model, bands)

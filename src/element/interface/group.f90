@@ -268,12 +268,13 @@ contains
       end associate
    end subroutine add_joint_stiffness
 
-   pure subroutine add_stored_energy(self, displacement, history, sums)
+   pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(interface_group_type), intent(in) :: self
+      integer, intent(in) :: elements(2)
       real(wp), intent(in) :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
-      call add_interface_energy(self%batch, self%large, displacement, &
+      call add_interface_energy(self%batch, elements, self%large, displacement, &
          & history(self%batch%first_history:), sums)
    end subroutine add_stored_energy
 

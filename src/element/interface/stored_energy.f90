@@ -13,10 +13,12 @@ module plydyn_element_interface_stored_energy
 
 contains
 
-   !> Add the stored energy of interfaces, quad by quad
-   pure subroutine add_interface_energy(self, large, displacement, history, sums)
+   !> Add the stored energy of interfaces over some quads, quad by quad
+   pure subroutine add_interface_energy(self, elements, large, displacement, history, sums)
       !> The interfaces
       type(interface_type), intent(in) :: self
+      !> First and last quad
+      integer, intent(in) :: elements(2)
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points
@@ -30,7 +32,7 @@ contains
       real(wp) :: energy, opening(lanes, 3, size(self%node, 1))
       integer :: e, q
 
-      do e = 1, size(self%node, 2)
+      do e = elements(1), elements(2)
          opening(:, :, :) = openings(self, e, large, displacement)
          energy = 0.0_wp
          do q = 1, size(self%node, 1)

@@ -17,10 +17,12 @@ module plydyn_element_plate_stored_energy
 
 contains
 
-   !> Add the stored energy of all layers, quad by quad
-   pure subroutine add_plate_energy(plate, large, displacement, history, sums)
+   !> Add the stored energy of all layers over some quads, quad by quad
+   pure subroutine add_plate_energy(plate, elements, large, displacement, history, sums)
       !> The plate
       type(plate_type), intent(in) :: plate
+      !> First and last quad
+      integer, intent(in) :: elements(2)
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
@@ -31,7 +33,7 @@ contains
       real(wp) :: energy
       integer :: b, block, e
 
-      do e = 1, size(plate%node, 2)
+      do e = elements(1), elements(2)
          energy = 0.0_wp
          do b = 1, size(plate%batches)
             do block = 1, plate%batches(b)%blocks
