@@ -99,11 +99,13 @@ def delaminated(way: Array) -> Array:
 
 @dataclass(frozen=True)
 class Strip:
-    """How the strip is computed: quads between the inner bars, if it cracks, NU23 of the 90 ply."""
+    """How the strip is computed, and what the card of the 90 ply says."""
 
-    quads: int  # odd
+    quads: int  # between the inner bars, odd
     cracks: bool = True
-    poisson: float = HTS40.poisson[2]
+    poisson: float = HTS40.poisson[2]  # NU23
+    largest: float = HTS40.largest  # DMAX
+    shear: int = 0  # GZ
 
     @property
     def name(self) -> str:
@@ -194,6 +196,7 @@ def stack(strip: Strip, share: float) -> list[Ply]:
         tension, compression = HTS40.matrix_strength
         strengths = (share * tension, compression)
         upper = replace(HTS40, cross_strength=0.0, poisson=poisson, matrix_strength=strengths)
+        upper = replace(upper, largest=strip.largest, switches=(0,) * 7 + (strip.shear,))
     return [Ply(ELASTIC, PLY)] + [Ply(upper, 0.5 * PLY, 90.0)] * 2
 
 

@@ -19,17 +19,24 @@ from damage import HTS40  # noqa: E402
 
 # Between the inner bars
 QUADS = (25, 49, 97)
-HEAD = "| quad [mm] | NU23 | energy of the crack | moment of growth [N] | over theory | sides |"
+# Largest damage and shear across the thickness, as the cards DMAX and GZ have them
+RESIDUALS = ((0.999999, 1), (0.999, 0), (0.999, 1), (0.99, 0), (0.99, 1))
+HEAD = (
+    "| quad [mm] | NU23 | DMAX | GZ | energy of the crack | moment of growth [N] | over theory |"
+    " sides | length [mm] |"
+)
 
 
 def row(found: Bent) -> str:
-    """Energy of the crack over toughness times area; moment; how unlike both sides are."""
+    """Energy of the crack over toughness times area; moment; both sides, and their length."""
     moment = found.moment[found.growing].mean()
     last = found.states()[1][-1]
     sides = -last[0] / last[-1]
     return (
-        f"| {INNER / found.strip.quads:.2f} | {found.strip.poisson:g} | {found.crack[-1]:.3f} | "
-        f"{moment:.1f} | {moment / growth_moment():.3f} | {sides:.2f} |"
+        f"| {INNER / found.strip.quads:.2f} | {found.strip.poisson:g} | {found.strip.largest:g} | "
+        f"{found.strip.shear} | {found.crack[-1]:.3f} | "
+        f"{moment:.1f} | {moment / growth_moment():.3f} | {sides:.2f} | "
+        f"{found.failed[-1]:.1f} |"
     )
 
 
@@ -41,6 +48,8 @@ def rows(folder: Path) -> Iterator[str]:
     for poisson in (HTS40.poisson[2], 0.0):
         for quads in QUADS:
             yield row(bend(Strip(quads, poisson=poisson), folder))
+    for largest, shear in RESIDUALS:
+        yield row(bend(Strip(QUADS[0], largest=largest, shear=shear), folder))
 
 
 if __name__ == "__main__":
