@@ -6,7 +6,7 @@ module plydyn_law_ply_damage_begin
    use plydyn_law_ply_history, only : band_width, begun_shear, begun_threshold, fibre_finish, &
       & fibre_onset, fibre_threshold, matrix_finish, matrix_onset, matrix_threshold, shear_peak
    use plydyn_law_ply_no_growth_path, only : use_intact_stress
-   use plydyn_law_ply_scattered, only : divide_by_factors, load_factors
+   use plydyn_law_ply_scattered, only : find_scattered_onset, of_fibres, of_matrix
    implicit none
    private
 
@@ -28,20 +28,17 @@ contains
       !> A mode begins in some lane
       logical, intent(out) :: begins
 
-      real(wp) :: factor(lanes, 2), in_plane(lanes, 2), most, strain(lanes, 2), trial(lanes, 3)
+      real(wp) :: most, trial(lanes, 3)
       integer :: l
 
       trial(:, :) = stress
       if (ply%any_intact) call use_intact_stress(ply, e, trial)
-      strain(:, :) = e(:, :2)
-      in_plane(:, :) = shear
-      factor(:, :) = 1.0_wp
       if (ply%factors > 0) then
-         call load_factors(ply, 1, h, factor)
-         call divide_by_factors(factor, trial, strain, in_plane)
+         call find_scattered_onset(ply, 1, h, trial, e, shear, now%excess)
+      else
+         call ply%onset%find_onset(trial, e, shear, band_width(h(:, fibre_threshold)), &
+            & band_width(h(:, matrix_threshold)), now%excess)
       end if
-      call ply%onset%find_onset(trial, strain, in_plane, band_width(h(:, fibre_threshold)), &
-         & band_width(h(:, matrix_threshold)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)
@@ -55,37 +52,39 @@ contains
       if (.not. begins) return
       ! once in the life of a mode at a point
       do l = 1, lanes
-         if (any(now%excess(l, :) >= 0.0_wp)) call begin_modes(ply, l, now%excess, factor, &
-            & trial, strain, in_plane, h)
+         if (any(now%excess(l, :) >= 0.0_wp)) call begin_modes(ply, l, now%excess, trial, e, &
+            & shear, h)
       end do
    end subroutine begin_damage
 
-   !> Begin the modes of a lane that have no excess below 0, in stresses and strains over the
-   !> factors of the strengths
-   pure subroutine begin_modes(ply, lane, excess, factor, stress, strain, shear, h)
+   !> Begin the modes of a lane that have no excess below 0: with the strengths of the card, in
+   !> stresses and strains over the factors of the strengths
+   pure subroutine begin_modes(ply, lane, excess, stress, strain, shear, h)
       type(ply_batch_constants_type), intent(in) :: ply
       !> The lane
       integer, intent(in) :: lane
-      !> Excess over onset, factors of the strengths, trial stresses, strains, and shear
-      real(wp), intent(in), dimension(lanes, 2) :: excess, factor, stress, strain, shear
+      !> Excess over onset; trial stresses and strains, of which the first two count; shear
+      real(wp), intent(in) :: excess(lanes, 2), stress(lanes, 3), strain(lanes, 3), shear(lanes, 2)
       real(wp), intent(inout) :: h(lanes, *)
 
-      real(wp) :: in_plane(2), length
+      real(wp) :: factor(2), in_plane(2), length
 
+      factor(:) = 1.0_wp
+      if (ply%factors > 0) factor(:) = h(lane, ply%factors + of_fibres:ply%factors + of_matrix)
       h(lane, shear_peak) = begun_shear(h(lane, shear_peak))
       if (excess(lane, 1) >= 0.0_wp) then
          length = band_width(h(lane, fibre_threshold))
-         call ply%onset%begin_fibre(lane, stress(lane, 1), strain(lane, 1), length, &
-            & h(lane, fibre_onset), h(lane, fibre_finish))
-         h(lane, fibre_onset:fibre_finish) = factor(lane, 1)*h(lane, fibre_onset:fibre_finish)
+         call ply%onset%begin_fibre(lane, stress(lane, 1)/factor(1), strain(lane, 1)/factor(1), &
+            & length, h(lane, fibre_onset), h(lane, fibre_finish))
+         h(lane, fibre_onset:fibre_finish) = factor(1)*h(lane, fibre_onset:fibre_finish)
          h(lane, fibre_threshold) = begun_threshold(length)
       end if
       if (excess(lane, 2) >= 0.0_wp) then
          length = band_width(h(lane, matrix_threshold))
-         in_plane(:) = shear(lane, :)
-         call ply%onset%begin_matrix(lane, stress(lane, 2), strain(lane, 2), in_plane, length, &
-            & h(lane, matrix_onset), h(lane, matrix_finish))
-         h(lane, matrix_onset:matrix_finish) = factor(lane, 2)*h(lane, matrix_onset:matrix_finish)
+         in_plane(:) = shear(lane, :)/factor(2)
+         call ply%onset%begin_matrix(lane, stress(lane, 2)/factor(2), strain(lane, 2)/factor(2), &
+            & in_plane, length, h(lane, matrix_onset), h(lane, matrix_finish))
+         h(lane, matrix_onset:matrix_finish) = factor(2)*h(lane, matrix_onset:matrix_finish)
          h(lane, matrix_threshold) = begun_threshold(length)
       end if
    end subroutine begin_modes

@@ -12,7 +12,7 @@ module plydyn_law_ply_no_growth_path
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_history, only : fibre_damage, fibre_threshold, has_begun, integrity_of, &
       & largest_band, matrix_damage, matrix_threshold, store_columns, strain_excess
-   use plydyn_law_ply_scattered, only : divide_by_factors, load_factors, raise_by_factors
+   use plydyn_law_ply_scattered, only : find_scattered_onset, raise_by_factors
    use plydyn_law_ply_shear_path, only : elastic_shear, find_spared_work, most_points, &
       & shear_type, store_shear, update_shear
    implicit none
@@ -193,29 +193,6 @@ contains
          call ply%secant%degrade_stress(e, shear(:, 1), integrity, integrity, s)
       end associate
    end subroutine update_point
-
-   !> How far beyond onset a point is whose strengths scatter
-   pure subroutine find_scattered_onset(ply, pitch, history, trial, e, shear, excess)
-      type(ply_batch_constants_type), intent(in) :: ply
-      integer, intent(in) :: pitch
-      real(wp), intent(in) :: history(lanes, pitch, *)
-      !> Trial stresses and strains 11 and 22
-      real(wp), intent(in) :: trial(lanes, 2), e(lanes, 2)
-      !> Sizes of the shear stress before damage and of the elastic shear strain
-      real(wp), intent(in) :: shear(lanes, 2)
-      !> As in `find_onset`
-      real(wp), intent(out) :: excess(lanes, 2)
-
-      real(wp) :: factor(lanes, 2), in_plane(lanes, 2), strain(lanes, 2), stress(lanes, 2)
-
-      stress(:, :) = trial
-      strain(:, :) = e
-      in_plane(:, :) = shear
-      call load_factors(ply, pitch, history, factor)
-      call divide_by_factors(factor, stress, strain, in_plane)
-      call ply%onset%find_onset(stress, strain, in_plane, history(:, 1, fibre_threshold), &
-         & history(:, 1, matrix_threshold), excess)
-   end subroutine find_scattered_onset
 
    !> Integrity, and the strains that drive damage
    pure subroutine find_driving_strains(ply, e, set, fibre, matrix, integrity, shear, drive)

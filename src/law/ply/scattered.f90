@@ -8,10 +8,11 @@ module plydyn_law_ply_scattered
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_batch_shear, only : batch_shear_type
+   use plydyn_law_ply_history, only : band_width, fibre_threshold, matrix_threshold
    implicit none
    private
 
-   public :: advance_scaled, divide_by_factors, find_scaled_set, load_column, load_factors, &
+   public :: advance_scaled, find_scaled_set, find_scattered_onset, load_column, load_factors, &
       & plastic_work_at, raise_by_factors
 
    !> Places of the factors of fibres and of matrix behind `factors` of the constants
@@ -60,26 +61,36 @@ contains
       end do
    end subroutine load_column
 
-   !> Stresses and strains as they would be with the strengths of the card
-   pure subroutine divide_by_factors(factor, stress, strain, shear)
-      !> Factors of fibres and of matrix
-      real(wp), intent(in) :: factor(lanes, 2)
-      !> Stresses and strains 11 and 22
-      real(wp), intent(inout) :: stress(lanes, 2), strain(lanes, 2)
-      !> Shear stress and elastic shear strain 12
-      real(wp), intent(inout) :: shear(lanes, 2)
+   !> How far beyond onset a point is: by stresses and strains over the factors, which the strengths
+   !> of the card limit
+   pure subroutine find_scattered_onset(ply, pitch, history, trial, e, shear, excess)
+      !> As in `load_factors`
+      type(ply_batch_constants_type), intent(in) :: ply
+      integer, intent(in) :: pitch
+      real(wp), intent(in) :: history(lanes, pitch, *)
+      !> Trial stresses and strains 11 and 22
+      real(wp), intent(in) :: trial(lanes, 2), e(lanes, 2)
+      !> Sizes of the shear stress on its curve and of the elastic shear strain
+      real(wp), intent(in) :: shear(lanes, 2)
+      !> As in `find_onset`
+      real(wp), intent(out) :: excess(lanes, 2)
 
+      real(wp) :: factor(lanes, 2), in_plane(lanes, 2), strain(lanes, 2), stress(lanes, 2)
       integer :: k, l
 
+      call load_factors(ply, pitch, history, factor)
       do k = of_fibres, of_matrix
          !$omp simd
          do l = 1, lanes
-            stress(l, k) = stress(l, k)/factor(l, k)
-            strain(l, k) = strain(l, k)/factor(l, k)
-            shear(l, k) = shear(l, k)/factor(l, of_matrix)
+            stress(l, k) = trial(l, k)/factor(l, k)
+            strain(l, k) = e(l, k)/factor(l, k)
+            in_plane(l, k) = shear(l, k)/factor(l, of_matrix)
          end do
       end do
-   end subroutine divide_by_factors
+      call ply%onset%find_onset(stress, strain, in_plane, &
+         & band_width(history(:, 1, fibre_threshold)), &
+         & band_width(history(:, 1, matrix_threshold)), excess)
+   end subroutine find_scattered_onset
 
    !> Raise sums that are below 1 far from onset to what they are at most with the factors
    pure subroutine raise_by_factors(ply, points, pitch, history, each)
