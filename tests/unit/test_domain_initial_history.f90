@@ -7,6 +7,8 @@ program test_domain_initial_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_layer_scalars, only : point_history
+   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_law_strength_scatter, only : strength_scatter_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : ply_constants_type, snap_reduce, snap_refuse
@@ -28,6 +30,7 @@ program test_domain_initial_history
 
    call test_rules()
    call test_width_given()
+   call test_factors()
    call test_bands()
    call test_refused()
    call finish()
@@ -112,6 +115,28 @@ contains
 
       widths(:) = widths_of(plate(rule, nodes), layer, point)
    end function widths
+
+   !> Where strengths scatter, widths count times the squares of the factors of the place and ply
+   subroutine test_factors()
+      type(model_type) :: model
+      type(strength_scatter_type) :: scatter
+      real(wp) :: place(2, 9), plain(2)
+      integer :: ply, q
+
+      scatter = strength_scatter_type(4, [30.0_wp, 10.0_wp], 0.8_wp)
+      model = plate(rule_band, 9)
+      place(:, :) = quad_points(model%mesh%position(:2, model%mesh%quad_node(:, 1)), .false.)
+      call begin("widths with factors")
+      do ply = 1, 3, 2
+         do q = 2, 8, 3
+            model%materials(2)%law%scatter = strength_scatter_type()
+            plain(:) = widths_of(model, ply, q)
+            model%materials(2)%law%scatter = scatter
+            call check(widths_of(model, ply, q), scatter%factors(place(:, q), ply)**2*plain, &
+               & 1.0e-9_wp, "are those of the point")
+         end do
+      end do
+   end subroutine test_factors
 
    !> Widths in the history of a Gauss point, alike at all heights
    function widths_of(model, layer, point) result(widths)

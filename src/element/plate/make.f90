@@ -58,18 +58,18 @@ contains
       !> The plate; its targets are the nodes
       type(plate_type), intent(inout) :: plate
 
-      integer :: e, node(plate%side**2, size(quads))
+      integer :: e, node(plate%side**2)
 
       plate%quad = quads
-      node(:, :) = model%mesh%quad_node(tensor_order(plate%side), quads)
-      allocate (plate%node(size(node, 1), size(quads)), plate%metric(5, size(node, 1), size(quads)))
+      allocate (plate%node(size(node), size(quads)), plate%metric(5, size(node), size(quads)))
       do e = 1, size(quads)
-         plate%node(:, e) = local_node(node(:, e))
-         plate%metric(:, :, e) = quad_metric(plate%side, model%mesh%position(1:2, node(:, e)))
+         node(:) = model%mesh%quad_node(tensor_order(plate%side), quads(e))
+         plate%node(:, e) = local_node(node)
+         plate%metric(:, :, e) = quad_metric(plate%side, model%mesh%position(1:2, node))
       end do
       plate%target = plate%node
       plate%batches%pitch = history_rows(plate%batches, plate%side)*size(quads)
-      call find_factors(model, part, node, plate)
+      call find_factors(model, part, plate)
    end subroutine set_quads
 
    !> Shape functions at the Gauss points

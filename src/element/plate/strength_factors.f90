@@ -2,6 +2,7 @@
 module plydyn_element_plate_strength_factors
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_fem_quad_points, only : quad_points
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_model, only : model_type
@@ -13,13 +14,11 @@ module plydyn_element_plate_strength_factors
 contains
 
    !> Find the factors of all layers of a plate that has its quads
-   pure subroutine find_factors(model, part, node, plate)
+   pure subroutine find_factors(model, part, plate)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
       integer, intent(in) :: part
-      !> Nodes of the mesh of each quad in tensor order
-      integer, intent(in) :: node(:, :)
       !> The plate
       type(plate_type), intent(inout) :: plate
 
@@ -29,7 +28,7 @@ contains
       if (.not. any_scatters(model, part)) return
       layers = new_layers(model%parts(part))
       do b = 1, size(plate%batches)
-         call find_batch_factors(model, part, layers%ply, node, plate%shape, plate%batches(b))
+         call find_batch_factors(model, part, layers%ply, plate%quad, plate%batches(b))
       end do
    end subroutine find_factors
 
@@ -47,24 +46,24 @@ contains
    end function any_scatters
 
    !> Find the factors of the layers of one order
-   pure subroutine find_batch_factors(model, part, ply_of_layer, node, shape, batch)
+   pure subroutine find_batch_factors(model, part, ply_of_layer, quad, batch)
       type(model_type), intent(in) :: model
       integer, intent(in) :: part
       !> Ply of each layer of the part
       integer, intent(in) :: ply_of_layer(:)
-      integer, intent(in) :: node(:, :)
-      !> Shape functions at the Gauss points, (points, nodes)
-      real(wp), intent(in) :: shape(:, :)
+      !> Quads of the mesh
+      integer, intent(in) :: quad(:)
       type(layer_batch_type), intent(inout) :: batch
 
-      real(wp) :: place(2, size(shape, 1))
+      real(wp) :: place(2, size(model%mesh%quad_node, 1))
       integer :: b, e, l, material, ply, q
 
-      allocate (batch%factor(lanes, 2, size(shape, 1), batch%blocks, size(node, 2)), source=1.0_wp)
-      do e = 1, size(node, 2)
-         place(:, :) = matmul(model%mesh%position(1:2, node(:, e)), transpose(shape))
+      allocate (batch%factor(lanes, 2, size(place, 2), batch%blocks, size(quad)), source=1.0_wp)
+      do e = 1, size(quad)
+         place(:, :) = quad_points(model%mesh%position(:2, model%mesh%quad_node(:, quad(e))), &
+            & .false.)
          do b = 1, batch%blocks
-            do q = 1, size(shape, 1)
+            do q = 1, size(place, 2)
                do l = 1, lanes
                   if (batch%layer(l, b) == 0) cycle
                   ply = ply_of_layer(batch%layer(l, b))
