@@ -10,7 +10,7 @@ import pytest
 from deck_cards import cards_of, split_columns, text_of
 
 import plydyn_pre as pre
-from plydyn_pre.study import Stage
+from plydyn_pre.study import Clamp, Stage
 
 HALF_SPAN, ARM, WAY = 10.0, 8.0, -0.5
 LEVER = pre.Lever("left", "middle", ARM, WAY, curve="ramp")
@@ -86,8 +86,19 @@ def test_levers_and_implicit_inertia_are_refused(study: pre.Study) -> None:
         replace(made, control=replace(made.control, scheme="implicit_thickness"))
     with pytest.raises(pre.RecipeError, match="a lever is there from the start"):
         Stage("next", 1.0e-4, loads=(LEVER,))
-    with pytest.raises(pre.RecipeError, match="a lever is not on the face that is hit"):
+    with pytest.raises(pre.RecipeError, match="not on a face that an impactor or a fixture meets"):
         replace(made, impactor=study.impactor)
+
+
+@pytest.mark.parametrize("face", ["top", "bottom"])
+def test_a_lever_is_not_on_a_face_with_a_fixture(study: pre.Study, face: str) -> None:
+    """The solver would refuse it: contact moves the points that the lever leads."""
+    made, clamp = beam(study), Clamp(face=face, force=1.0, outer=2.0)
+    if face == LEVER.face:
+        with pytest.raises(pre.RecipeError, match="impactor or a fixture meets"):
+            replace(made, fixtures=(clamp,))
+    else:
+        assert replace(made, fixtures=(clamp,)).fixtures == (clamp,)
 
 
 def _with(study: pre.Study, changes: dict) -> pre.Study:

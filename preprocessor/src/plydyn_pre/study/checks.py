@@ -7,7 +7,7 @@ from math import hypot
 
 from plydyn_pre.errors import require
 from plydyn_pre.study.bricks import Bricks
-from plydyn_pre.study.conditions import Contact, Curve, Lever, Load
+from plydyn_pre.study.conditions import Curve, Lever, Load
 from plydyn_pre.study.control import Control, Outputs, Units
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
@@ -72,15 +72,16 @@ def check_speed(impactor: Impactor | None, units: Units) -> None:
         require(speed <= fastest, f"impactor.{key}", rule)
 
 
-def check_levers(loads: Iterable[Load], contact: Contact | None, control: Control) -> None:
-    """Refuse levers where the inertia of columns is implicit, and where the impactor hits."""
+def check_levers(loads: Iterable[Load], faces: set[str], control: Control) -> None:
+    """Refuse levers where the inertia of columns is implicit, and on faces that have contact."""
     for number, load in enumerate(loads, start=1):
         if not isinstance(load, Lever):
             continue
         rule = 'a lever needs "explicit"'
         require(control.scheme == "explicit", "control.scheme", rule)
-        hit = contact is not None and load.face in (contact.face, "all")
-        require(not hit, f"loads[{number}].face", "a lever is not on the face that is hit")
+        met = load.face in faces or (load.face == "all" and bool(faces))
+        rule = "a lever is not on a face that an impactor or a fixture meets"
+        require(not met, f"loads[{number}].face", rule)
 
 
 def check_step_curve(curves: Mapping[str, Curve], control: Control) -> None:

@@ -93,7 +93,9 @@ class Study:
             self._check_stage(stage, f"stages[{number}]")
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
-        check_levers(self.loads, self.touch if self.impactor else None, self.control)
+        met = {self.touch.face} if self.impactor else set()
+        met |= {fixture.face for fixture in self.fixtures}
+        check_levers(self.loads, met, self.control)
         check_step_curve(self.curves, self.control)
         check_speed(self.impactor, self.units)
         falls = self.impactor is not None and self.impactor.energy is not None
