@@ -96,7 +96,7 @@ COLUMNS = (
     Quantity("kinetic energy [%]", lambda coupon: 100.0 * coupon.test.kinetic_share(), ".1f"),
     Quantity("processor time", lambda coupon: clock(coupon.run.effort.processor)),
 )
-#: Pictures of the interfaces at the largest force, by the names of their cases
+#: Pictures of the interfaces at the state nearest to the largest force, by the names of their cases
 DRAWN = {"open_hole_coarse": "validation_open_hole.png"}
 
 
