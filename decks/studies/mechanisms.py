@@ -30,6 +30,14 @@ VARIED = {
     "whole_fibres": ("fibres never break", FIBRES),
     "whole_matrix": ("the matrix never cracks", MATRIX),
     "across": ("cracks weaken shear 13 and 23 too", ("materials.ply.weakens_across=true",)),
+    "loose": (
+        "cracks keep 0.1 % of the stiffness, not 1 %",
+        ("materials.ply.largest_damage=0.999",),
+    ),
+    "looser": (
+        "cracks keep a millionth of the stiffness",
+        ("materials.ply.largest_damage=0.999999",),
+    ),
     "slippery": ("delaminated plies do not rub", ("materials.bond.friction=0.0",)),
     "weak": ("half of $G_{IIc}$ of the interfaces", ("materials.bond.GIIC=1.05",)),
     "strong": (
