@@ -34,6 +34,14 @@ VARIED = {
         "cracks keep 0.1 % of the stiffness, not 1 %",
         ("materials.ply.largest_damage=0.999",),
     ),
+    "loose_fine": (
+        "the same on quads of 1.9 mm",
+        ("materials.ply.largest_damage=0.999", "mesh.quad=2.0"),
+    ),
+    "loose_finest": (
+        "the same on quads of 1 mm",
+        ("materials.ply.largest_damage=0.999", "mesh.quad=1.0"),
+    ),
     "looser": (
         "cracks keep a millionth of the stiffness",
         ("materials.ply.largest_damage=0.999999",),
