@@ -22,7 +22,7 @@ from runner.jobs import console
 #: Modules of studies that declare the commands, in the order of the help
 DECLARED = ("bricks", "timings", "stress", "elastic_meshes", "bimetal")
 DECLARED += ("runs", "damage_figures", "schemes", "choices", "refinement", "edges")
-DECLARED += ("validation", "cross_ply", "open_hole", "mechanisms", "rates")
+DECLARED += ("validation", "blind", "cross_ply", "open_hole", "mechanisms", "rates")
 for _name in DECLARED:
     import_module(f"studies.{_name}")
 FAILED = 3

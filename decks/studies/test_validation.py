@@ -14,8 +14,9 @@ from plydyn_pre.mesh import make_mesh
 
 from runner.cases import StudyError
 from studies import cross_ply, open_hole
+from studies.blind import BANDS, BLIND, FIRST, SECOND
 from studies.mechanisms import mechanisms
-from studies.validation import AT_25, BANDS, BLIND, TESTS, beams_text
+from studies.validation import AT_25, TESTS, beams_text
 
 ROW = "| {} | 2 | {} | {} | 150.0 | 1.200 | 0.750 | 1.0 ± 0.1 | 1e-3 |"
 
@@ -57,10 +58,18 @@ def test_blind_recipes_differ_from_the_known_one_by_material_and_energy() -> Non
 
 def test_bands_are_the_blind_impacts_with_one_change_each() -> None:
     """The finer mesh changes nothing but the quads, a seed nothing but the scatter of the bond."""
-    for blind, (fine, seeds) in zip(BLIND, BANDS.values(), strict=True):
-        assert fine.case.path == blind.case.path
-        assert fine.case.varied == ("mesh.quad=2.0",)
-        assert [seed.case.path for seed in seeds] == [blind.case.path] * 5
+    for blind, (meshes, seeds) in zip(BLIND, BANDS.values(), strict=True):
+        assert [mesh.case.varied for mesh in meshes] == [(FIRST, "mesh.quad=2.0")]
+        assert {one.case.path for one in (*meshes, *seeds)} == {blind.case.path}
+        assert len({seed.case.varied for seed in seeds}) == 5
+        assert all(word.startswith("materials.bond.") for s in seeds for word in s.case.varied[1:])
+
+
+def test_the_second_prediction_is_the_recipe_on_three_meshes_with_five_seeds() -> None:
+    """Nothing but the quads or the scatter of the bond is chosen: the rest is the default."""
+    for blind, (meshes, seeds) in zip(BLIND, SECOND.values(), strict=True):
+        assert {one.case.path for one in (*meshes, *seeds)} == {blind.case.path}
+        assert [mesh.case.varied for mesh in meshes] == [(), ("mesh.quad=2.0",), ("mesh.quad=1.5",)]
         assert len({seed.case.varied for seed in seeds}) == 5
         assert all(word.startswith("materials.bond.") for s in seeds for word in s.case.varied)
 

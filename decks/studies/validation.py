@@ -31,8 +31,9 @@ class Test:
     measured: dict[str, float]
 
 
-def _t700(name: str, label: str, measured: dict[str, float], *varied: str) -> Test:
-    recipe = re.sub("_(fine|finest|averaged|seed.)$", "", name)
+def t700(name: str, label: str, measured: dict[str, float], *varied: str) -> Test:
+    """An impact on T700 by the recipe of the first words of its name."""
+    recipe = re.sub("(_(second|fine|finer|finest|averaged|seed.))+$", "", name)
     return Test(Case(name, f"validation/{recipe}", label, varied), measured)
 
 
@@ -46,43 +47,27 @@ AVERAGED = (
     "materials.ply.average_across=3.0",
 )
 TESTS = (
-    _t700("t700gc_25J", "T700GC/M21, 25 J, quads of 2.8 mm", AT_25),
-    _t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
-    _t700("t700gc_25J_finest", "T700GC/M21, 25 J, quads of 1 mm", AT_25, "mesh.quad=1.0"),
-    _t700("t700gc_25J_planes", "the same with planes of fracture, quads of 2.8 mm", AT_25),
-    _t700("t700gc_25J_planes_fine", "planes of fracture, 1.9 mm", AT_25, "mesh.quad=2.0"),
-    _t700("t700gc_25J_planes_finest", "planes of fracture, 1 mm", AT_25, "mesh.quad=1.0"),
-    _t700("t700gc_25J_averaged", "the default, strains averaged, 1.9 mm", AT_25, *AVERAGED),
+    t700("t700gc_25J", "T700GC/M21, 25 J, quads of 2.8 mm", AT_25),
+    t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
+    t700("t700gc_25J_finest", "T700GC/M21, 25 J, quads of 1 mm", AT_25, "mesh.quad=1.0"),
+    t700("t700gc_25J_planes", "the same with planes of fracture, quads of 2.8 mm", AT_25),
+    t700("t700gc_25J_planes_fine", "planes of fracture, 1.9 mm", AT_25, "mesh.quad=2.0"),
+    t700("t700gc_25J_planes_finest", "planes of fracture, 1 mm", AT_25, "mesh.quad=1.0"),
+    t700("t700gc_25J_averaged", "the default, strains averaged, 1.9 mm", AT_25, *AVERAGED),
 )
 #: Strengths of the interfaces that scatter by a tenth over 2 mm, as those of resins do
 SCATTER = ("materials.bond.scatter=12.0", "materials.bond.scatter_length=2.0")
 
 
-def _seeds(name: str) -> tuple[Test, ...]:
+def seeds_of(name: str, *varied: str) -> tuple[Test, ...]:
     """Five realisations of an impact."""
     return tuple(
-        _t700(f"{name}_seed{k}", f"seed {k}", {}, *SCATTER, f"materials.bond.seed={k}")
+        t700(f"{name}_seed{k}", f"seed {k}", {}, *varied, *SCATTER, f"materials.bond.seed={k}")
         for k in range(1, 6)
     )
 
 
-SEEDS = _seeds("t700gc_25J")
-BLIND = (
-    _t700("t700_6J", "T700/M21, 6.5 J, quads of 2.8 mm", {}),
-    _t700("t700_17J", "T700/M21, 17 J, quads of 2.8 mm", {}),
-    _t700("t700_29J", "T700/M21, 29.5 J, quads of 2.8 mm", {}),
-)
-
-#: The same on a finer mesh, and five seeds of each, by the first words of their rows
-BANDS = {
-    "T700/M21, 6.5 J": (_t700("t700_6J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_6J")),
-    "T700/M21, 17 J": (_t700("t700_17J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_17J")),
-    "T700/M21, 29.5 J": (_t700("t700_29J_fine", "", {}, "mesh.quad=2.0"), _seeds("t700_29J")),
-}
-#: The same with another law of the plies than the default
-OTHER_LAWS = (
-    _t700("t700_17J_planes", "T700/M21 with planes of fracture, 17 J, quads of 2.8 mm", {}),
-)
+SEEDS = seeds_of("t700gc_25J")
 #: Pictures of the interfaces after the impact, by the names of their cases
 DRAWN = {
     "t700gc_25J": "validation_interfaces.png",
@@ -99,19 +84,6 @@ def validation() -> Study:
     """All tests that were measured, for manual/validation.md."""
     cases = [test.case for test in (*TESTS, *SEEDS)]
     return Study([*cases, *cross_ply.CASES, *open_hole.CASES], _report)
-
-
-@command()
-def blind() -> Study:
-    """Impacts whose measured numbers nobody here has seen, for manual/validation.md; run once."""
-    return Study([test.case for test in (*BLIND, *OTHER_LAWS)], _report_blind)
-
-
-@command()
-def bands() -> Study:
-    """A finer mesh and five seeds of the blind impacts, for manual/validation.md."""
-    cases = [test.case for fine, seeds in BANDS.values() for test in (fine, *seeds)]
-    return Study(cases, _report_bands)
 
 
 def read_numbers(one: Impact) -> dict[str, float | None]:
@@ -140,7 +112,7 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     tested = [found[test.case.name] for test in TESTS if test.case.name in found]
     seeds = [found[seed.case.name] for seed in SEEDS if seed.case.name in found]
     sections = [
-        Section("Impacts", _text(TESTS, found), "impacts"),
+        Section("Impacts", rows_text(TESTS, found), "impacts"),
         Section("Where the energy goes", _parts_text(tested), "parts"),
         Section("Scatter", _seeds_text(seeds), "seeds"),
         Section("Beams", beams_text(BEAMS.read_text(encoding="utf-8")), "beams"),
@@ -156,34 +128,12 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     return Page("validation", sections, figures, pictures)
 
 
-def _report_blind(runs: list[Run], _folder: Path) -> list[Page]:
-    found = {run.case.name: run for run in runs}
-    text = _text((*BLIND, *OTHER_LAWS), found)
-    return [Page("blind", [Section("Blind numbers", text, "blind")])]
-
-
-def _report_bands(runs: list[Run], _folder: Path) -> list[Page]:
-    found = {run.case.name: run for run in runs}
-    rows = []
-    for label, (fine, seeds) in BANDS.items():
-        if fine.case.name in found:
-            numbers = read_numbers(damage.read_impact(found[fine.case.name]))
-            rows.append([f"{label}, quads of 1.9 mm", *map(_word, numbers.values())])
-        ran = [found[seed.case.name] for seed in seeds if seed.case.name in found]
-        if len(ran) > 1:
-            columns = _columns(ran)
-            cells = [f"{np.mean(of):.4g} ± {_deviation(of):.3g}" for of in columns.values()]
-            rows.append([f"{label}, {len(ran)} seeds on 2.8 mm", *cells])
-    names = (PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA)
-    text = f"{table(('test', *names), rows)}\n{made_by(runs)}" if rows else "Not run.\n"
-    return [Page("bands", [Section("Scatter of the blind numbers", text, "bands")])]
-
-
-def _word(value: float | None) -> str:
+def word_of(value: float | None) -> str:
+    """A number of a row, or the sign of none."""
     return NOTHING if value is None else f"{value:.4g}"
 
 
-def _columns(runs: Sequence[Run]) -> dict[str, np.ndarray]:
+def columns_of(runs: Sequence[Run]) -> dict[str, np.ndarray]:
     """Each number of some runs, by its name."""
     read = [read_numbers(damage.read_impact(run)) for run in runs]
     return {name: np.array([one[name] for one in read], dtype=float) for name in read[0]}
@@ -216,12 +166,12 @@ def _seeds_text(runs: Sequence[Run]) -> str:
     """Mean, standard deviation and range of runs with different seeds."""
     if len(runs) < 2:
         return "Not run.\n"
-    columns = _columns(runs)
+    columns = columns_of(runs)
     rows = [
         [word, *(f"{of(values):.3g}" for values in columns.values())]
         for word, of in (
             ("mean", np.mean),
-            ("standard deviation", _deviation),
+            ("standard deviation", deviation),
             ("smallest", np.min),
             ("largest", np.max),
         )
@@ -229,7 +179,8 @@ def _seeds_text(runs: Sequence[Run]) -> str:
     return f"{table((f'{len(runs)} seeds', *columns), rows)}\n{made_by(runs)}"
 
 
-def _deviation(values: np.ndarray) -> float:
+def deviation(values: np.ndarray) -> float:
+    """The standard deviation of a few runs."""
     return float(np.std(values, ddof=1))
 
 
@@ -250,7 +201,7 @@ def beams_text(page: str) -> str:
     return table(headings, rows)
 
 
-def _text(tests: Sequence[Test], found: dict[str, Run]) -> str:
+def rows_text(tests: Sequence[Test], found: dict[str, Run]) -> str:
     """Rows of the tests that have run, each behind what was measured."""
     rows, before = [], {}
     chosen = [test for test in tests if test.case.name in found]
@@ -270,7 +221,7 @@ def _row(run: Run, test: Test) -> list[str]:
     numbers = read_numbers(damage.read_impact(run))
     cells = []
     for name, value in numbers.items():
-        word = _word(value)
+        word = word_of(value)
         if value is not None and name in test.measured and np.isfinite(value):
             word += f" ({change(value, test.measured[name])})"
         cells.append(word)

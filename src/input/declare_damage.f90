@@ -49,7 +49,7 @@ contains
       call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
          & default=0.0_wp, least=0.0_wp)
       call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
-         & //"remains", default=0.99_wp, above=0.0_wp, most=0.999999_wp)
+         & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
       call keyword%zero_is_default()
       call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
          & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)

@@ -65,7 +65,7 @@ class PlyCodam2(_Orthotropic):
     G2C: float
     ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
     G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
-    largest_damage: float = 0.99  # the rest keeps points below an impactor from coming loose
+    largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
     shear: Literal["linear", "exponential", "curve", "ramberg_osgood"] = "linear"
     shear_curve: str = ""  # name of a curve of stress over strain, for shear = "curve"
     shear_strain: float = 0.05  # at which an exponential curve reaches SL
