@@ -6,8 +6,8 @@ module plydyn_input_declare_damage
    implicit none
    private
 
-   public :: add_band_rule, add_fibre_toughnesses, add_normal_strengths, mat_codam2, &
-      & mat_ply_codam2, ply_scatter
+   public :: add_band_and_residual, add_band_rule, add_fibre_toughnesses, add_normal_strengths, &
+      & mat_codam2, mat_ply_codam2, ply_scatter
 
    !> Shear strain at which an exponential curve reaches the strength, unless a card says more
    real(wp), parameter, public :: usual_shear_strain = 0.05_wp
@@ -46,11 +46,7 @@ contains
          & above=0.0_wp)
       call keyword%add_real("G2C", "energy/length2", "fracture energy of matrix in compression", &
          & above=0.0_wp)
-      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
-         & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
-      call keyword%zero_is_default()
+      call add_band_and_residual(keyword)
       call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
          & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
    end subroutine add_strength_cards
@@ -78,6 +74,18 @@ contains
       call keyword%add_real("G1C", "energy/length2", "fracture energy of fibres in compression", &
          & above=0.0_wp)
    end subroutine add_fibre_toughnesses
+
+   !> Width of the crack band, and what broken points keep of their stiffness
+   subroutine add_band_and_residual(keyword)
+      !> The keyword of the material
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
+         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
+         & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
+      call keyword%zero_is_default()
+   end subroutine add_band_and_residual
 
    !> Rule for the width of the crack band
    subroutine add_band_rule(keyword)

@@ -2,8 +2,8 @@
 module plydyn_input_declare_fracture
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : extension, keyword_type, new_keyword
-   use plydyn_input_declare_damage, only : add_band_rule, add_fibre_toughnesses, &
-      & add_normal_strengths
+   use plydyn_input_declare_damage, only : add_band_and_residual, add_band_rule, &
+      & add_fibre_toughnesses, add_normal_strengths
    use plydyn_input_declare_part, only : add_ply_elastic_cards
    implicit none
    private
@@ -47,11 +47,7 @@ contains
          & above=0.0_wp)
       call keyword%add_real("G2S", "energy/length2", "fracture energy of sheared matrix cracks", &
          & above=0.0_wp)
-      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
-         & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
-      call keyword%zero_is_default()
+      call add_band_and_residual(keyword)
       call keyword%add_real("BK", "-", "exponent of Benzeggagh and Kenane between G2T and G2S", &
          & default=1.45_wp, above=0.0_wp)
       call keyword%zero_is_default()
