@@ -26,6 +26,8 @@ module plydyn_law_scatter
    !> Lattice places beyond which weights are dropped, and the largest normal number
    integer, parameter :: half_width = 3
    real(wp), parameter :: most = 4.0_wp
+   !> Lattice places after which the field repeats itself
+   real(wp), parameter :: period = 2.0_wp**30
    !> Bits of a hash, and its halves
    integer(int64), parameter :: bits = 4294967295_int64, half = 65535_int64
 
@@ -42,6 +44,8 @@ contains
       integer :: first(2), i, j
 
       x(:) = place/self%length
+      ! the lattice repeats itself, far beyond a plate, so that its indices are integers
+      x(:) = x - period*anint(x/period)
       first(:) = floor(x)
       total = 0.0_wp
       squares = 0.0_wp

@@ -48,6 +48,19 @@ program test_law_scatter
       & "another seed is another one")
    call check(abs(scatter%factor([1.25_wp + 1.0e-6_wp, -3.5_wp], 2) - here) < 1.0e-5_wp, &
       & "is continuous")
+
+   call begin("length far too short")
+   ! places of the lattice that no integer numbers
+   other = scatter_type(seed=7, modulus=modulus, length=1.0e-12_wp)
+   do j = 1, side
+      do i = 1, side
+         factor(i, j) = other%factor(7.3_wp*[real(i, wp), real(j, wp)] - 400.0_wp, 3)
+      end do
+   end do
+   mean = sum(factor)/side**2
+   call check(mean, 1.0_wp, 3.0_wp*spread/side, "still has the mean 1")
+   call check(sqrt(sum((factor - mean)**2)/side**2)/spread, 1.0_wp, 3.0_wp/side, &
+      & "and the deviation of Weibull")
    call finish()
 
 contains
