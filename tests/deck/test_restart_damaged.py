@@ -82,3 +82,18 @@ def test_a_wrong_bit_in_an_attribute_is_found(dump: Path) -> None:
         assert code == INPUT, (place, text)
     code, text = said("restart", dump)
     assert code == NORMAL, text
+
+
+@pytest.mark.parametrize("step", [-1, 1])
+def test_a_file_of_another_layout_is_refused(dump: Path, step: int) -> None:
+    """Its numbers or the defaults of its deck would have another meaning."""
+    whole = dump.read_bytes()
+    with h5py.File(dump, "r+") as file:
+        attributes = file["run"].attrs
+        attributes["format"] = attributes["format"] + step
+    try:
+        code, text = said("restart", dump)
+    finally:
+        dump.write_bytes(whole)
+    assert code == INPUT, text
+    assert "it must be read by the version that wrote it" in text

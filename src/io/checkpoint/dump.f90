@@ -24,9 +24,10 @@ module plydyn_io_checkpoint_dump
    public :: write_dump
 
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
-   !> histories or the memory of contact are arranged anew
+   !> histories, the memory of contact or other numbers of the state are arranged anew, and whenever
+   !> empty fields of the decks in it get another meaning
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 11
+   integer, parameter, public :: dump_format = 12
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
