@@ -106,9 +106,13 @@ def test_damping_takes_the_energy_of_the_swing(compare: Comparison, tmp_path: Pa
     compare.number("energy of the damping", energy["damping"][-1], half, unit="mJ", rel=2e-3)
 
 
-def test_restart_gives_the_same_bits(tmp_path: Path) -> None:
-    """A run that goes on amid its relaxation, between two changes of the damping."""
-    deck = loaded(1.0e-6)
+@pytest.mark.parametrize("squeeze", [0.0, 100.0 * PULL])
+def test_restart_gives_the_same_bits(squeeze: float, tmp_path: Path) -> None:
+    """A run that goes on amid its relaxation, between two changes of the damping.
+
+    Squeezed, it goes on amid the period over which the damping must have been about critical.
+    """
+    deck = loaded(1.0e-6, squeeze)
     deck.add("DATABASE_BINARY_D3DUMP", (333,))
     results = run(deck, tmp_path / "whole")
     shutil.copytree(results.folder, tmp_path / "broken")
