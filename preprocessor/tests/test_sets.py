@@ -179,6 +179,36 @@ def test_the_run_has_failed_areas_of_the_inserts(solver: str, tmp_path: Path) ->
     assert areas == pytest.approx([pi * radius**2, 144.0, 0.0], rel=1.0e-4)
 
 
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("quadrature", ["gauss", "nodes"])
+def test_a_small_circle_has_points_for_the_solver_too(
+    order: int, quadrature: str, solver: str, tmp_path: Path
+) -> None:
+    """Around a node and around a Gauss point: both say whether the interface is looked at there."""
+    size = 5.0
+    gauss = size / 2.0 * (1.0 + (sqrt(1.0 / 3.0) if order == 1 else sqrt(0.6)))
+    for place, has_point in ((0.0, quadrature == "nodes"), (gauss, quadrature == "gauss")):
+        one = pre.InitialDelamination(1, circle=(place, place, 0.1))
+        bond = replace(BOND, quadrature=quadrature)
+        study = plate(
+            mesh=replace(PLATE, quads=(12, 8), order=order),
+            materials={"carbon": CARBON, "bond": bond},
+        )
+        # what the solver says, whatever the recipe would
+        head = text_of(study).removesuffix("*END\n")
+        card = f"*INITIAL_DELAMINATION\n1,1,1,0,{place:.6f},{place:.6f},0.1\n*END\n"
+        (tmp_path / "job.k").write_text(head + card)
+        words = [solver, "check", "job.k"]
+        done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert (done.returncode == 0) == has_point, done.stdout + done.stderr
+        study = replace(study, initial_delamination=(one,))
+        if has_point:
+            assert "*INITIAL_DELAMINATION" in text_of(study)
+        else:
+            with pytest.raises(pre.RecipeError, match="no point of the interfaces lies in it"):
+                text_of(study)
+
+
 @pytest.mark.parametrize(
     ("values", "path", "words"),
     [
@@ -194,7 +224,7 @@ def test_the_run_has_failed_areas_of_the_inserts(solver: str, tmp_path: Path) ->
         ({"set": "insert"}, "initial_delamination[1].set", "did you mean 'inserts'?"),
         ({"part": "skin"}, "initial_delamination[1].part", "no part of the mesh"),
         ({"box": (40.0, 50.0, 0.0, 5.0)}, "initial_delamination[1].box", "no quad"),
-        ({"circle": (0.5, 0.5, 0.1)}, "initial_delamination[1].circle", "no node lies in it"),
+        ({"circle": (0.5, 0.5, 0.1)}, "initial_delamination[1].circle", "no point of the"),
         ({"set": "spot"}, "sets.spot.at", "has nodes only"),
     ],
 )

@@ -10,6 +10,8 @@ from plydyn_pre.deck.cards import Card, keyword
 from plydyn_pre.deck.names import ALL, Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Mesh
+from plydyn_pre.mesh.grid import Integers, Reals
+from plydyn_pre.mesh.quality import places_in_quads
 from plydyn_pre.mesh.region import Circle, in_ring
 from plydyn_pre.study import Cohesive, InitialDelamination, Laminate, PlaceSet, runs
 
@@ -29,7 +31,7 @@ def _delamination(names: Names, one: InitialDelamination, path: str) -> str:
     damage: Card = {"damage": one.damage} if one.damage < 1.0 else {}
     circle: Card = {}
     if one.circle is not None:
-        _check_circle(names.mesh, one.circle, f"{path}.circle")
+        _check_circle(names, laminate, part, one.circle, f"{path}.circle")
         circle = dict(zip(("x", "y", "r"), map(float, one.circle), strict=True))
     rows = (
         {"pid": names.parts[part], "ifac1": group[0], "ifac2": group[-1]} | place | damage | circle
@@ -70,11 +72,23 @@ def _quads(names: Names, one: InitialDelamination, part: str, path: str) -> int:
     return number
 
 
-def _check_circle(mesh: Mesh, circle: Circle, path: str) -> None:
-    """Refuse a circle beside the plate, and one that is lost between the nodes."""
+def _check_circle(names: Names, laminate: Laminate, part: str, circle: Circle, path: str) -> None:
+    """Refuse a circle beside the part, and one that is lost between the points of interfaces."""
     x, y, radius = circle
-    met = bool(in_ring(mesh.nodes, (x, y, 0.0, radius), 0.0).any())
-    if not met:
-        nearest = float(np.hypot(*(mesh.nodes - (x, y)).T).min())
-        rule = f"no node lies in it; the nearest is {nearest:.3g} from the middle"
+    bond = names.study.materials[laminate.joint]
+    points = _points(names.mesh, names.mesh.parts[part], nodal=bond.quadrature == "nodes")
+    if not in_ring(points, (x, y, 0.0, radius), 0.0).any():
+        nearest = float(np.hypot(*(points - (x, y)).T).min())
+        rule = (
+            f"no point of the interfaces lies in it; the nearest is {nearest:.3g} from the middle"
+        )
         raise RecipeError(path, f"{rule}: a larger circle on the plate, or a zone of finer quads")
+
+
+def _points(mesh: Mesh, quads: Integers, *, nodal: bool) -> Reals:
+    """Places where the interfaces of some quads are looked at, (points, 2)."""
+    if nodal:
+        return mesh.nodes[mesh.quads[quads].ravel()]
+    abscissas, _ = np.polynomial.legendre.leggauss(mesh.order + 1)
+    grid = np.stack(np.meshgrid(abscissas, abscissas), axis=-1).reshape(-1, 2)
+    return places_in_quads(mesh, quads, grid).reshape(-1, 2)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plydyn_pre.mesh.grid import SIDES, Mesh, Reals
+from plydyn_pre.mesh.grid import SIDES, Integers, Mesh, Reals
 
 #: Places of the nodes of a quad in its own coordinates
 _NODES = np.array(
@@ -48,6 +48,13 @@ def quad_areas(mesh: Mesh) -> Reals:
     places, weights = np.polynomial.legendre.leggauss(3)
     grid = np.stack(np.meshgrid(places, places), axis=-1).reshape(-1, 2)
     return jacobians(mesh, grid) @ np.outer(weights, weights).ravel()
+
+
+def places_in_quads(mesh: Mesh, quads: Integers, places: Reals) -> Reals:
+    """Positions of some places in the own coordinates of some quads, (quads, places, 2)."""
+    own = _NODES[: 4 if mesh.order == 1 else 9]
+    along, across = (_lagrange(places[:, axis], own[:, axis], mesh.order) for axis in (0, 1))
+    return np.einsum("qnx,pn->qpx", mesh.nodes[mesh.quads[quads]], along * across)
 
 
 def jacobians(mesh: Mesh, places: Reals) -> Reals:
