@@ -47,12 +47,34 @@ def notes(folder: Path, *overrides: str, recipe: str = MINE) -> list[str]:
         # 3.4641 m/s for 3.5 s
         ("control.end_time=3.5", "control.end_time: the impactor could travel 1.212e+04 mm"),
         ("laminate.thickness=2.24", "laminate.thickness: 16 plies are 35.84 mm thick on a plate"),
+        ("laminate.thickness=0.14e-3", "laminate.thickness: a ply is 0.00014 mm thick; is it"),
+        # the coupon ends at x = 75 and y = 50
+        ("impactor.position=[105.0, 90.0]", "impactor.position: 50 mm beside the plate"),
+        # 3.4641 m/s for 5.2 ms
+        ("impactor.gap=50.0", "control.end_time: the impactor travels 18.01 mm until then, less"),
     ],
 )
 def test_other_units_are_noted(override: str, told: str, tmp_path: Path) -> None:
     found = notes(tmp_path, override)
     assert len(found) == 1
     assert found[0].startswith(told)
+
+
+@pytest.mark.parametrize(
+    ("override", "told"),
+    [
+        ("stages[1].impactor.energy=20", "stages[1].impactor.energy: a fall from a height of"),
+        ("stages[1].impactor.position=[125.0, 0.0]", "stages[1].impactor.position: 50 mm beside"),
+        # 2.697 m/s for 5 s
+        ("stages[1].end_time=5.0", "stages[1].end_time: the impactor could travel 1.348e+04 mm"),
+    ],
+)
+def test_impactors_of_stages_are_looked_at(override: str, told: str, tmp_path: Path) -> None:
+    (tmp_path / "preload.toml").write_text(pre.example_recipe("preload-impact"))
+    recipe = 'base = "preload.toml"\n[mesh]\nquad = 5.0\n'
+    assert notes(tmp_path, recipe=recipe) == []
+    (found,) = notes(tmp_path, override, recipe=recipe)
+    assert found.startswith(told)
 
 
 def test_metres_per_second_are_noted(tmp_path: Path) -> None:
@@ -92,6 +114,21 @@ def test_a_key_of_a_base_of_another_kind_is_told(tmp_path: Path) -> None:
         "impactor.radius: missing; a number is needed; that of the base is not taken, for its"
         " table is of kind 'tup'"
     )
+
+
+@pytest.mark.parametrize(
+    ("kind", "told"),
+    [
+        ("sphere", "impactor.radius: missing; a number is needed; impactor.kind=sphere replaces"),
+        ("cube", "impactor.kind: 'cube' was given, one of"),
+    ],
+)
+def test_a_kind_on_the_command_line_is_explained(kind: str, told: str, tmp_path: Path) -> None:
+    path = tmp_path / "coupon.toml"
+    path.write_text(pre.example_recipe("astm-d7136"))
+    with pytest.raises(pre.RecipeError) as caught:
+        pre.load_recipe(path, [f"impactor.kind={kind}"])
+    assert str(caught.value).removeprefix(f"{path}: ").startswith(told)
 
 
 def test_a_line_that_is_not_toml_is_shown(tmp_path: Path) -> None:

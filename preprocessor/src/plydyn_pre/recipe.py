@@ -31,11 +31,13 @@ _SHOWN = 100
 def load_recipe(path: Path, overrides: Iterable[str] = ()) -> Study:
     """Read a recipe; overrides such as ``mesh.n=6`` have the last word."""
     with blaming(path):
+        overrides = list(overrides)
         table = with_overrides(_read(path, ()), overrides)
         try:
             return build(Study, with_models(with_library(table)))
         except RecipeError as error:
-            raise RecipeError(error.path, error.message + _of_another_kind(path, error)) from error
+            why = _of_replaced_kind(overrides, error) or _of_another_kind(path, error)
+            raise RecipeError(error.path, error.message + why) from error
 
 
 def is_given(path: Path, overrides: Iterable[str], key: str) -> bool:
@@ -46,6 +48,17 @@ def is_given(path: Path, overrides: Iterable[str], key: str) -> bool:
     steps = [parse_override(text)[0] for text in overrides]
     known = [*table, *(str(step[1]) for step in steps if step[0] == name and len(step) > 1)]
     return any(entry == each or entry.startswith(f"{each}.") for each in known)
+
+
+def _of_replaced_kind(overrides: list[str], error: RecipeError) -> str:
+    """Why a key that is missing is not that of the recipe: an override gave the table a kind."""
+    table = error.path.rpartition(".")[0]
+    for text in overrides:
+        steps, kind = parse_override(text)
+        name = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in steps)
+        if error.message.startswith("missing") and name == f".{table}.kind":
+            return f"; {table}.kind={kind} replaces the whole table, so give its other keys, too"
+    return ""
 
 
 def _of_another_kind(path: Path, error: RecipeError) -> str:

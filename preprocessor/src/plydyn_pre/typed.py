@@ -33,6 +33,8 @@ def build(kind: type[T], table: object, path: str = "") -> T:
             hint = suggestion(key, known)
             raise RecipeError(_join(path, key), f"there is no such key; {hint}")
     hints = get_type_hints(kind)
+    if "kind" in known and "kind" in table:  # other keys depend on it
+        convert(hints["kind"], table["kind"], _join(path, "kind"))
     for key, field in known.items():
         if key not in table and _is_required(field):
             raise RecipeError(_join(path, key), f"missing; {_needed(hints[field.name])} is needed")

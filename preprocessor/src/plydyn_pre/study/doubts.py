@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import hypot
 
 from plydyn_pre.mesh import Mesh
+from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.study import Study
 from plydyn_pre.units import unit_factor
 
@@ -19,18 +20,35 @@ _GRAVITY = 9806.65
 _FAR = 20.0
 #: Share of the shorter side of the plate that a laminate is thick
 _THICK = 0.25
+#: Thickness that spread tows of carbon, the thinnest plies, exceed, mm
+_THINNEST = 0.01
 
 
 def doubts(study: Study, mesh: Mesh) -> list[str]:
     """Keys whose numbers someone may have meant otherwise, with the reason."""
     sides = mesh.nodes.max(axis=0) - mesh.nodes.min(axis=0)
-    return [*_impact(study, float(hypot(*sides[:2]))), *_thickness(study, float(min(sides[:2])))]
+    found = list(_thickness(study, float(min(sides[:2]))))
+    runs = [("", study.impactor, "control.", study.control.end_time)]
+    for number, stage in enumerate(study.stages, start=1):
+        path = f"stages[{number}]."
+        runs.append((path, stage.impactor, path, stage.end_time))
+    for path, impactor, before_end, end in runs:
+        if impactor is not None:
+            found += [f"{path}{words}" for words in _impact(study, impactor)]
+            found += [f"{path}{words}" for words in _beside(study, impactor, mesh)]
+            size = float(hypot(*sides[:2]))
+            found += [f"{before_end}{words}" for words in _way(study, impactor, end, size)]
+    return found
 
 
-def _impact(study: Study, size: float) -> Iterator[str]:
-    """A fall, a speed and an end of time as no test has them."""
-    impactor = study.impactor
-    if impactor is None or impactor.motion_z or impactor.velocity is None:
+def _falls(impactor: Impactor) -> bool:
+    """Whether the motion is that of a velocity at the start alone."""
+    return not impactor.motion_z and impactor.velocity is not None
+
+
+def _impact(study: Study, impactor: Impactor) -> Iterator[str]:
+    """A fall and a speed as no test has them."""
+    if not _falls(impactor):
         return
     names, units = study.units, vars(study.units)
     speed = hypot(*impactor.velocity)
@@ -49,17 +67,51 @@ def _impact(study: Study, size: float) -> Iterator[str]:
             f"impactor.velocity: {speed:.4g}; is it in {names.length}/{names.time}? A slow push is"
             " a curve, motion_z"
         )
-    travel = speed * study.control.end_time
+
+
+def _way(study: Study, impactor: Impactor, end: float, size: float) -> Iterator[str]:
+    """An end of a run long behind the impact, or before it."""
+    if not _falls(impactor):
+        return
+    names, travel = study.units, hypot(*impactor.velocity) * end
     if travel > _FAR * size:
         yield (
-            f"control.end_time: the impactor could travel {travel:.4g} {names.length} until then;"
+            f"end_time: the impactor could travel {travel:.4g} {names.length} until then;"
             f" is it in {names.time}?"
+        )
+    way = abs(impactor.velocity[2]) * end + 0.5 * abs(impactor.gravity) * end**2
+    if 0.0 < way < impactor.gap:
+        yield (
+            f"end_time: the impactor travels {way:.4g} {names.length} until then, less than its"
+            f" gap of {impactor.gap:.4g} {names.length}"
+        )
+
+
+def _beside(study: Study, impactor: Impactor, mesh: Mesh) -> Iterator[str]:
+    """A body that falls past the plate."""
+    if impactor.position is None or (_falls(impactor) and any(impactor.velocity[:2])):
+        return
+    low, high = mesh.nodes.min(axis=0), mesh.nodes.max(axis=0)
+    apart = [
+        max(float(low[k]) - place, place - float(high[k]), 0.0)
+        for k, place in enumerate(impactor.position)
+    ]
+    if hypot(*apart) > hypot(impactor.radius, impactor.length):
+        yield (
+            f"impactor.position: {hypot(*apart):.4g} {study.units.length} beside the plate, which"
+            f" the impactor misses; x is from {low[0]:g} to {high[0]:g},"
+            f" y from {low[1]:g} to {high[1]:g}"
         )
 
 
 def _thickness(study: Study, side: float) -> Iterator[str]:
-    """A laminate that is no plate."""
+    """A laminate that is no plate, or plies that no one makes."""
+    least = _THINNEST * unit_factor((1, 0, 0), vars(study.units))
     for laminate in study.all_laminates:
+        thin = min(ply.thickness for ply in laminate.stack)
+        if thin < least:
+            unit = study.units.length
+            yield f"laminate.thickness: a ply is {thin:.4g} {unit} thick; is it in {unit}?"
         if laminate.total > _THICK * side:
             unit = study.units.length
             yield (
