@@ -101,6 +101,22 @@ def test_a_lever_is_not_on_a_face_with_a_fixture(study: pre.Study, face: str) ->
         assert replace(made, fixtures=(clamp,)).fixtures == (clamp,)
 
 
+def test_a_lever_is_not_on_a_face_that_a_stage_meets(study: pre.Study) -> None:
+    """The solver would refuse the restart, when the runs before it are over."""
+    made = beam(study)
+    for face in ("top", "bottom"):
+        stages = (
+            Stage("hit", 1.0e-6, impactor=study.impactor, contact=pre.Contact(face=face)),
+            Stage("held", 1.0e-6, fixtures=(Clamp(face=face, force=1.0, outer=2.0),)),
+        )
+        for stage in stages:
+            if face == LEVER.face:
+                with pytest.raises(pre.RecipeError, match="impactor or a fixture meets"):
+                    replace(made, stages=(stage,))
+            else:
+                assert replace(made, stages=(stage,)).stages == (stage,)
+
+
 def _with(study: pre.Study, changes: dict) -> pre.Study:
     """The beam with another lever."""
     return replace(beam(study), loads=(replace(LEVER, **changes),))

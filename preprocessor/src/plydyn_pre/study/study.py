@@ -93,9 +93,7 @@ class Study:
             self._check_stage(stage, f"stages[{number}]")
         check_fields(self.all_laminates, self.materials, self.outputs)
         check_scheme(self.all_laminates, self.bricks, self.control)
-        met = {self.touch.face} if self.impactor else set()
-        met |= {fixture.face for fixture in self.fixtures}
-        check_levers(self.loads, met, self.control)
+        check_levers(self.loads, _met_faces(self, *self.stages), self.control)
         check_step_curve(self.curves, self.control)
         check_speed(self.impactor, self.units)
         falls = self.impactor is not None and self.impactor.energy is not None
@@ -184,6 +182,12 @@ class Study:
 def _is_joint(material: Material) -> bool:
     """Whether a material lies between plies."""
     return isinstance(material, Springs | Cohesive)
+
+
+def _met_faces(*runs: Study | Stage) -> set[str]:
+    """Faces that an impactor or a fixture meets in some runs of a chain."""
+    hit = {(run.contact or Contact()).face for run in runs if run.impactor is not None}
+    return hit | {fixture.face for run in runs for fixture in run.fixtures}
 
 
 def _laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
