@@ -116,10 +116,7 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
     ran = [found[case.name] for case in CASES if case.name in found]
     if not ran:
         return Page("cross_ply")
-    plates = [
-        Plate(damage.read_impact(run), shape_of(read_interfaces(run.results).each[0]))
-        for run in ran
-    ]
+    plates = [read_plate(run) for run in ran]
     missing = [case.label for case in CASES if case.name not in found]
     words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
     text = f"{tabulate(COLUMNS, plates)}{words}\n{made_by(ran)}"
