@@ -31,6 +31,7 @@ program test_domain_initial_history
    call test_rules()
    call test_width_given()
    call test_factors()
+   call test_bands_with_factors()
    call test_bands()
    call test_refused()
    call finish()
@@ -137,6 +138,35 @@ contains
          end do
       end do
    end subroutine test_factors
+
+   !> Smallest and largest factors, and bands that are too wide by their squares. The correlation is
+   !> so long that all points of a ply have one factor
+   subroutine test_bands_with_factors()
+      type(domain_type) :: domain
+      type(error_type), allocatable :: error
+      type(model_type) :: model
+      type(strength_scatter_type) :: scatter
+      real(wp) :: factor(2, 2)
+
+      call begin("find_bands with factors")
+      scatter = strength_scatter_type(7, [30.0_wp, 4.0_wp], 1.0e7_wp)
+      factor(:, 1) = scatter%factors([0.0_wp, 0.0_wp], 1)
+      factor(:, 2) = scatter%factors([0.0_wp, 0.0_wp], 3)
+      model = plate(rule_band, 9)
+      call set_ply(model, 0.4_wp, snap_reduce)
+      model%materials(2)%law%scatter = scatter
+      call build_domain(model, domain, error)
+      associate (bands => domain%crack_bands)
+         call check([bands(2)%narrowest, bands(2)%widest], spread(0.4_wp, 1, 4), 0.0_wp, "widths")
+         call check(bands(2)%weakest, minval(factor, dim=2), 1.0e-5_wp, "smallest factors")
+         call check(bands(2)%strongest, maxval(factor, dim=2), 1.0e-5_wp, "largest factors")
+         ! Table 5: 0.326 is the narrowest of the bands that matrix cracks allow, 0.674 the widest;
+         ! all three modes of the upper ply, which is of order 2
+         call check(factor(2, 1)**2*0.4_wp < 0.326_wp .and. factor(2, 2)**2*0.4_wp > 0.674_wp, &
+            & "one ply is weak, the other one strong")
+         call check(all(bands(2)%too_wide == [0, 0, 54, 54, 54]), "too wide in the strong ply")
+      end associate
+   end subroutine test_bands_with_factors
 
    !> Widths in the history of a Gauss point, alike at all heights
    function widths_of(model, layer, point) result(widths)
