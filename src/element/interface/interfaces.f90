@@ -10,7 +10,6 @@
 module plydyn_element_interface_interfaces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_quad, only : quad_metric, quad_node_metric
-   use plydyn_fem_quadrature, only : gauss_points
    use plydyn_law_cohesive_bilinear, only : cohesive_type
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, delaminated_share, &
       & fracture_at, friction_at, normal, share_at
@@ -45,8 +44,6 @@ module plydyn_element_interface_interfaces
       integer :: side = 0
       !> Points at the nodes instead of the Gauss points
       logical :: nodal = .false.
-      !> Distance of the outer points from the middle of the quad
-      real(wp) :: gauss_abscissa = 1.0_wp
       !> Index of each quad in the mesh
       integer, allocatable :: quad(:)
       !> Nodes of each quad in tensor order, (side**2, quads)
@@ -86,8 +83,6 @@ contains
 
       integer :: e
 
-      self%gauss_abscissa = 1.0_wp
-      if (.not. self%nodal) self%gauss_abscissa = maxval(gauss_points(self%side))
       self%quad = quad
       self%node = node
       self%target = node

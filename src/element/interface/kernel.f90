@@ -37,13 +37,13 @@ contains
       do e = quads(1), quads(2)
          row = 1 + self%side**2*(e - 1)
          call gather(self, self%node(:, e), -1.0_wp, displacement, jump)
-         if (.not. self%nodal) call to_points(self%side, self%gauss_abscissa, jump)
+         if (.not. self%nodal) call to_points(self%side, jump)
          if (large) then
             call add_corotational_forces(self, e, displacement, history(1, row, 1), jump, force)
             cycle
          end if
          call find_point_forces(self, e, history(1, row, 1), jump)
-         if (.not. self%nodal) call to_nodes(self%side, self%gauss_abscissa, jump)
+         if (.not. self%nodal) call to_nodes(self%side, jump)
          call scatter(self, self%target(:, e), jump, jump, force)
       end do
    end subroutine add_face_forces
@@ -69,15 +69,15 @@ contains
 
       associate (side => self%side, metric => self%metric(:, :, quad))
          call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
-         if (.not. self%nodal) call to_points(side, self%gauss_abscissa, middle)
+         if (.not. self%nodal) call to_points(side, middle)
          call find_axes(side, metric, middle, axes, stretch)
          call rotate_in(side**2, axes, jump)
          point_force(:, :, :side**2) = jump(:, :, :side**2)
          call find_point_forces(self, quad, history, point_force)
          call find_moment_forces(side, metric, axes, stretch, jump, point_force, moment_force)
          call rotate_back(side**2, axes, point_force)
-         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, point_force)
-         if (.not. self%nodal) call to_nodes(side, self%gauss_abscissa, moment_force)
+         if (.not. self%nodal) call to_nodes(side, point_force)
+         if (.not. self%nodal) call to_nodes(side, moment_force)
          do q = 1, side**2
             do c = 1, 3
                !$omp simd

@@ -55,10 +55,10 @@ contains
       real(wp) :: axes(lanes, 3, 3, size(self%node, 1))
 
       call gather(self, self%node(:, quad), -1.0_wp, displacement, jump)
-      if (.not. self%nodal) call to_points(self%side, self%gauss_abscissa, jump)
+      if (.not. self%nodal) call to_points(self%side, jump)
       if (.not. large) return
       call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
-      if (.not. self%nodal) call to_points(self%side, self%gauss_abscissa, middle)
+      if (.not. self%nodal) call to_points(self%side, middle)
       call find_axes(self%side, self%metric(:, :, quad), middle, axes, stretch)
       call rotate_in(self%side**2, axes, jump)
    end function openings
