@@ -147,17 +147,17 @@ contains
    end subroutine find_mode_force
 
    !> Energy stored in the hourglass modes of each lane
-   pure function stiffness_energy(mode_stiffness, axis, h, large, q) result(energy)
+   pure function stiffness_energy(mode_stiffness, axis, gradient, large, amplitude) result(energy)
       !> As in `add_stiffness_forces`
       real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
-      real(wp), intent(in) :: h(lanes, 3, 3), large, q(lanes, 3, hourglass_modes)
+      real(wp), intent(in) :: gradient(lanes, 3, 3), large, amplitude(lanes, 3, hourglass_modes)
       real(wp) :: energy(lanes)
 
-      real(wp) :: force(lanes, 3, hourglass_modes), p(lanes, 3, 3)
+      real(wp) :: force(lanes, 3, hourglass_modes), flux(lanes, 3, 3)
 
-      p(:, :, :) = 0.0_wp
-      call add_stiffness_forces(mode_stiffness, axis, h, large, q, force, p)
-      energy(:) = 0.5_wp*sum(sum(force*q, 3), 2)
+      flux(:, :, :) = 0.0_wp
+      call add_stiffness_forces(mode_stiffness, axis, gradient, large, amplitude, force, flux)
+      energy(:) = 0.5_wp*sum(sum(force*amplitude, 3), 2)
    end function stiffness_energy
 
    !> Viscous forces on the amounts, and the energy that they take

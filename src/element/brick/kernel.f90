@@ -34,22 +34,24 @@ contains
       !> Force on all points
       real(wp), intent(inout) :: force(*)
 
-      real(wp) :: f(lanes, corners, 3), total, u(lanes, corners, 3)
-      integer :: b
+      real(wp) :: node_force(lanes, corners, 3), total, motion(lanes, corners, 3)
+      integer :: batch
 
       total = merge(1.0_wp, 0.0_wp, large)
-      do b = batches(1), batches(2)
-         call gather(bricks%place(:, :, b), displacement, u)
-         associate (shape => bricks%shapes(bricks%shape(b)))
+      do batch = batches(1), batches(2)
+         call gather(bricks%place(:, :, batch), displacement, motion)
+         associate (shape => bricks%shapes(bricks%shape(batch)))
             if (bricks%points > 1) then
-               call full_forces(bricks, shape, total, step, u, history(:, :, :, b), f)
+               call full_forces(bricks, shape, total, step, motion, history(:, :, :, batch), &
+                  & node_force)
             else if (size(bricks%laws) == 0 .and. bricks%viscosity <= 0.0_wp) then
-               call elastic_forces(bricks%stiffness, shape, total, u, f)
+               call elastic_forces(bricks%stiffness, shape, total, motion, node_force)
             else
-               call point_forces(bricks, b, total, step, u, velocity, history(:, :, 1, b), f)
+               call point_forces(bricks, batch, total, step, motion, velocity, &
+                  & history(:, :, 1, batch), node_force)
             end if
          end associate
-         call scatter(bricks%target(:, :, b), f, force)
+         call scatter(bricks%target(:, :, batch), node_force, force)
       end do
    end subroutine add_brick_forces
 
@@ -63,14 +65,14 @@ contains
       real(wp), intent(in) :: displacement(*)
       real(wp) :: ratio(lanes)
 
-      real(wp) :: h(lanes, 3, 3), u(lanes, corners, 3)
+      real(wp) :: gradient(lanes, 3, 3), motion(lanes, corners, 3)
       integer :: m
 
       ratio(:) = huge(1.0_wp)
-      call gather(bricks%place(:, :, batch), displacement, u)
+      call gather(bricks%place(:, :, batch), displacement, motion)
       do m = 1, bricks%points
-         call gradient_of(u, bricks%shapes(bricks%shape(batch))%gradient(:, :, :, m), h)
-         ratio(:) = min(ratio, volume_ratios(h))
+         call gradient_of(motion, bricks%shapes(bricks%shape(batch))%gradient(:, :, :, m), gradient)
+         ratio(:) = min(ratio, volume_ratios(gradient))
       end do
    end function brick_volume_ratios
 
@@ -110,84 +112,90 @@ contains
    end subroutine scatter
 
    !> One point, elastic, with stiffness against hourglassing
-   pure subroutine elastic_forces(c, shape, large, u, f)
-      real(wp), intent(in) :: c(13), large, u(lanes, corners, 3)
+   pure subroutine elastic_forces(stiffness, shape, large, motion, node_force)
+      real(wp), intent(in) :: stiffness(13), large, motion(lanes, corners, 3)
       type(brick_shape_type), intent(in) :: shape
-      real(wp), intent(out) :: f(lanes, corners, 3)
+      real(wp), intent(out) :: node_force(lanes, corners, 3)
 
-      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), mode_force(lanes, 3, hourglass_modes)
-      real(wp) :: q(lanes, 3, hourglass_modes), s(lanes, 6)
+      real(wp) :: strain(lanes, 6), gradient(lanes, 3, 3), flux(lanes, 3, 3), &
+         & mode_force(lanes, 3, hourglass_modes)
+      real(wp) :: amplitude(lanes, 3, hourglass_modes), stress(lanes, 6)
 
-      call gradient_of(u, shape%gradient(:, :, :, 1), h)
-      call strain_of(h, large, e)
-      call elastic_stress(c, e, s)
-      call to_flux(h, large, shape%volume(:, 1), s, p)
-      if (large > 0.0_wp) call add_barrier(c(c33), shape%volume(:, 1), h, p)
-      call mode_amplitudes(u, h, shape%bent, q)
-      call add_stiffness_forces(shape%mode_stiffness, shape%axis, h, large, q, mode_force, p)
-      call modes_to_nodes(mode_force, shape%bent, p, f)
-      call integrate(p, shape%gradient(:, :, :, 1), f)
+      call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
+      call strain_of(gradient, large, strain)
+      call elastic_stress(stiffness, strain, stress)
+      call to_flux(gradient, large, shape%volume(:, 1), stress, flux)
+      if (large > 0.0_wp) call add_barrier(stiffness(c33), shape%volume(:, 1), gradient, flux)
+      call mode_amplitudes(motion, gradient, shape%bent, amplitude)
+      call add_stiffness_forces(shape%mode_stiffness, shape%axis, gradient, large, amplitude, &
+         & mode_force, flux)
+      call modes_to_nodes(mode_force, shape%bent, flux, node_force)
+      call integrate(flux, shape%gradient(:, :, :, 1), node_force)
    end subroutine elastic_forces
 
    !> One point, with a law or viscous hourglass control
-   pure subroutine point_forces(bricks, batch, large, step, u, velocity, history, f)
+   pure subroutine point_forces(bricks, batch, large, step, motion, velocity, history, node_force)
       type(bricks_type), intent(in) :: bricks
       integer, intent(in) :: batch
-      real(wp), intent(in) :: large, step, u(lanes, corners, 3), velocity(*)
+      real(wp), intent(in) :: large, step, motion(lanes, corners, 3), velocity(*)
       real(wp), intent(inout) :: history(lanes, bricks%histories)
-      real(wp), intent(out) :: f(lanes, corners, 3)
+      real(wp), intent(out) :: node_force(lanes, corners, 3)
 
-      real(wp) :: e(lanes, 6), h(lanes, 3, 3), p(lanes, 3, 3), mode_force(lanes, 3, hourglass_modes)
-      real(wp) :: q(lanes, 3, hourglass_modes), rate(lanes, 3, 3), s(lanes, 6), v(lanes, corners, 3)
+      real(wp) :: strain(lanes, 6), gradient(lanes, 3, 3), flux(lanes, 3, 3), &
+         & mode_force(lanes, 3, hourglass_modes)
+      real(wp) :: amplitude(lanes, 3, hourglass_modes), rate(lanes, 3, 3), stress(lanes, 6), &
+         & node_velocity(lanes, corners, 3)
 
       associate (shape => bricks%shapes(bricks%shape(batch)))
-         call gradient_of(u, shape%gradient(:, :, :, 1), h)
-         call strain_of(h, large, e)
-         call find_stress(bricks, step, e, history, s)
-         call to_flux(h, large, shape%volume(:, 1), s, p)
-         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, 1), h, p)
+         call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
+         call strain_of(gradient, large, strain)
+         call find_stress(bricks, step, strain, history, stress)
+         call to_flux(gradient, large, shape%volume(:, 1), stress, flux)
+         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, 1), gradient, &
+            & flux)
          if (bricks%viscosity > 0.0_wp) then
-            call gather(bricks%place(:, :, batch), velocity, v)
-            call gradient_of(v, shape%gradient(:, :, :, 1), rate)
-            call mode_amplitudes(v, rate, shape%bent, q)
-            call add_viscous_forces(bricks%viscosity, shape%volume(:, 1), step, q, mode_force, &
-               & history(:, bricks%histories))
+            call gather(bricks%place(:, :, batch), velocity, node_velocity)
+            call gradient_of(node_velocity, shape%gradient(:, :, :, 1), rate)
+            call mode_amplitudes(node_velocity, rate, shape%bent, amplitude)
+            call add_viscous_forces(bricks%viscosity, shape%volume(:, 1), step, amplitude, &
+               & mode_force, history(:, bricks%histories))
          else
-            call mode_amplitudes(u, h, shape%bent, q)
-            call add_stiffness_forces(shape%mode_stiffness, shape%axis, h, large, q, mode_force, p)
+            call mode_amplitudes(motion, gradient, shape%bent, amplitude)
+            call add_stiffness_forces(shape%mode_stiffness, shape%axis, gradient, large, &
+               & amplitude, mode_force, flux)
          end if
-         call modes_to_nodes(mode_force, shape%bent, p, f)
-         call integrate(p, shape%gradient(:, :, :, 1), f)
+         call modes_to_nodes(mode_force, shape%bent, flux, node_force)
+         call integrate(flux, shape%gradient(:, :, :, 1), node_force)
       end associate
    end subroutine point_forces
 
    !> Eight points, with the mean of the volume strain and of the pressure if they share it
-   pure subroutine full_forces(bricks, shape, large, step, u, history, f)
+   pure subroutine full_forces(bricks, shape, large, step, motion, history, node_force)
       type(bricks_type), intent(in) :: bricks
       type(brick_shape_type), intent(in) :: shape
-      real(wp), intent(in) :: large, step, u(lanes, corners, 3)
+      real(wp), intent(in) :: large, step, motion(lanes, corners, 3)
       real(wp), intent(inout) :: history(lanes, bricks%histories, corners)
-      real(wp), intent(out) :: f(lanes, corners, 3)
+      real(wp), intent(out) :: node_force(lanes, corners, 3)
 
-      real(wp) :: e(lanes, 6, corners), h(lanes, 3, 3, corners), p(lanes, 3, 3)
-      real(wp) :: s(lanes, 6, corners)
+      real(wp) :: strain(lanes, 6, corners), gradient(lanes, 3, 3, corners), flux(lanes, 3, 3)
+      real(wp) :: stress(lanes, 6, corners)
       integer :: m
 
       do m = 1, corners
-         call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
-         call strain_of(h(:, :, :, m), large, e(:, :, m))
+         call gradient_of(motion, shape%gradient(:, :, :, m), gradient(:, :, :, m))
+         call strain_of(gradient(:, :, :, m), large, strain(:, :, m))
       end do
-      if (bricks%shares_volume) call mean_volume_strain(shape%volume, e)
+      if (bricks%shares_volume) call mean_volume_strain(shape%volume, strain)
       do m = 1, corners
-         call find_stress(bricks, step, e(:, :, m), history(:, :, m), s(:, :, m))
+         call find_stress(bricks, step, strain(:, :, m), history(:, :, m), stress(:, :, m))
       end do
-      if (bricks%shares_volume) call mean_volume_strain(shape%volume, s)
-      f(:, :, :) = 0.0_wp
+      if (bricks%shares_volume) call mean_volume_strain(shape%volume, stress)
+      node_force(:, :, :) = 0.0_wp
       do m = 1, corners
-         call to_flux(h(:, :, :, m), large, shape%volume(:, m), s(:, :, m), p)
+         call to_flux(gradient(:, :, :, m), large, shape%volume(:, m), stress(:, :, m), flux)
          if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, m), &
-            & h(:, :, :, m), p)
-         call integrate(p, shape%gradient(:, :, :, m), f)
+            & gradient(:, :, :, m), flux)
+         call integrate(flux, shape%gradient(:, :, :, m), node_force)
       end do
    end subroutine full_forces
 
@@ -239,21 +247,21 @@ contains
    end subroutine mean_volume_strain
 
    !> Stress in the axes of the model, elastic or by the law
-   pure subroutine find_stress(bricks, step, e, history, s)
+   pure subroutine find_stress(bricks, step, strain, history, stress)
       type(bricks_type), intent(in) :: bricks
       real(wp), intent(in) :: step
-      real(wp), intent(inout) :: e(lanes, 6)
+      real(wp), intent(inout) :: strain(lanes, 6)
       real(wp), intent(inout) :: history(lanes, bricks%histories)
-      real(wp), intent(out) :: s(lanes, 6)
+      real(wp), intent(out) :: stress(lanes, 6)
 
       if (size(bricks%laws) == 0) then
-         call elastic_stress(bricks%stiffness, e, s)
+         call elastic_stress(bricks%stiffness, strain, stress)
          return
       end if
-      s(:, :) = 0.0_wp
-      call rotate_strain(bricks%cosine_sine, e)
-      call bricks%laws(1)%law%update(step, e, history, s)
-      call rotate_stress(bricks%cosine_sine, s)
+      stress(:, :) = 0.0_wp
+      call rotate_strain(bricks%cosine_sine, strain)
+      call bricks%laws(1)%law%update(step, strain, history, stress)
+      call rotate_stress(bricks%cosine_sine, stress)
    end subroutine find_stress
 
    !> Add the flux of a point to the forces of the nodes
@@ -274,28 +282,30 @@ contains
    end subroutine integrate
 
    !> Energy that hourglass control of one point has stored in a batch of bricks, or taken from it
-   pure real(wp) function hourglass_energy(bricks, b, large, displacement, history) result(energy)
+   pure real(wp) function hourglass_energy(bricks, batch, large, displacement, &
+      & history) result(energy)
       !> The bricks of a part, with one point
       type(bricks_type), intent(in) :: bricks
       !> The batch; large displacement
-      integer, intent(in) :: b
+      integer, intent(in) :: batch
       logical, intent(in) :: large
       !> Displacement of all points, history of the part
       real(wp), intent(in) :: displacement(*)
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
 
-      real(wp) :: h(lanes, 3, 3), q(lanes, 3, hourglass_modes), u(lanes, corners, 3)
+      real(wp) :: gradient(lanes, 3, 3), amplitude(lanes, 3, hourglass_modes), &
+         & motion(lanes, corners, 3)
 
       if (bricks%viscosity > 0.0_wp) then
-         energy = sum(history(:, bricks%histories, 1, b))
+         energy = sum(history(:, bricks%histories, 1, batch))
          return
       end if
-      associate (shape => bricks%shapes(bricks%shape(b)))
-         call gather(bricks%place(:, :, b), displacement, u)
-         call gradient_of(u, shape%gradient(:, :, :, 1), h)
-         call mode_amplitudes(u, h, shape%bent, q)
-         energy = sum(stiffness_energy(shape%mode_stiffness, shape%axis, h, &
-            & merge(1.0_wp, 0.0_wp, large), q))
+      associate (shape => bricks%shapes(bricks%shape(batch)))
+         call gather(bricks%place(:, :, batch), displacement, motion)
+         call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
+         call mode_amplitudes(motion, gradient, shape%bent, amplitude)
+         energy = sum(stiffness_energy(shape%mode_stiffness, shape%axis, gradient, &
+            & merge(1.0_wp, 0.0_wp, large), amplitude))
       end associate
    end function hourglass_energy
 

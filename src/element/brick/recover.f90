@@ -32,22 +32,22 @@ contains
       real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
       real(wp) :: mean(lanes, recovered)
 
-      real(wp) :: e(lanes, 6, bricks%points), h(lanes, 3, 3, bricks%points)
-      real(wp) :: u(lanes, corners, 3), values(lanes, recovered), whole(lanes)
+      real(wp) :: strain(lanes, 6, bricks%points), gradient(lanes, 3, 3, bricks%points)
+      real(wp) :: motion(lanes, corners, 3), values(lanes, recovered), whole(lanes)
       integer :: i, m
 
       mean(:, :) = 0.0_wp
       whole(:) = tiny(1.0_wp)
-      call gather(bricks%place(:, :, batch), displacement, u)
+      call gather(bricks%place(:, :, batch), displacement, motion)
       associate (shape => bricks%shapes(bricks%shape(batch)))
          do m = 1, bricks%points
-            call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
-            call strain_of(h(:, :, :, m), merge(1.0_wp, 0.0_wp, large), e(:, :, m))
+            call gradient_of(motion, shape%gradient(:, :, :, m), gradient(:, :, :, m))
+            call strain_of(gradient(:, :, :, m), merge(1.0_wp, 0.0_wp, large), strain(:, :, m))
          end do
-         if (bricks%shares_volume) call mean_volume_strain(shape%volume, e)
+         if (bricks%shares_volume) call mean_volume_strain(shape%volume, strain)
          do m = 1, bricks%points
-            call point_values(bricks, large, h(:, :, :, m), e(:, :, m), history(:, :, m, batch), &
-               & values)
+            call point_values(bricks, large, gradient(:, :, :, m), strain(:, :, m), &
+               & history(:, :, m, batch), values)
             do i = 1, recovered
                mean(:, i) = mean(:, i) + shape%volume(:, m)*values(:, i)
             end do
@@ -60,65 +60,68 @@ contains
    end function brick_values
 
    !> Values at one point
-   pure subroutine point_values(bricks, large, h, e, history, values)
+   pure subroutine point_values(bricks, large, gradient, strain, history, values)
       type(bricks_type), intent(in) :: bricks
       logical, intent(in) :: large
-      real(wp), intent(in) :: h(lanes, 3, 3), e(lanes, 6), history(lanes, bricks%histories)
+      real(wp), intent(in) :: gradient(lanes, 3, 3), strain(lanes, 6), &
+         & history(lanes, bricks%histories)
       real(wp), intent(out) :: values(lanes, recovered)
 
-      real(wp) :: s(lanes, 6), turned(lanes, 6)
+      real(wp) :: stress(lanes, 6), turned(lanes, 6)
       integer :: k, l
 
       values(:, :) = 0.0_wp
-      turned(:, :) = e
+      turned(:, :) = strain
       call rotate_strain(bricks%cosine_sine, turned)
-      values(:, strain_at + 1:stress_at) = e
+      values(:, strain_at + 1:stress_at) = strain
       values(:, ply_strain_at + 1:ply_stress_at) = turned
-      call elastic_stress(bricks%stiffness, e, s)
+      call elastic_stress(bricks%stiffness, strain, stress)
       do k = 1, size(bricks%laws)
          associate (law => bricks%laws(k)%law)
-            s(:, :) = 0.0_wp
-            call law%stress_at(turned, history, s)
-            call rotate_stress(bricks%cosine_sine, s)
+            stress(:, :) = 0.0_wp
+            call law%stress_at(turned, history, stress)
+            call rotate_stress(bricks%cosine_sine, stress)
             do l = 1, lanes
                values(l, scalars_at + 1:) = law%output_variables(l, history)
             end do
          end associate
       end do
-      turned(:, :) = s
+      turned(:, :) = stress
       ! the rotation of strain with half the shear is that of stress
       turned(:, 4:) = 2.0_wp*turned(:, 4:)
       call rotate_strain(bricks%cosine_sine, turned)
       turned(:, 4:) = 0.5_wp*turned(:, 4:)
       values(:, ply_stress_at + 1:scalars_at) = turned
-      if (large) call to_cauchy(bricks%stiffness(c33), h, s)
-      values(:, stress_at + 1:ply_strain_at) = s
+      if (large) call to_cauchy(bricks%stiffness(c33), gradient, stress)
+      values(:, stress_at + 1:ply_strain_at) = stress
    end subroutine point_values
 
    !> Second Piola-Kirchhoff to Cauchy stress, in place: F S F^T / det F, with that
    !> of the barrier against compression
-   pure subroutine to_cauchy(modulus, h, s)
-      real(wp), intent(in) :: modulus, h(lanes, 3, 3)
-      real(wp), intent(inout) :: s(lanes, 6)
+   pure subroutine to_cauchy(modulus, gradient, stress)
+      real(wp), intent(in) :: modulus, gradient(lanes, 3, 3)
+      real(wp), intent(inout) :: stress(lanes, 6)
 
       integer, parameter :: first(6) = [1, 2, 3, 1, 1, 2], second(6) = [1, 2, 3, 2, 3, 3]
-      real(wp) :: f(3, 3), p(lanes, 3, 3), unit(lanes), ratio
+      real(wp) :: deformation(3, 3), flux(lanes, 3, 3), unit(lanes), ratio
       integer :: i, l
 
       unit(:) = 1.0_wp
-      call to_flux(h, 1.0_wp, unit, s, p)
+      call to_flux(gradient, 1.0_wp, unit, stress, flux)
       do l = 1, lanes
-         f(:, :) = h(l, :, :)
+         deformation(:, :) = gradient(l, :, :)
          do i = 1, 3
-            f(i, i) = f(i, i) + 1.0_wp
+            deformation(i, i) = deformation(i, i) + 1.0_wp
          end do
-         ratio = f(1, 1)*(f(2, 2)*f(3, 3) - f(3, 2)*f(2, 3)) &
-            & - f(2, 1)*(f(1, 2)*f(3, 3) - f(3, 2)*f(1, 3)) &
-            & + f(3, 1)*(f(1, 2)*f(2, 3) - f(2, 2)*f(1, 3))
+         ratio = deformation(1, 1)*(deformation(2, 2)*deformation(3, 3) &
+            & - deformation(3, 2)*deformation(2, 3)) - deformation(2, &
+            & 1)*(deformation(1, 2)*deformation(3, 3) - deformation(3, 2)*deformation(1, 3)) &
+            & + deformation(3, 1)*(deformation(1, 2)*deformation(2, 3) &
+            & - deformation(2, 2)*deformation(1, 3))
          do i = 1, 6
-            s(l, i) = dot_product(p(l, first(i), :), f(second(i), :))/ratio
+            stress(l, i) = dot_product(flux(l, first(i), :), deformation(second(i), :))/ratio
          end do
-         s(l, :3) = s(l, :3) + barrier_stress(modulus, ratio)
+         stress(l, :3) = stress(l, :3) + barrier_stress(modulus, ratio)
       end do
    end subroutine to_cauchy
 
