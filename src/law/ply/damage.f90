@@ -189,7 +189,7 @@ contains
       real(wp), intent(inout) :: history(lanes, pitch, *)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
-      real(wp) :: e(lanes, 6), h(lanes, histories_most), s(lanes, 6)
+      real(wp) :: lane_strain(lanes, 6), lane_history(lanes, histories_most), lane_stress(lanes, 6)
       integer :: m
       logical :: updated(points)
 
@@ -201,66 +201,68 @@ contains
       do m = 1, points
          if (updated(m)) cycle
          call load_lanes(self%ply%own, pitch, self%histories, strain(:, :, m), history(1, m, 1), &
-            & e, h)
-         call self%update_point(e, h, s)
-         call store_lanes(self%ply%own, pitch, self%histories, h, s, history(1, m, 1), &
-            & stress(:, :, m))
+            & lane_strain, lane_history)
+         call self%update_point(lane_strain, lane_history, lane_stress)
+         call store_lanes(self%ply%own, pitch, self%histories, lane_history, lane_stress, &
+            & history(1, m, 1), stress(:, :, m))
       end do
    end subroutine update_points
 
    !> Stress and history of all lanes after a step, by the whole law
-   pure subroutine update_point(self, e, h, s)
+   pure subroutine update_point(self, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
       !> Strain, history and stress
-      real(wp), intent(in) :: e(lanes, 6)
-      real(wp), intent(inout) :: h(lanes, self%histories)
-      real(wp), intent(out) :: s(lanes, 6)
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, self%histories)
+      real(wp), intent(out) :: stress(lanes, 6)
 
       type(ply_step_type) :: now
       real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
 
-      call advance_shear(self%ply, e(:, 4), h, shear, now%work, now%grows)
+      call advance_shear(self%ply, strain(:, 4), history, shear, now%work, now%grows)
       if (self%averages) then
-         call load_mean_strains(self%ply%secant%shear(:, 1), h(:, mean_strain:histories_average), &
-            & drive, drive_shear)
-         call update_damage(self, drive, drive_shear, h, now, s(:, 1:3))
-         call self%ply%secant%damaged_stress(e, now%after, s)
-         call find_share(e, shear(:, 2), h(:, own_strain:mean_strain - 1), now%share)
-         call store_driving_strains(e, shear(:, 2), h(:, own_strain:mean_strain - 1))
+         call load_mean_strains(self%ply%secant%shear(:, 1), &
+            & history(:, mean_strain:histories_average), drive, drive_shear)
+         call update_damage(self, drive, drive_shear, history, now, stress(:, 1:3))
+         call self%ply%secant%damaged_stress(strain, now%after, stress)
+         call find_share(strain, shear(:, 2), history(:, own_strain:mean_strain - 1), now%share)
+         call store_driving_strains(strain, shear(:, 2), history(:, own_strain:mean_strain - 1))
       else
-         call update_damage(self, e(:, 1:3), shear, h, now, s(:, 1:3))
+         call update_damage(self, strain(:, 1:3), shear, history, now, stress(:, 1:3))
       end if
-      if (now%grows) call add_energies(self%ply%secant, e, shear(:, 2), now, s(:, 1:2), h)
-      call self%ply%secant%degrade_stress(e, shear(:, 1), now%after(:, 1:2), now%after(:, 3:4), s)
-      if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, h)
+      if (now%grows) call add_energies(self%ply%secant, strain, shear(:, 2), now, stress(:, 1:2), &
+         & history)
+      call self%ply%secant%degrade_stress(strain, shear(:, 1), now%after(:, 1:2), &
+         & now%after(:, 3:4), stress)
+      if (self%ply%any_closes) call swap_closed(self%ply%closes, now%sense, history)
    end subroutine update_point
 
    !> Damage after a step, and the effective normal stresses of the strains that drive it
-   pure subroutine update_damage(self, e, shear, h, now, s)
+   pure subroutine update_damage(self, strain, shear, history, now, stress)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33; sizes of the shear stress 12 before damage and of the elastic shear
       !> strain
-      real(wp), intent(in) :: e(lanes, 3), shear(lanes, 2)
-      real(wp), intent(inout) :: h(lanes, self%histories)
+      real(wp), intent(in) :: strain(lanes, 3), shear(lanes, 2)
+      real(wp), intent(inout) :: history(lanes, self%histories)
       type(ply_step_type), intent(inout) :: now
-      real(wp), intent(out) :: s(lanes, 3)
+      real(wp), intent(out) :: stress(lanes, 3)
 
       real(wp) :: share(lanes, 2)
       logical :: begins
 
-      if (self%ply%any_closes) call put_active_first(self, e, shear(:, 1), h, now%sense)
-      call find_integrity(self%ply%residual, self%ply%any_closes, h, now%sense, now%before)
+      if (self%ply%any_closes) call put_active_first(self, strain, shear(:, 1), history, now%sense)
+      call find_integrity(self%ply%residual, self%ply%any_closes, history, now%sense, now%before)
       now%after(:, :) = now%before
-      call soften(self, e, shear(:, 2), h, now, now%share, s)
-      call begin_damage(self%ply, e, shear, s, h, now, begins)
+      call soften(self, strain, shear(:, 2), history, now, now%share, stress)
+      call begin_damage(self%ply, strain, shear, stress, history, now, begins)
       if (begins) then
-         call soften(self, e, shear(:, 2), h, now, share, s)
+         call soften(self, strain, shear(:, 2), history, now, share, stress)
          ! beyond that the step has not led here, and all of it falls at the strain of now
          share(:, :) = merge(share, 1.0_wp, share >= min_path_ratio)
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
-      if (begins .or. now%grows) call set_thresholds(self%ply, h(:, fibre_damage:matrix_finish), &
-         & h(:, fibre_threshold:matrix_threshold))
+      if (begins .or. now%grows) call set_thresholds(self%ply, &
+         & history(:, fibre_damage:matrix_finish), history(:, fibre_threshold:matrix_threshold))
    end subroutine update_damage
 
    !> Set the growth thresholds of modes that have begun for the next step
@@ -284,34 +286,34 @@ contains
    !> sign of a stress depends only on the integrity in the other direction, by Poisson's effect:
    !> there the damage that goes with the signs of an intact ply is enough. Compression across the
    !> fibres that is small beside the shear counts as tension
-   pure subroutine put_active_first(self, e, shear, h, sense)
+   pure subroutine put_active_first(self, strain, shear, history, sense)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33; size of the shear stress 12 before damage
-      real(wp), intent(in) :: e(lanes, 3), shear(lanes)
-      real(wp), intent(inout) :: h(lanes, self%histories)
+      real(wp), intent(in) :: strain(lanes, 3), shear(lanes)
+      real(wp), intent(inout) :: history(lanes, self%histories)
       !> Stresses 11 and 22 of which the signs count
       real(wp), intent(out) :: sense(lanes, 2)
 
       real(wp) :: integrity(lanes, 4), stress(lanes, 3)
 
-      call self%ply%secant%intact_stress(e, stress)
+      call self%ply%secant%intact_stress(strain, stress)
       sense(:, 1) = stress(:, 1)
       sense(:, 2) = stress(:, 2) + compression_tolerance*shear
-      call swap_closed(self%ply%closes, sense, h)
-      call find_integrity(self%ply%residual, self%ply%any_closes, h, sense, integrity)
-      call self%ply%secant%damaged_stress(e, integrity, stress)
-      call swap_closed(self%ply%closes, sense, h)
+      call swap_closed(self%ply%closes, sense, history)
+      call find_integrity(self%ply%residual, self%ply%any_closes, history, sense, integrity)
+      call self%ply%secant%damaged_stress(strain, integrity, stress)
+      call swap_closed(self%ply%closes, sense, history)
       sense(:, 1) = stress(:, 1)
       sense(:, 2) = stress(:, 2) + compression_tolerance*shear
-      call swap_closed(self%ply%closes, sense, h)
+      call swap_closed(self%ply%closes, sense, history)
    end subroutine put_active_first
 
    !> Grow the damage that has begun, and find the effective normal stresses
-   pure subroutine soften(self, e, elastic, h, now, share, stress)
+   pure subroutine soften(self, strain, elastic, history, now, share, stress)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33, size of the elastic shear strain
-      real(wp), intent(in) :: e(lanes, 3), elastic(lanes)
-      real(wp), intent(inout) :: h(lanes, self%histories)
+      real(wp), intent(in) :: strain(lanes, 3), elastic(lanes)
+      real(wp), intent(inout) :: history(lanes, self%histories)
       type(ply_step_type), intent(inout) :: now
       !> Mean of the driving forces over their values at the end
       real(wp), intent(out) :: share(lanes, 2)
@@ -322,22 +324,22 @@ contains
 
       !$omp simd
       do l = 1, lanes
-         size(l, 1) = abs(e(l, 1))
-         size(l, 2) = sqrt(e(l, 2)**2 + elastic(l)**2)
+         size(l, 1) = abs(strain(l, 1))
+         size(l, 2) = sqrt(strain(l, 2)**2 + elastic(l)**2)
       end do
-      associate (ply => self%ply, modes => h(:, fibre_damage:matrix_finish))
+      associate (ply => self%ply, modes => history(:, fibre_damage:matrix_finish))
          if (can_grow(ply%plateau, ply%brittle, size, modes)) then
             now%grows = .true.
             call grow(ply%plateau, ply%brittle, size, modes, share)
             ! where cracks close, another damage may meet the strain of the step at once
             if (ply%any_closes) share(:, :) = merge(1.0_wp, share, share < min_path_ratio &
                & .and. spread(ply%closes > 0.0_wp, 2, 2))
-            call find_integrity(ply%residual, ply%any_closes, h, now%sense, now%after)
+            call find_integrity(ply%residual, ply%any_closes, history, now%sense, now%after)
          else
             share(:, :) = 1.0_wp
          end if
       end associate
-      call self%ply%secant%damaged_stress(e, now%after, stress)
+      call self%ply%secant%damaged_stress(strain, now%after, stress)
    end subroutine soften
 
 end module plydyn_law_ply_damage

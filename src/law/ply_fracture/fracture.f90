@@ -126,55 +126,56 @@ contains
       real(wp), intent(inout) :: history(lanes, pitch, *)
       real(wp), intent(inout) :: stress(lanes, 6, points)
 
-      real(wp) :: e(lanes, 6), h(lanes, histories), s(lanes, 6)
+      real(wp) :: lane_strain(lanes, 6), lane_history(lanes, histories), lane_stress(lanes, 6)
       integer :: m
       logical :: updated(points)
 
       call update_intact(self%ply, points, pitch, strain, history, stress, updated)
       do m = 1, points
          if (updated(m)) cycle
-         call load_lanes(self%ply%own, pitch, histories, strain(:, :, m), history(1, m, 1), e, h)
-         call update_point(self%ply, e, h, s)
-         call store_lanes(self%ply%own, pitch, histories, h, s, history(1, m, 1), &
-            & stress(:, :, m))
+         call load_lanes(self%ply%own, pitch, histories, strain(:, :, m), history(1, m, 1), &
+            & lane_strain, lane_history)
+         call update_point(self%ply, lane_strain, lane_history, lane_stress)
+         call store_lanes(self%ply%own, pitch, histories, lane_history, lane_stress, &
+            & history(1, m, 1), stress(:, :, m))
       end do
    end subroutine update_points
 
    !> Stress and history of all lanes of a point after a step
-   pure subroutine update_point(ply, e, h, s)
+   pure subroutine update_point(ply, strain, history, stress)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Strain, history and stress
-      real(wp), intent(in) :: e(lanes, 6)
-      real(wp), intent(inout) :: h(lanes, histories)
-      real(wp), intent(out) :: s(lanes, 6)
+      real(wp), intent(in) :: strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, histories)
+      real(wp), intent(out) :: stress(lanes, 6)
 
       type(crack_type) :: crack
       type(fibres_type) :: fibres
       real(wp) :: elastic(lanes, 6), growth(lanes, 4), opened(lanes, 6)
       logical :: grows
 
-      call add_permanent_strain(ply, e, h, elastic, growth, grows)
-      call damage_fibres(ply, elastic, h, fibres)
-      call uncracked_stress(ply, elastic, fibres, s)
-      call crack_matrix(ply, s, fibres, h, crack)
+      call add_permanent_strain(ply, strain, history, elastic, growth, grows)
+      call damage_fibres(ply, elastic, history, fibres)
+      call uncracked_stress(ply, elastic, fibres, stress)
+      call crack_matrix(ply, stress, fibres, history, crack)
       if (crack%any) then
          call crack_strain(crack, opened)
          opened(:, :) = elastic - opened
-         call uncracked_stress(ply, opened, fibres, s)
+         call uncracked_stress(ply, opened, fibres, stress)
       end if
-      call fill_last_stress(s, h)
-      if (grows .or. fibres%grows) call add_energies(ply, fibres, growth, s, h)
-      if (crack%any) call add_crack_energies(crack, h)
-      call keep(crack, s, h)
+      call fill_last_stress(stress, history)
+      if (grows .or. fibres%grows) call add_energies(ply, fibres, growth, stress, history)
+      if (crack%any) call add_crack_energies(crack, history)
+      call keep(crack, stress, history)
    end subroutine update_point
 
    !> Let a point that nothing had happened to, which has kept no stress, have that of now
-   pure subroutine fill_last_stress(s, h)
+   pure subroutine fill_last_stress(stress, history)
       !> Stress after the step
-      real(wp), intent(in) :: s(lanes, 6)
+      real(wp), intent(in) :: stress(lanes, 6)
       !> History of the point
-      real(wp), intent(inout) :: h(lanes, histories)
+      real(wp), intent(inout) :: history(lanes, histories)
 
       real(wp) :: fresh
       integer :: k, l
@@ -182,40 +183,42 @@ contains
       do k = 1, 6
          !$omp simd private(fresh)
          do l = 1, lanes
-            fresh = merge(1.0_wp, 0.0_wp, h(l, state) <= 0.0_wp)
-            h(l, last_stress - 1 + k) = fresh*s(l, k) + (1.0_wp - fresh)*h(l, last_stress - 1 + k)
+            fresh = merge(1.0_wp, 0.0_wp, history(l, state) <= 0.0_wp)
+            history(l, last_stress - 1 + k) = fresh*stress(l, k) &
+               & + (1.0_wp - fresh)*history(l, last_stress - 1 + k)
          end do
       end do
    end subroutine fill_last_stress
 
    !> Keep crack and stress for the next step
-   pure subroutine keep(crack, s, h)
+   pure subroutine keep(crack, stress, history)
       !> Crack and stress after the step
       type(crack_type), intent(in) :: crack
-      real(wp), intent(in) :: s(lanes, 6)
+      real(wp), intent(in) :: stress(lanes, 6)
       !> History of the point
-      real(wp), intent(inout) :: h(lanes, histories)
+      real(wp), intent(inout) :: history(lanes, histories)
 
       real(wp) :: happened
       integer :: k, l
 
-      h(:, last_stress:last_stress + 5) = s
+      history(:, last_stress:last_stress + 5) = stress
       if (crack%any) then
-         h(:, plane_cosine) = crack%has*crack%cosine
-         h(:, plane_sine) = crack%has*crack%sine
-         h(:, matrix_damage) = crack%damage
-         h(:, held_opening) = crack%has*crack%held
+         history(:, plane_cosine) = crack%has*crack%cosine
+         history(:, plane_sine) = crack%has*crack%sine
+         history(:, matrix_damage) = crack%damage
+         history(:, held_opening) = crack%has*crack%held
          do k = 1, 3
-            h(:, slip - 1 + k) = crack%has*crack%slip(:, k)
-            h(:, last_contact - 1 + k) = crack%has*crack%contact(:, k)
+            history(:, slip - 1 + k) = crack%has*crack%slip(:, k)
+            history(:, last_contact - 1 + k) = crack%has*crack%contact(:, k)
          end do
       end if
       !$omp simd private(happened)
       do l = 1, lanes
-         happened = abs(h(l, fibre_onset)) + abs(h(l, plane_cosine)) + abs(h(l, plane_sine)) &
-            & + abs(h(l, crushed)) + abs(h(l, plastic_shear)) + abs(h(l, plastic_shear + 1)) &
-            & + abs(h(l, plastic_shear + 2))
-         h(l, state) = merge(changed, 1.0_wp, happened > 0.0_wp)
+         happened = abs(history(l, fibre_onset)) + abs(history(l, plane_cosine)) &
+            & + abs(history(l, plane_sine)) + abs(history(l, crushed)) &
+            & + abs(history(l, plastic_shear)) + abs(history(l, plastic_shear + 1)) &
+            & + abs(history(l, plastic_shear + 2))
+         history(l, state) = merge(changed, 1.0_wp, happened > 0.0_wp)
       end do
    end subroutine keep
 
