@@ -64,9 +64,7 @@ contains
          rate%wave_speed = min(rate%wave_speed, sqrt(modulus*sheet%thickness/sheet%mass))
          rate%wave_stress = max(rate%wave_stress, rate%speed*sqrt(modulus*sheet%mass &
             & /sheet%thickness))
-         if (model%parts(p)%brick%points == 0) then
-            rate%period = max(rate%period, period_of(sheet, size_of))
-         end if
+         if (sheet%bends) rate%period = max(rate%period, period_of(sheet, size_of))
       end do
       rate%wave_time = rate%length/rate%wave_speed
       ! until here the largest of (v/d)^2/3

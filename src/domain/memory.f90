@@ -73,12 +73,9 @@ contains
 
       real(wp) :: points
 
-      points = real(size(model%mesh%node_id), wp)
-      if (size(model%mesh%brick_id) == 0) then
-         associate (plies => model%parts(1)%plies)
-            points = points*sum(real(plies%layers, wp)*real(plies%order + 1, wp))
-         end associate
-      end if
+      associate (plies => model%parts(1)%plies)
+         points = size(model%mesh%node_id)*sum(real(plies%layers, wp)*real(plies%order + 1, wp))
+      end associate
       bytes = 3.0_wp*least_reals*real_bytes*points
    end function least_bytes
 

@@ -17,6 +17,8 @@ module plydyn_domain_sheet
       real(wp) :: a(3, 3) = 0.0_wp, d(3, 3) = 0.0_wp
       !> Thickness, and mass per area
       real(wp) :: thickness = 0.0_wp, mass = 0.0_wp
+      !> Whether the part bends as a plate
+      logical :: bends = .false.
    end type sheet_type
 
 contains
@@ -38,8 +40,8 @@ contains
       axis = maxloc(length, dim=1)
       period = 0.0_wp
       do p = 1, size(model%parts)
-         if (model%parts(p)%brick%points > 0) cycle
          sheet = sheet_of(model, p)
+         if (.not. sheet%bends) cycle
          period = max(period, 2.0_wp*length(axis)**2/pi*sqrt(sheet%mass/sheet%d(axis, axis)))
       end do
    end function beam_period
@@ -79,6 +81,7 @@ contains
             end associate
          end do
          sheet%thickness = z
+         sheet%bends = .true.
          call invert(sheet%a, flexibility, unused)
          sheet%d(:, :) = sheet%d - matmul(b, matmul(flexibility, b))
       end associate
