@@ -40,31 +40,29 @@ contains
       if (any(domain%layers%order > 0)) then
          words = words//", ply "//text(domain%layers%ply(worst%layer))//" from the bottom"
       end if
-      words = words//", part "//text(part_at(model, worst%node_id))
+      words = words//", part "//text(part_at(domain, model, worst%node_id))
    end function name_of
 
    !> The user's number of the first part that has a node; 0 for none
-   pure integer function part_at(model, node_id) result(part)
+   pure integer function part_at(domain, model, node_id) result(id)
+      type(domain_type), intent(in) :: domain
       type(model_type), intent(in) :: model
       !> The user's number of the node
       integer, intent(in) :: node_id
 
-      integer :: e, node
+      integer :: e, g, place
+      integer, allocatable :: node(:, :), part(:)
 
-      part = 0
-      associate (mesh => model%mesh)
-         node = findloc(mesh%node_id, node_id, dim=1)
-         do e = 1, size(mesh%quad_part)
-            if (.not. any(mesh%quad_node(:, e) == node)) cycle
-            part = model%parts(mesh%quad_part(e))%id
+      id = 0
+      place = findloc(model%mesh%node_id, node_id, dim=1)
+      do g = 1, size(domain%groups)
+         call domain%groups(g)%item%list_elements(model%mesh, part, node)
+         do e = 1, size(part)
+            if (.not. any(node(:, e) == place)) cycle
+            id = model%parts(part(e))%id
             return
          end do
-         do e = 1, size(mesh%brick_part)
-            if (.not. any(mesh%brick_node(:, e) == node)) cycle
-            part = model%parts(mesh%brick_part(e))%id
-            return
-         end do
-      end associate
+      end do
    end function part_at
 
    !> Cycle and time
