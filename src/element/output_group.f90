@@ -23,6 +23,8 @@ module plydyn_element_output_group
       procedure :: node_weights
       procedure :: sheet_motion
       procedure :: output_values
+      procedure :: find_place
+      procedure :: profile
       procedure :: fibre_angle
    end type output_group_type
 
@@ -130,6 +132,38 @@ contains
 
       allocate (values(recovered, 1, 0))
    end function output_values
+
+   !> Local coordinates of a place of the plane in an element that contains it; families without
+   !> profiles find none
+   pure subroutine find_place(self, corner, position, local, found)
+      class(output_group_type), intent(in) :: self
+      !> Positions of the nodes in the group's order, (2, nodes), and the place
+      real(wp), intent(in) :: corner(:, :), position(2)
+      !> Local coordinates
+      real(wp), intent(out) :: local(2)
+      !> Whether the place is in the element
+      logical, intent(out) :: found
+
+      local(:) = 0.0_wp
+      found = .false.
+   end subroutine find_place
+
+   !> Displacement, strain, stress and scalars at heights of a sheet over a place of an element,
+   !> (3 + `recovered`, heights)
+   pure function profile(self, columns, place, local, height, displacement, history) result(values)
+      class(output_group_type), intent(in) :: self
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Number of the element among those of the group, and sheet
+      integer, intent(in) :: place(2)
+      !> Local coordinates of the place; heights in the sheet, from -1 to 1
+      real(wp), intent(in) :: local(2), height(:)
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp) :: values(3 + recovered, size(height))
+
+      values(:, :) = 0.0_wp
+   end function profile
 
    !> Fibre direction of an element in a sheet, degrees from the x axis
    pure real(wp) function fibre_angle(self, model, element, ply) result(angle)

@@ -3,7 +3,7 @@ module plydyn_element_plate_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : crack_band_type
-   use plydyn_element_group, only : element_group_type, group_item_type
+   use plydyn_element_group, only : element_group_type
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_output_group, only : cell_type
    use plydyn_element_plate_corner_volume, only : find_corner_volumes
@@ -16,10 +16,12 @@ module plydyn_element_plate_group
    use plydyn_element_plate_masses, only : add_plate_masses => add_masses, add_mass_of_layer
    use plydyn_element_plate_output, only : layer_levels, layer_motion, layer_place_type, &
       & node_shares, plate_cell, values_at_nodes
+   use plydyn_element_plate_profile, only : find_local, profile_values
    use plydyn_element_plate_stable_rate, only : largest_quad_factor, layer_rates, plane_rate, &
       & rates_and_masses
    use plydyn_element_plate_stored_energy, only : add_plate_energy
    use plydyn_element_quad, only : quad_node_area
+   use plydyn_element_recovered, only : recovered
    use plydyn_element_recover_anywhere, only : plane_shares_type
    use plydyn_element_thickness, only : springs_of_layer => layer_springs
    use plydyn_fem_columns, only : columns_type
@@ -30,7 +32,7 @@ module plydyn_element_plate_group
    implicit none
    private
 
-   public :: new_plate_group, plates_of
+   public :: new_plate_group
 
    !> Nanoseconds of a Gauss point of eight plies in tests/bench: linear, large displacement, law
    real(wp), parameter :: linear_work = 20.0_wp, large_work = 30.0_wp, law_work = 40.0_wp
@@ -55,33 +57,10 @@ module plydyn_element_plate_group
       procedure :: add_dissipation, add_stored_energy, add_crack_bands
       procedure :: work, add_memory, element_id
       procedure :: sheets, sheet_levels, find_cell, list_elements, element_nodes, node_weights
-      procedure :: sheet_motion, output_values, fibre_angle
+      procedure :: sheet_motion, output_values, find_place, profile, fibre_angle
    end type plate_group_type
 
 contains
-
-   !> The plates among some groups, by their element sets: for building, since it copies them
-   pure function plates_of(groups) result(plates)
-      !> The groups
-      type(group_item_type), intent(in) :: groups(:)
-      type(plate_type), allocatable :: plates(:)
-      integer :: g, n
-
-      n = 0
-      do g = 1, size(groups)
-         select type (group => groups(g)%item)
-         type is (plate_group_type)
-            n = max(n, group%set)
-         end select
-      end do
-      allocate (plates(n))
-      do g = 1, size(groups)
-         select type (group => groups(g)%item)
-         type is (plate_group_type)
-            plates(group%set) = group%plate
-         end select
-      end do
-   end function plates_of
 
    !> The layers of a part, still without quads
    function new_plate_group(model, part, number, columns) result(self)
@@ -388,6 +367,27 @@ contains
          & self%sheet_levels(place(2)), self%slot(:, place(2))), self%large, has_tensors, &
          & displacement, history)
    end function output_values
+
+   pure subroutine find_place(self, corner, position, local, found)
+      class(plate_group_type), intent(in) :: self
+      real(wp), intent(in) :: corner(:, :), position(2)
+      real(wp), intent(out) :: local(2)
+      logical, intent(out) :: found
+
+      call find_local(self%plate%side, corner, position, local, found)
+   end subroutine find_place
+
+   pure function profile(self, columns, place, local, height, displacement, history) result(values)
+      class(plate_group_type), intent(in) :: self
+      type(columns_type), intent(in) :: columns
+      integer, intent(in) :: place(2)
+      real(wp), intent(in) :: local(2), height(:), displacement(:), history(:)
+      real(wp) :: values(3 + recovered, size(height))
+
+      values(:, :) = profile_values(self%plate, layer_place_type(place(1), place(2), &
+         & columns%levels(place(2)), self%slot(:, place(2))), self%large, columns, local, height, &
+         & displacement, history)
+   end function profile
 
    pure real(wp) function fibre_angle(self, model, element, ply) result(angle)
       class(plate_group_type), intent(in) :: self

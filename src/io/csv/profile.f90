@@ -6,18 +6,11 @@ module plydyn_io_csv_profile
    use plydyn_base_sort, only : sorted_order
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate_layers, only : plate_type
-   use plydyn_element_plate_group, only : plate_group_type
-   use plydyn_element_quad, only : plane_table
-   use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : ply_stress_at, recovered, strain_at, stress_at
-   use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
-      & thickness_interpolation
-   use plydyn_fem_expansion, only : lagrange
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_model_control, only : profile_type, total_lagrangian
+   use plydyn_model_control, only : profile_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -29,7 +22,7 @@ module plydyn_io_csv_profile
       integer :: profile = 0
       !> Points in each layer
       integer :: points = 0
-      !> Quads of this rank that meet at the place: plate and quad, and where the place is in each
+      !> Quads of this rank that meet at the place: group and quad, and where the place is in each
       integer, allocatable :: quad(:, :)
       real(wp), allocatable :: local(:, :)
       !> Which of all that meet there each of them is, in the order of the mesh
@@ -48,11 +41,6 @@ module plydyn_io_csv_profile
    character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
       & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
       & "s11", "s22", "s33", "s12", "s13", "s23"]
-
-   !> How far outside of its square a place may be and still belong to the quad
-   real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
-   !> Newton steps to find a place in a quad
-   integer, parameter :: newton_steps = 20
 
    public :: check_profiles, new_profile_file
 
@@ -127,16 +115,15 @@ contains
 
       allocate (self%quad(2, 0), self%local(2, 0))
       do g = 1, size(domain%groups)
-         select type (group => domain%groups(g)%item)
-         type is (plate_group_type)
+         associate (group => domain%groups(g)%item)
             do e = 1, size(group%element)
-               call find_local(group%plate, domain%position(1:2, group%plate%node(:, e)), &
-                  & position, local, found)
+               call group%find_place(domain%position(1:2, group%element_nodes(e)), position, &
+                  & local, found)
                if (.not. found) cycle
                self%quad = reshape([self%quad, g, e], [2, size(self%quad, 2) + 1])
                self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
             end do
-         end select
+         end associate
       end do
    end subroutine find_quads
 
@@ -158,35 +145,6 @@ contains
       all_ranks(:) = all_ranks(sorted_order(nint(all_ranks)))
       self%number = [(minloc(abs(all_ranks - own(i)), 1), i=1, size(own))]
    end subroutine number_quads
-
-   !> Newton's method for the local coordinates of a place
-   pure subroutine find_local(plate, xy, position, local, found)
-      type(plate_type), intent(in) :: plate
-      real(wp), intent(in) :: xy(:, :), position(2)
-      real(wp), intent(out) :: local(2)
-      logical, intent(out) :: found
-
-      real(wp) :: area, jacobian(2, 2), miss(2), slope(2, size(xy, 2)), value(size(xy, 2))
-      integer :: pass
-
-      local(:) = 0.0_wp
-      area = 0.0_wp
-      found = all(position >= minval(xy, 2) - (maxval(xy, 2) - minval(xy, 2))) &
-         & .and. all(position <= maxval(xy, 2) + (maxval(xy, 2) - minval(xy, 2)))
-      if (.not. found) return
-      do pass = 1, newton_steps
-         call plane_table(plate%side, local(1), local(2), value, slope)
-         miss(:) = position - matmul(xy, value)
-         jacobian(:, :) = matmul(xy, transpose(slope))
-         area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
-         ! far outside a quad its map may fold: the place is not in it
-         if (area <= 0.0_wp) exit
-         local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
-            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)]/area
-         local(:) = max(-2.0_wp, min(2.0_wp, local))
-      end do
-      found = area > 0.0_wp .and. all(abs(local) <= inside)
-   end subroutine find_local
 
    !> Write a block of rows
    subroutine record(self, simulation, error)
@@ -244,21 +202,15 @@ contains
 
       logical :: is_known(quantities, self%all_quads, self%points, size(values, 4))
       real(wp), allocatable :: flat(:)
-      type(plane_shares_type) :: shares
       integer :: k, q
 
       values(:, :, :, :) = 0.0_wp
       is_known(:, :, :, :) = .false.
       is_known(:, self%number, :, :) = .true.
       do q = 1, size(self%number)
-         select type (group => domain%groups(self%quad(1, q))%item)
-         type is (plate_group_type)
-            shares = new_plane_shares(group%plate%side, self%local(:, q:q))
-            do k = 1, size(values, 4)
-               values(:, self%number(q), :, k) = layer_profile(self, domain, group%plate, state, &
-                  & q, k, shares)
-            end do
-         end select
+         do k = 1, size(values, 4)
+            values(:, self%number(q), :, k) = layer_profile(self, domain, state, q, k)
+         end do
       end do
       flat = reshape(values, [size(values)])
       call domain%comm%merge(reshape(is_known, [size(values)]), flat)
@@ -266,63 +218,25 @@ contains
    end subroutine find_values
 
    !> Displacement, stress, strain and ply stress of a quad at the points of a layer
-   function layer_profile(self, domain, plate, state, q, layer, shares) result(values)
+   pure function layer_profile(self, domain, state, q, layer) result(values)
       type(profile_file_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
-      type(plate_type), intent(in) :: plate
       type(state_type), intent(in) :: state
       !> The quad among those of this rank at the place
       integer, intent(in) :: q, layer
-      !> Shares of its Gauss points at the place
-      type(plane_shares_type), intent(in) :: shares
       real(wp) :: values(quantities, self%points)
 
-      real(wp) :: all_values(recovered, 1), height
-      real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
+      integer, parameter :: chosen(quantities) = [1, 2, 3, &
+         & 3 + stress_at + [1, 2, 3, 4, 5, 6], 3 + strain_at + [1, 2, 3, 4, 5, 6], &
+         & 3 + ply_stress_at + [1, 2, 3, 4, 5, 6]]
+      real(wp) :: all_values(3 + recovered, self%points)
       integer :: i
 
-      associate (e => self%quad(2, q), slot => domain%columns%layer_slot(:, layer))
-         at_gauss = reshape(layer_values(plate, slot(1), slot(2), slot(3), e, &
-            & domain%control%kinematics == total_lagrangian, state%displacement, &
-            & state%history), [recovered*size(plate%node, 1), domain%columns%levels(layer)])
-         do i = 1, self%points
-            height = 2.0_wp*share_of(self, i) - 1.0_wp
-            at_level = reshape(matmul(at_gauss, thickness_interpolation( &
-               & plate%batches(slot(1)), height)), [recovered, size(plate%node, 1)])
-            all_values(:, :) = plane_values(plate, e, layer, shares, at_level)
-            values(1:3, i) = displacement_at(domain, state, plate, e, layer, self%local(:, q), &
-               & height)
-            values(4:9, i) = all_values(stress_at + 1:stress_at + 6, 1)
-            values(10:15, i) = all_values(strain_at + 1:strain_at + 6, 1)
-            values(16:21, i) = all_values(ply_stress_at + 1:ply_stress_at + 6, 1)
-         end do
-      end associate
+      all_values(:, :) = domain%groups(self%quad(1, q))%item%profile(domain%columns, &
+         & [self%quad(2, q), layer], self%local(:, q), &
+         & [(2.0_wp*share_of(self, i) - 1.0_wp, i=1, self%points)], state%displacement, &
+         & state%history)
+      values(:, :) = all_values(chosen, :)
    end function layer_profile
-
-   !> Displacement at a place of a quad and a height of a layer
-   function displacement_at(domain, state, plate, e, layer, local, height) result(u)
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
-      type(plate_type), intent(in) :: plate
-      integer, intent(in) :: e, layer
-      real(wp), intent(in) :: local(2), height
-      real(wp) :: u(3)
-
-      real(wp) :: plane(size(plate%node, 1)), plane_slope(2, size(plate%node, 1))
-      real(wp) :: share(domain%columns%levels(layer)), slope(domain%columns%levels(layer))
-      integer :: c, t
-
-      call plane_table(plate%side, local(1), local(2), plane, plane_slope)
-      call lagrange(plate%batches(domain%columns%layer_slot(1, layer))%expansion%node, height, &
-         & share, &
-         & slope)
-      u(:) = 0.0_wp
-      do c = 1, 3
-         do t = 1, size(share)
-            u(c) = u(c) + share(t)*dot_product(plane, &
-               & state%displacement(domain%columns%freedom(layer, t, c, plate%node(:, e))))
-         end do
-      end do
-   end function displacement_at
 
 end module plydyn_io_csv_profile
