@@ -71,7 +71,7 @@ contains
       domain%limit%element_rate = maxval(scaling%rate)
       domain%limit%step = domain%control%mass_scaled_step
       if (scaling%rate(2) > scaling%most) domain%limit%step = 2.0_wp/sqrt(scaling%rate(2))
-      call collect(model, scaling, domain)
+      call sum_over_ranks(model, scaling, domain)
    end subroutine scale_masses
 
    !> Eigenvalues of the springs at the faces of each layer of each part, as far as they are
@@ -153,7 +153,7 @@ contains
    end subroutine count_layer
 
    !> Sums over all ranks
-   subroutine collect(model, scaling, domain)
+   subroutine sum_over_ranks(model, scaling, domain)
       type(model_type), intent(in) :: model
       type(scaling_type), intent(inout) :: scaling
       !> Gets what was added to each part
@@ -172,6 +172,6 @@ contains
                & scaling%largest(p))
          end associate
       end do
-   end subroutine collect
+   end subroutine sum_over_ranks
 
 end module plydyn_domain_mass_scaling
