@@ -4,7 +4,6 @@ module plydyn_element_plate_strength_factors
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_fem_quad_points, only : quad_points
    use plydyn_model_layers, only : layers_type, new_layers
-   use plydyn_model_layup, only : part_type
    use plydyn_model_model, only : model_type
    implicit none
    private
