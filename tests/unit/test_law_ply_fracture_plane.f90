@@ -3,7 +3,6 @@
 program test_law_ply_fracture_plane
    use fracture_point, only : fracture_ply, fracture_point_type, new_fracture_point
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_fracture_constants, only : fracture_batch_type, fracture_constants_type
    use plydyn_law_ply_fracture_fibres, only : fibres_type
    use plydyn_law_ply_fracture_history, only : matrix_damage, plane_cosine, plane_sine
